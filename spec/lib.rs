@@ -1,0 +1,25 @@
+//! The equations of three contact models, executable.
+//!
+//! Every equation of a paper is one small function over an abstract number, [`Real`]. Read a room, for instance
+//! [`wear::eq03_normal_force`], from top to bottom: the formula as printed, how it was read, its units and domain, its laws.
+
+#[cfg(test)]
+extern crate self as veridem_spec;
+
+pub mod contact;
+pub mod equation;
+pub mod model;
+pub mod numbers;
+pub mod real;
+pub mod vec3;
+pub mod wear;
+
+pub use contact::Contact;
+pub use model::{Flat, Losses, Outcome, PairModel, Stored, Wrench};
+pub use real::{Real, piecewise};
+pub use vec3::{Tensor, Vec3};
+
+/// Every equation of every paper.
+pub fn equations() -> Vec<equation::Equation> {
+    wear::equations()
+}

@@ -1,0 +1,135 @@
+//! All that an engine may know of a paper.
+
+use crate::{Contact, Real, Vec3};
+
+/// The action of a pair: forces and torques, never accelerations, so that Newton's third law can be seen.
+#[derive(Clone, Copy, Debug)]
+pub struct Wrench<R> {
+    /// Force on `i`, N; the force on `j` is its negative.
+    pub force: Vec3<R>,
+    /// Torque on `i` about its centre, N m.
+    pub torque_i: Vec3<R>,
+    /// Torque on `j` about its centre, N m.
+    pub torque_j: Vec3<R>,
+}
+
+impl<R: Real> Wrench<R> {
+    /// Power that the pair delivers to its two spheres, W.
+    #[inline(always)]
+    pub fn power(&self, c: &Contact<R>) -> R {
+        self.force.dot(c.v) + self.torque_i.dot(c.omega_i) + self.torque_j.dot(c.omega_j)
+    }
+}
+
+/// What one time step of a pair turned into heat, J, by cause.
+#[derive(Clone, Copy, Debug)]
+pub struct Losses<R> {
+    /// Dashpot along the normal.
+    pub normal: R,
+    /// Dashpot in the contact plane.
+    pub tangential: R,
+    /// Springs that slid or let go.
+    pub slip: R,
+}
+
+/// What a pair holds, J, by cause.
+#[derive(Clone, Copy, Debug)]
+pub struct Stored<R> {
+    /// Potential of the force along the normal, zero for spheres far apart.
+    pub normal: R,
+    /// Springs in the contact plane.
+    pub tangential: R,
+}
+
+/// A pair after one evaluation.
+#[derive(Clone, Copy, Debug)]
+pub struct Outcome<R, M> {
+    /// Forces and torques now.
+    pub wrench: Wrench<R>,
+    /// The springs to start the next step from.
+    pub memory: M,
+    /// Energy lost in this step.
+    pub losses: Losses<R>,
+}
+
+/// A fixed number of `R`, in order: how an engine keeps what a model remembers without knowing what it means.
+pub trait Flat<R>: Copy {
+    /// How many numbers.
+    const LEN: usize;
+    /// Builds the value from its numbers.
+    fn from_fn(f: impl FnMut(usize) -> R) -> Self;
+    /// The number at place `k`.
+    fn get(&self, k: usize) -> R;
+}
+
+impl<R: Copy, const N: usize> Flat<R> for [R; N] {
+    const LEN: usize = N;
+    #[inline(always)]
+    fn from_fn(f: impl FnMut(usize) -> R) -> Self {
+        std::array::from_fn(f)
+    }
+    #[inline(always)]
+    fn get(&self, k: usize) -> R {
+        self[k]
+    }
+}
+
+impl<R: Copy> Flat<R> for Vec3<R> {
+    const LEN: usize = 3;
+    #[inline(always)]
+    fn from_fn(f: impl FnMut(usize) -> R) -> Self {
+        Self(std::array::from_fn(f))
+    }
+    #[inline(always)]
+    fn get(&self, k: usize) -> R {
+        self.0[k]
+    }
+}
+
+/// Declares a structure of numbers that is also [`Flat`].
+#[macro_export]
+macro_rules! flat_struct {
+    ($(#[$doc:meta])* pub struct $name:ident { $($(#[$field_doc:meta])* pub $field:ident),* $(,)? }) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct $name<R> { $($(#[$field_doc])* pub $field: R),* }
+        impl<R: Copy> $crate::Flat<R> for $name<R> {
+            const LEN: usize = [$(stringify!($field)),*].len();
+            #[inline(always)]
+            fn from_fn(mut f: impl FnMut(usize) -> R) -> Self {
+                let mut place = 0..Self::LEN;
+                $(let $field = f(place.next().unwrap_or(0));)*
+                Self { $($field),* }
+            }
+            #[inline(always)]
+            fn get(&self, k: usize) -> R {
+                [$(self.$field),*][k]
+            }
+        }
+    };
+}
+
+/// A contact model: what acts between two spheres.
+pub trait PairModel: Sync {
+    /// What stays constant while two spheres are neighbours.
+    type Coefficients<R: Real>: Flat<R>;
+    /// The springs of a contact; all zero when it is born.
+    type Memory<R: Real>: Flat<R>;
+
+    /// The constants of a pair of given radii (m) and masses (kg).
+    fn coefficients<R: Real>(&self, r_i: R, r_j: R, m_i: R, m_j: R) -> Self::Coefficients<R>;
+    /// Largest distance of centres at which two spheres of these radii act on each other, m.
+    fn range(&self, r_i: f64, r_j: f64) -> f64;
+    /// The pair at one instant: advances its springs by `dt` and says what they do. Beyond its range all is zero.
+    fn pair<R: Real>(
+        &self,
+        c: &Contact<R>,
+        k: &Self::Coefficients<R>,
+        memory: Self::Memory<R>,
+        dt: R,
+    ) -> Outcome<R, Self::Memory<R>>;
+    /// The energy that a pair holds.
+    fn stored<R: Real>(&self, c: &Contact<R>, k: &Self::Coefficients<R>, memory: &Self::Memory<R>) -> Stored<R>;
+    /// Largest stable time step of two equal spheres in contact, s.
+    fn critical_time_step(&self, r: f64, m: f64) -> f64;
+}

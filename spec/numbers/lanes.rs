@@ -1,0 +1,170 @@
+//! Several `f64` side by side: what the engine's pair loop computes with.
+//!
+//! Plain arrays and element-wise loops. The compiler turns them into whatever vector instructions it is allowed to use;
+//! because no operation is fused or reordered, every lane has the bits of the same calculation in `f64`.
+
+use crate::Real;
+use num_traits::{One, Zero};
+use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
+
+/// `N` numbers, treated alike.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
+pub struct Lanes<const N: usize>(pub [f64; N]);
+
+/// `N` truths, each all ones or all zeros: selecting is then bitwise, which every instruction set can do.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
+pub struct LaneMask<const N: usize>([u64; N]);
+
+impl<const N: usize> Lanes<N> {
+    #[inline(always)]
+    fn map(self, f: impl Fn(f64) -> f64) -> Self {
+        let mut out = self.0;
+        for x in &mut out {
+            *x = f(*x);
+        }
+        Self(out)
+    }
+    #[inline(always)]
+    fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        let mut out = self.0;
+        for k in 0..N {
+            out[k] = f(out[k], other.0[k]);
+        }
+        Self(out)
+    }
+    #[inline(always)]
+    fn compare(self, other: Self, f: impl Fn(f64, f64) -> bool) -> LaneMask<N> {
+        let mut out = [0; N];
+        for k in 0..N {
+            out[k] = (f(self.0[k], other.0[k]) as u64).wrapping_neg();
+        }
+        LaneMask(out)
+    }
+}
+
+impl<const N: usize> LaneMask<N> {
+    #[inline(always)]
+    fn zip(self, other: Self, f: impl Fn(u64, u64) -> u64) -> Self {
+        let mut out = self.0;
+        for k in 0..N {
+            out[k] = f(out[k], other.0[k]);
+        }
+        Self(out)
+    }
+}
+
+impl<const N: usize> Real for Lanes<N> {
+    type Mask = LaneMask<N>;
+    #[inline(always)]
+    fn lit(value: f64) -> Self {
+        Self([value; N])
+    }
+    #[inline(always)]
+    fn pi() -> Self {
+        Self::lit(f64::pi())
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        self.map(Real::sqrt)
+    }
+    #[inline]
+    fn exp(self) -> Self {
+        self.map(Real::exp)
+    }
+    #[inline]
+    fn ln(self) -> Self {
+        self.map(Real::ln)
+    }
+    #[inline]
+    fn sin(self) -> Self {
+        self.map(Real::sin)
+    }
+    #[inline]
+    fn cos(self) -> Self {
+        self.map(Real::cos)
+    }
+    #[inline]
+    fn tanh(self) -> Self {
+        self.map(Real::tanh)
+    }
+    #[inline]
+    fn floor(self) -> Self {
+        self.map(Real::floor)
+    }
+    #[inline(always)]
+    fn lt(self, other: Self) -> LaneMask<N> {
+        self.compare(other, |a, b| a < b)
+    }
+    #[inline(always)]
+    fn le(self, other: Self) -> LaneMask<N> {
+        self.compare(other, |a, b| a <= b)
+    }
+    #[inline(always)]
+    fn select(mask: LaneMask<N>, yes: Self, no: Self) -> Self {
+        let mut out = [0.0; N];
+        for k in 0..N {
+            out[k] = f64::from_bits((yes.0[k].to_bits() & mask.0[k]) | (no.0[k].to_bits() & !mask.0[k]));
+        }
+        Self(out)
+    }
+}
+
+impl<const N: usize> Zero for Lanes<N> {
+    #[inline(always)]
+    fn zero() -> Self {
+        Self([0.0; N])
+    }
+    fn is_zero(&self) -> bool {
+        self.0.iter().all(Zero::is_zero)
+    }
+}
+impl<const N: usize> One for Lanes<N> {
+    #[inline(always)]
+    fn one() -> Self {
+        Self([1.0; N])
+    }
+}
+
+macro_rules! elementwise {
+    ($($trait:ident $method:ident $op:tt),*) => {$(
+        impl<const N: usize> $trait for Lanes<N> {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                self.zip(other, |a, b| a $op b)
+            }
+        }
+    )*};
+}
+elementwise!(Add add +, Sub sub -, Mul mul *, Div div /);
+
+impl<const N: usize> Neg for Lanes<N> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        self.map(|a| -a)
+    }
+}
+impl<const N: usize> BitAnd for LaneMask<N> {
+    type Output = Self;
+    #[inline(always)]
+    fn bitand(self, other: Self) -> Self {
+        self.zip(other, |a, b| a & b)
+    }
+}
+impl<const N: usize> BitOr for LaneMask<N> {
+    type Output = Self;
+    #[inline(always)]
+    fn bitor(self, other: Self) -> Self {
+        self.zip(other, |a, b| a | b)
+    }
+}
+impl<const N: usize> Not for LaneMask<N> {
+    type Output = Self;
+    #[inline(always)]
+    fn not(self) -> Self {
+        Self(self.0.map(|a| !a))
+    }
+}

@@ -1,0 +1,146 @@
+//! The numerical vocabulary of every equation, on one page.
+//!
+//! An equation is written once over [`Real`]. What the number *is* decides what evaluating the equation means:
+//! `f64` gives its value, [`Lanes`](crate::numbers::Lanes) eight values at once, and the checking numbers its
+//! derivative, its dimension, its exact value or its bounds.
+//!
+//! A kernel never branches on a number: it compares to a mask and selects. [`piecewise`] reads like the cases of a paper.
+
+use num_traits::{One, Zero};
+use std::fmt::Debug;
+use std::ops::{BitAnd, BitOr, Div, Neg, Not, Sub};
+
+/// A number that equations can be evaluated with.
+///
+/// Addition and multiplication come from `num-traits` with their neutral elements; all other functions are here.
+/// Transcendental functions come from one pinned pure-Rust implementation, so that the bits do not depend on the platform.
+pub trait Real: Copy + Debug + Zero + One + Sub<Output = Self> + Div<Output = Self> + Neg<Output = Self> + 'static {
+    /// The truth of a comparison: one `bool` per value the number holds.
+    type Mask: Copy + BitAnd<Output = Self::Mask> + BitOr<Output = Self::Mask> + Not<Output = Self::Mask>;
+
+    /// A dimensionless literal of the formula, exact.
+    fn lit(value: f64) -> Self;
+    /// The ratio of a circle's circumference to its diameter.
+    fn pi() -> Self;
+    /// Square root.
+    fn sqrt(self) -> Self;
+    /// Exponential.
+    fn exp(self) -> Self;
+    /// Natural logarithm.
+    fn ln(self) -> Self;
+    /// Sine of an angle in radians.
+    fn sin(self) -> Self;
+    /// Cosine of an angle in radians.
+    fn cos(self) -> Self;
+    /// Hyperbolic tangent.
+    fn tanh(self) -> Self;
+    /// Largest integer not above the number.
+    fn floor(self) -> Self;
+
+    /// `self < other`; false for a NaN.
+    fn lt(self, other: Self) -> Self::Mask;
+    /// `self <= other`; false for a NaN.
+    fn le(self, other: Self) -> Self::Mask;
+    /// `self > other`; false for a NaN.
+    fn gt(self, other: Self) -> Self::Mask {
+        other.lt(self)
+    }
+    /// `self >= other`; false for a NaN.
+    fn ge(self, other: Self) -> Self::Mask {
+        other.le(self)
+    }
+    /// `yes` where the mask is true, `no` elsewhere; both have been evaluated.
+    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+
+    /// Absolute value.
+    fn abs(self) -> Self {
+        Self::select(self.lt(Self::zero()), -self, self)
+    }
+    /// The smaller of two numbers.
+    fn min(self, other: Self) -> Self {
+        Self::select(self.lt(other), self, other)
+    }
+    /// The larger of two numbers.
+    fn max(self, other: Self) -> Self {
+        Self::select(self.gt(other), self, other)
+    }
+    /// The number times itself.
+    fn squared(self) -> Self {
+        self * self
+    }
+}
+
+/// The value of the first case whose condition holds, or `otherwise`.
+#[inline(always)]
+pub fn piecewise<R: Real, const N: usize>(cases: [(R::Mask, R); N], otherwise: R) -> R {
+    let mut value = otherwise;
+    for (condition, case) in cases.into_iter().rev() {
+        value = R::select(condition, case, value);
+    }
+    value
+}
+
+macro_rules! native {
+    ($float:ty, $suffix:ident) => {
+        impl Real for $float {
+            type Mask = bool;
+            #[inline(always)]
+            fn lit(value: f64) -> Self {
+                value as $float
+            }
+            #[inline(always)]
+            fn pi() -> Self {
+                std::f64::consts::PI as $float
+            }
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                <$float>::sqrt(self)
+            }
+            #[inline]
+            fn exp(self) -> Self {
+                $suffix::exp(self)
+            }
+            #[inline]
+            fn ln(self) -> Self {
+                $suffix::log(self)
+            }
+            #[inline]
+            fn sin(self) -> Self {
+                $suffix::sin(self)
+            }
+            #[inline]
+            fn cos(self) -> Self {
+                $suffix::cos(self)
+            }
+            #[inline]
+            fn tanh(self) -> Self {
+                $suffix::tanh(self)
+            }
+            #[inline]
+            fn floor(self) -> Self {
+                $suffix::floor(self)
+            }
+            #[inline(always)]
+            fn lt(self, other: Self) -> bool {
+                self < other
+            }
+            #[inline(always)]
+            fn le(self, other: Self) -> bool {
+                self <= other
+            }
+            #[inline(always)]
+            fn select(mask: bool, yes: Self, no: Self) -> Self {
+                if mask { yes } else { no }
+            }
+        }
+    };
+}
+
+mod double {
+    pub use libm::{cos, exp, floor, log, sin, tanh};
+}
+mod single {
+    pub use libm::{cosf as cos, expf as exp, floorf as floor, logf as log, sinf as sin, tanhf as tanh};
+}
+native!(f64, double);
+native!(f32, single);

@@ -1,0 +1,3 @@
+//! The f64 engine built on the equations of [`veridem_spec`], and the command line that runs the papers' cases.
+
+pub use veridem_spec as spec;
