@@ -11,6 +11,7 @@ pub mod equation;
 pub mod model;
 pub mod numbers;
 pub mod real;
+pub mod unit;
 pub mod vec3;
 pub mod wear;
 

@@ -2,4 +2,21 @@
 
 mod lanes;
 
+#[cfg(feature = "verify")]
+pub mod dimension;
+#[cfg(feature = "verify")]
+mod dual;
+#[cfg(feature = "verify")]
+mod interval;
+#[cfg(feature = "verify")]
+mod reference;
+
 pub use lanes::{LaneMask, Lanes};
+
+#[cfg(feature = "verify")]
+pub use {
+    dimension::Dimension,
+    dual::Dual,
+    interval::{Interval, Truth},
+    reference::Reference,
+};

@@ -32,10 +32,7 @@ use crate::{Real, equation, piecewise};
 #[inline(always)]
 pub fn normal_force<R: Real>(k_n: R, delta_e: R, delta_f: R, delta_n: R) -> R {
     let weakening = k_n * delta_e * (delta_f - delta_n) / (delta_f - delta_e);
-    piecewise(
-        [(delta_n.le(delta_e.min(delta_f)), k_n * delta_n), (delta_n.le(delta_f), weakening)],
-        R::zero(),
-    )
+    piecewise([(delta_n.le(delta_e.min(delta_f)), k_n * delta_n), (delta_n.le(delta_f), weakening)], R::zero())
 }
 
 pub(super) fn equations() -> Vec<Equation> {
