@@ -1,3 +1,5 @@
 //! The f64 engine built on the equations of [`veridem_spec`], and the command line that runs the papers' cases.
 
+pub mod case;
+
 pub use veridem_spec as spec;

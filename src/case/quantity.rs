@@ -1,0 +1,190 @@
+//! Quantities of a case file: a number with a unit of the right dimension, or a multiple of a scale of the case.
+
+use super::units::{Dimension, decimal, in_unit, number_and_unit, shifted, unit};
+use serde::de::{Deserialize, Deserializer, Error, Unexpected, Visitor};
+use serde::{Serialize, Serializer};
+use std::fmt;
+use std::marker::PhantomData;
+
+/// What a key measures.
+pub trait Kind: Clone + fmt::Debug + PartialEq + 'static {
+    /// With its article: `a length`.
+    const NAME: &'static str;
+    /// Its dimension.
+    const DIMENSION: Dimension;
+    /// The unit it is written back in.
+    const UNIT: &'static str;
+    /// What a user may write.
+    const EXAMPLE: &'static str;
+}
+
+/// A length, a time... that the case itself defines and quantities may be multiples of: `1.5 d_0`.
+pub trait Scale: Clone + fmt::Debug + PartialEq + 'static {
+    /// Its name in case files.
+    const SYMBOL: &'static str;
+}
+
+macro_rules! kinds {
+    ($($name:ident: $text:literal $dimension:tt $unit:literal $example:literal;)*) => {$(
+        #[doc = concat!("Marks ", $text, ", such as `", $example, "`.")]
+        #[derive(Clone, Debug, PartialEq)]
+        pub struct $name;
+        impl Kind for $name {
+            const NAME: &'static str = $text;
+            const DIMENSION: Dimension = Dimension($dimension);
+            const UNIT: &'static str = $unit;
+            const EXAMPLE: &'static str = $example;
+        }
+    )*};
+}
+kinds! {
+    Length: "a length" [0, 1, 0] "nm" "14 nm";
+    Time: "a time" [0, 0, 1] "ns" "10 ns";
+    Velocity: "a velocity" [0, 1, -1] "m/s" "10 m/s";
+    Pressure: "a pressure" [1, -1, -2] "GPa" "73 GPa";
+    SurfaceEnergy: "a surface energy" [1, 0, -2] "N/m" "1.5 N/m";
+    Density: "a density" [1, -3, 0] "kg/m^3" "2200 kg/m^3";
+    Drag: "a damping coefficient" [1, 0, -1] "kg/s" "1e-12 kg/s";
+}
+
+macro_rules! scales {
+    ($($name:ident: $symbol:literal $text:literal;)*) => {$(
+        #[doc = concat!("Marks multiples of ", $text, ".")]
+        #[derive(Clone, Debug, PartialEq)]
+        pub struct $name;
+        impl Scale for $name {
+            const SYMBOL: &'static str = $symbol;
+        }
+    )*};
+}
+scales! {
+    CriticalDiameter: "d_c" "the critical diameter of Eq. 18";
+    ModeDiameter: "d_0" "the most frequent particle diameter";
+    JunctionDiameter: "D" "the diameter of the junction";
+    YoungModulus: "E" "Young's modulus";
+    CriticalStep: "dt_c" "the critical time step of the smallest particle, Eq. 6";
+    CriticalDamping: "c_c" "the critical damping of the smallest particle, Eq. 21";
+    Step: "steps" "the time step";
+}
+
+/// A quantity with its unit, held in engine units.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Quantity<K> {
+    /// In engine units.
+    pub value: f64,
+    kind: PhantomData<K>,
+}
+
+impl<K: Kind> Quantity<K> {
+    /// Reads `14 nm`; the error says what is wrong with the text.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        let expected = format!("expected {} such as `{}`", K::NAME, K::EXAMPLE);
+        let wrong = |what: &str| format!("found `{text}`{what}, {expected}");
+        let (number, rest) = number_and_unit(text).ok_or_else(|| wrong(""))?;
+        if rest.is_empty() {
+            return Err(wrong(" without a unit"));
+        }
+        let (dimension, power) = unit(rest).ok_or_else(|| wrong(&format!(", `{rest}` is not a unit")))?;
+        if dimension != K::DIMENSION {
+            return Err(wrong(", which has another dimension"));
+        }
+        Ok(Self { value: shifted(number, power), kind: PhantomData })
+    }
+}
+
+/// A quantity with its unit, or a multiple of the scale `S`.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Scaled<K, S> {
+    /// With a unit.
+    Absolute(Quantity<K>),
+    /// So many times the scale.
+    Multiple(f64, PhantomData<S>),
+}
+
+impl<K: Kind, S: Scale> Scaled<K, S> {
+    /// So many times the scale.
+    pub const fn times(number: f64) -> Self {
+        Self::Multiple(number, PhantomData)
+    }
+    /// In engine units, where `scale` is one scale in engine units.
+    pub fn value(&self, scale: f64) -> f64 {
+        match self {
+            Self::Absolute(quantity) => quantity.value,
+            Self::Multiple(number, _) => number * scale,
+        }
+    }
+    /// The number as written, in engine units or in scales: enough to know its sign.
+    pub fn number(&self) -> f64 {
+        self.value(1.0)
+    }
+    /// Reads `14 nm` or `1.5 d_0`.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        if let Some((number, rest)) = number_and_unit(text)
+            && rest == S::SYMBOL
+        {
+            return Ok(Self::times(number.parse().expect("the number has been parsed before")));
+        }
+        let or_multiple = |error: String| format!("{error} or `{} {}`", if S::SYMBOL == "steps" { "1000" } else { "1.5" }, S::SYMBOL);
+        Quantity::parse(text).map(Self::Absolute).map_err(or_multiple)
+    }
+}
+
+impl<K: Kind> fmt::Display for Quantity<K> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&in_unit(self.value, K::UNIT))
+    }
+}
+impl<K: Kind, S: Scale> fmt::Display for Scaled<K, S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Absolute(quantity) => quantity.fmt(f),
+            Self::Multiple(number, _) => write!(f, "{} {}", decimal(*number), S::SYMBOL),
+        }
+    }
+}
+
+/// Reads a scalar of the case file as the text that stands there.
+struct Text<T>(fn(&str) -> Result<T, String>);
+
+impl<T> Visitor<'_> for Text<T> {
+    type Value = T;
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a quantity with its unit")
+    }
+    fn visit_str<E: Error>(self, text: &str) -> Result<T, E> {
+        (self.0)(text).map_err(E::custom)
+    }
+    fn visit_f64<E: Error>(self, number: f64) -> Result<T, E> {
+        self.visit_str(&decimal(number))
+    }
+    fn visit_u64<E: Error>(self, number: u64) -> Result<T, E> {
+        self.visit_str(&number.to_string())
+    }
+    fn visit_i64<E: Error>(self, number: i64) -> Result<T, E> {
+        self.visit_str(&number.to_string())
+    }
+    fn visit_unit<E: Error>(self) -> Result<T, E> {
+        Err(E::invalid_type(Unexpected::Unit, &self))
+    }
+}
+
+impl<'de, K: Kind> Deserialize<'de> for Quantity<K> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(Text(Self::parse))
+    }
+}
+impl<'de, K: Kind, S: Scale> Deserialize<'de> for Scaled<K, S> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(Text(Self::parse))
+    }
+}
+impl<K: Kind> Serialize for Quantity<K> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+impl<K: Kind, S: Scale> Serialize for Scaled<K, S> {
+    fn serialize<Z: Serializer>(&self, serializer: Z) -> Result<Z::Ok, Z::Error> {
+        serializer.collect_str(self)
+    }
+}

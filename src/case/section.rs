@@ -1,0 +1,229 @@
+//! How a section of a case file is declared: once, with its keys, their types, defaults and meaning.
+//!
+//! From one declaration come the Rust structure, the reader that knows its keys, and the listing of `veridem schema`.
+
+use super::quantity::{Kind, Quantity, Scale, Scaled};
+use serde::de::{Deserialize, DeserializeSeed, Deserializer, Error, MapAccess, Visitor};
+use std::fmt;
+use std::path::PathBuf;
+
+/// A key of a case file, for the reader of `veridem schema`.
+#[derive(Debug, serde::Serialize)]
+pub struct Key {
+    /// Its name.
+    pub key: &'static str,
+    /// What it means.
+    pub about: String,
+    /// What may be written there.
+    pub expects: String,
+    /// What stands there when nothing is written; none for a key that must be written.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub default: Option<serde_json::Value>,
+    /// The keys below it.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub keys: Vec<Key>,
+}
+
+/// Anything that may stand behind a key.
+pub trait Field: serde::Serialize {
+    /// What may be written there.
+    fn expects() -> String;
+    /// The keys below it.
+    fn keys() -> Vec<Key> {
+        Vec::new()
+    }
+}
+
+macro_rules! plain_fields {
+    ($($type:ty: $expects:literal),*) => {$(
+        impl Field for $type {
+            fn expects() -> String {
+                $expects.into()
+            }
+        }
+    )*};
+}
+plain_fields!(f64: "a number", u64: "a whole number", String: "a text", PathBuf: "a path");
+
+impl<K: Kind> Field for Quantity<K> {
+    fn expects() -> String {
+        format!("{} such as `{}`", K::NAME, K::EXAMPLE)
+    }
+}
+impl<K: Kind, S: Scale> Field for Scaled<K, S> {
+    fn expects() -> String {
+        format!("{} such as `{}` or `1.5 {}`", K::NAME, K::EXAMPLE, S::SYMBOL)
+    }
+}
+impl<T: Field> Field for Option<T> {
+    fn expects() -> String {
+        T::expects()
+    }
+    fn keys() -> Vec<Key> {
+        T::keys()
+    }
+}
+impl<T: Field> Field for [T; 3] {
+    fn expects() -> String {
+        format!("three of: {}", T::expects())
+    }
+}
+
+/// Reads the name of a key that must be one of `known`: so an unknown one is reported where it stands.
+pub struct KeyName(pub &'static [&'static str]);
+
+impl<'de> DeserializeSeed<'de> for KeyName {
+    type Value = &'static str;
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<&'static str, D::Error> {
+        deserializer.deserialize_str(self)
+    }
+}
+impl Visitor<'_> for KeyName {
+    type Value = &'static str;
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("the name of a key")
+    }
+    fn visit_str<E: Error>(self, name: &str) -> Result<&'static str, E> {
+        self.0.iter().find(|known| **known == name).copied().ok_or_else(|| E::custom(unknown_key(name, self.0)))
+    }
+}
+
+/// The message for a key that is not one of `known`.
+pub fn unknown_key(name: &str, known: &[&str]) -> String {
+    let nearest = known.iter().map(|key| (strsim::damerau_levenshtein(name, key), key)).min_by_key(|(distance, _)| *distance);
+    match nearest {
+        Some((distance, key)) if 3 * distance <= name.len().max(3) => {
+            format!("unknown key `{name}`, did you mean `{key}`?")
+        }
+        _ => format!("unknown key `{name}`, expected one of `{}`", known.join("`, `")),
+    }
+}
+
+/// A section in which every key has its default.
+pub fn defaults<T: for<'de> Deserialize<'de>>() -> T {
+    let nothing = serde::de::value::MapDeserializer::<_, serde::de::value::Error>::new(std::iter::empty::<(String, String)>());
+    T::deserialize(nothing).expect("every key of a section that may be left out has a default")
+}
+
+/// Reads the one key that a choice consists of.
+pub fn only_key<'de, A: MapAccess<'de>>(map: &mut A, known: &'static [&'static str]) -> Result<&'static str, A::Error> {
+    map.next_key_seed(KeyName(known))?.ok_or_else(|| A::Error::custom(one_of(known)))
+}
+/// The message for a choice that was not made, or made twice.
+pub fn one_of(known: &[&str]) -> String {
+    format!("expected exactly one of the keys `{}`", known.join("`, `"))
+}
+
+/// Declares a section: `key: Type,` must be written, `key: Type = default,` may be.
+macro_rules! section {
+    ($(#[doc = $about:literal])* pub struct $name:ident {
+        $($(#[doc = $doc:literal])* $key:ident: $type:ty $(= $default:expr)?,)*
+    }) => {
+        $(#[doc = $about])*
+        #[derive(Clone, Debug, PartialEq, serde::Serialize)]
+        pub struct $name { $($(#[doc = $doc])* pub $key: $type,)* }
+
+        impl<'de> serde::Deserialize<'de> for $name {
+            fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                struct Section;
+                impl<'de> serde::de::Visitor<'de> for Section {
+                    type Value = $name;
+                    fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                        write!(f, "a section with the keys `{}`", [$(stringify!($key)),*].join("`, `"))
+                    }
+                    fn visit_map<A: serde::de::MapAccess<'de>>(self, mut map: A) -> Result<$name, A::Error> {
+                        $(let mut $key: Option<$type> = None;)*
+                        while let Some(key) = map.next_key_seed($crate::case::section::KeyName(&[$(stringify!($key)),*]))? {
+                            let twice = match key {
+                                $(stringify!($key) => $key.replace(map.next_value()?).is_some(),)*
+                                _ => unreachable!("KeyName returns a known key"),
+                            };
+                            if twice {
+                                return Err(serde::de::Error::custom(format!("key `{key}` is written twice")));
+                            }
+                        }
+                        $(let $key = match $key $(.or_else(|| Some($default)))? {
+                            Some(value) => value,
+                            None => return Err(serde::de::Error::custom(
+                                format!("missing key `{}`, expected {}", stringify!($key), <$type as $crate::case::section::Field>::expects())
+                            )),
+                        };)*
+                        Ok($name { $($key),* })
+                    }
+                }
+                deserializer.deserialize_map(Section)
+            }
+        }
+
+        impl $crate::case::section::Field for $name {
+            fn expects() -> String {
+                "a section".into()
+            }
+            fn keys() -> Vec<$crate::case::section::Key> {
+                vec![$($crate::case::section::Key {
+                    key: stringify!($key),
+                    about: concat!($($doc,)*).trim().into(),
+                    expects: <$type as $crate::case::section::Field>::expects(),
+                    default: section!(@default $type $(, $default)?),
+                    keys: <$type as $crate::case::section::Field>::keys(),
+                }),*]
+            }
+        }
+    };
+    (@default $type:ty) => { None };
+    (@default $type:ty, $default:expr) => {{
+        let default: $type = $default;
+        Some(serde_json::to_value(default).expect("a default is plain data"))
+    }};
+}
+
+/// Declares a choice: a mapping with exactly one of several keys.
+macro_rules! choice {
+    ($(#[doc = $about:literal])* pub enum $name:ident {
+        $($(#[doc = $doc:literal])* $variant:ident = $key:literal: $type:ty,)*
+    }) => {
+        $(#[doc = $about])*
+        #[derive(Clone, Debug, PartialEq, serde::Serialize)]
+        pub enum $name { $($(#[doc = $doc])* #[serde(rename = $key)] $variant($type),)* }
+
+        impl<'de> serde::Deserialize<'de> for $name {
+            fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                struct Choice;
+                impl<'de> serde::de::Visitor<'de> for Choice {
+                    type Value = $name;
+                    fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                        write!(f, "exactly one of the keys `{}`", [$($key),*].join("`, `"))
+                    }
+                    fn visit_map<A: serde::de::MapAccess<'de>>(self, mut map: A) -> Result<$name, A::Error> {
+                        const KEYS: &[&str] = &[$($key),*];
+                        let chosen = match $crate::case::section::only_key(&mut map, KEYS)? {
+                            $($key => $name::$variant(map.next_value()?),)*
+                            _ => unreachable!("KeyName returns a known key"),
+                        };
+                        match map.next_key_seed($crate::case::section::KeyName(KEYS))? {
+                            None => Ok(chosen),
+                            Some(_) => Err(serde::de::Error::custom($crate::case::section::one_of(KEYS))),
+                        }
+                    }
+                }
+                deserializer.deserialize_map(Choice)
+            }
+        }
+
+        impl $crate::case::section::Field for $name {
+            fn expects() -> String {
+                format!("exactly one of the keys `{}`", [$($key),*].join("`, `"))
+            }
+            fn keys() -> Vec<$crate::case::section::Key> {
+                vec![$($crate::case::section::Key {
+                    key: $key,
+                    about: concat!($($doc,)*).trim().into(),
+                    expects: <$type as $crate::case::section::Field>::expects(),
+                    default: None,
+                    keys: <$type as $crate::case::section::Field>::keys(),
+                }),*]
+            }
+        }
+    };
+}
+pub(crate) use {choice, section};

@@ -1,0 +1,150 @@
+//! Units: the border between the user and the engine.
+//!
+//! The engine counts in nanometres, nanoseconds and attograms (1e-21 kg), hence in piconewtons, zeptojoules and megapascals.
+//! Every unit accepted here is a power of ten of those, so a conversion only moves the decimal point and nothing is rounded twice.
+
+/// Exponents of kilogram, metre and second.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Dimension(pub [i32; 3]);
+
+impl Dimension {
+    /// Power of ten of the coherent SI unit of this dimension, counted in engine units.
+    const fn engine_power(self) -> i32 {
+        let [kilogram, metre, second] = self.0;
+        21 * kilogram + 9 * metre + 9 * second
+    }
+}
+
+/// Units that may carry a prefix: symbol, dimension, power of ten of the coherent SI unit.
+const UNITS: [(&str, Dimension, i32); 6] = [
+    ("m", Dimension([0, 1, 0]), 0),
+    ("s", Dimension([0, 0, 1]), 0),
+    ("g", Dimension([1, 0, 0]), -3),
+    ("N", Dimension([1, 1, -2]), 0),
+    ("J", Dimension([1, 2, -2]), 0),
+    ("Pa", Dimension([1, -1, -2]), 0),
+];
+const PREFIXES: [(&str, i32); 13] = [
+    ("a", -18),
+    ("f", -15),
+    ("p", -12),
+    ("n", -9),
+    ("u", -6),
+    ("µ", -6),
+    ("μ", -6),
+    ("m", -3),
+    ("c", -2),
+    ("k", 3),
+    ("M", 6),
+    ("G", 9),
+    ("T", 12),
+];
+
+/// One symbol such as `GPa`: its dimension and power of ten in engine units.
+fn symbol(text: &str) -> Option<(Dimension, i32)> {
+    let plain = |text: &str| UNITS.iter().find(|unit| unit.0 == text).map(|&(_, d, power)| (d, power + d.engine_power()));
+    plain(text).or_else(|| {
+        PREFIXES.iter().find_map(|&(prefix, power)| {
+            let (dimension, unit) = plain(text.strip_prefix(prefix)?)?;
+            Some((dimension, power + unit))
+        })
+    })
+}
+
+/// A product of powers such as `kg m^2/s`; a slash divides by the one factor after it.
+pub fn unit(text: &str) -> Option<(Dimension, i32)> {
+    let spaced = text.replace('/', " / ").replace(['*', '·'], " ");
+    let (mut total, mut power, mut sign, mut factors) = ([0; 3], 0, 1, 0);
+    for word in spaced.split_whitespace() {
+        if word == "/" {
+            if sign < 0 {
+                return None;
+            }
+            sign = -1;
+            continue;
+        }
+        factors += 1;
+        if word == "1" {
+            sign = 1;
+            continue;
+        }
+        let (base, exponent) = word.split_once('^').unwrap_or((word, "1"));
+        let exponent = sign * exponent.parse::<i32>().ok().filter(|e| e.abs() <= 9)?;
+        let (Dimension(of_base), power_of_base) = symbol(base)?;
+        for (sum, one) in total.iter_mut().zip(of_base) {
+            *sum += exponent * one;
+        }
+        power += exponent * power_of_base;
+        sign = 1;
+    }
+    (factors > 0 && sign > 0).then_some((Dimension(total), power))
+}
+
+/// Splits `14 nm` into its number, as written, and the rest.
+pub fn number_and_unit(text: &str) -> Option<(&str, &str)> {
+    let text = text.trim();
+    text.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)).then_some(())?;
+    let ends = text.char_indices().map(|(at, _)| at).chain([text.len()]);
+    let end = ends.filter(|&end| text[..end].parse::<f64>().is_ok_and(f64::is_finite)).last()?;
+    Some((&text[..end], text[end..].trim()))
+}
+
+/// A decimal number times a power of ten, rounded once.
+pub fn shifted(decimal: &str, power: i32) -> f64 {
+    let (mantissa, exponent) = decimal.split_once(['e', 'E']).unwrap_or((decimal, "0"));
+    let exponent: i32 = exponent.parse().expect("the number has been parsed before");
+    format!("{mantissa}e{}", exponent.saturating_add(power)).parse().expect("the number has been parsed before")
+}
+
+/// A number as people write it: plain near one, with an exponent far from it, always enough digits to read it back exactly.
+pub fn decimal(value: f64) -> String {
+    let size = value.abs();
+    if size == 0.0 || (1e-4..1e7).contains(&size) { format!("{value}") } else { format!("{value:e}") }
+}
+
+/// An engine value written in `unit`.
+pub fn in_unit(value: f64, unit_text: &str) -> String {
+    let (_, power) = unit(unit_text).expect("units named in the source exist");
+    format!("{} {unit_text}", decimal(shifted(&format!("{value:e}"), -power)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn engine_units_are_nanometre_nanosecond_attogram() {
+        for engine in ["nm", "ns", "ag", "pN", "zJ", "MPa", "m/s", "mN/m", "ag/nm^3", "MPa nm", "1/ns"] {
+            assert_eq!(unit(engine).map(|(_, power)| power), Some(0), "{engine}");
+        }
+    }
+
+    #[test]
+    fn conversion_rounds_once() {
+        let convert = |number, text| shifted(number, unit(text).unwrap().1);
+        assert_eq!(convert("73", "GPa"), 73e3);
+        assert_eq!(convert("2200", "kg/m^3"), 2200e-6);
+        assert_eq!(convert("0.1", "µm"), 100.0);
+        assert_eq!(convert("27.3e0", "fs"), 27.3e-6);
+        assert_eq!(convert("1.5", "J/m^2"), 1500.0);
+        assert_eq!(convert("1", "kg m^2/s"), 1e21 * 1e18 / 1e9);
+    }
+
+    #[test]
+    fn what_is_not_a_unit_is_refused() {
+        for text in ["", "parsec", "kg//m", "m/", "m^x", "/", "m^-", "GGPa", "1.5"] {
+            assert_eq!(unit(text), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn a_value_written_in_its_unit_is_read_back_exactly() {
+        for value in [73e3, 0.1, 1.0 / 3.0, 2.2e-3, 1e-300, 6.02214076e23] {
+            for text in ["GPa", "kg/m^3", "nm", "fs"] {
+                let written = in_unit(value, text);
+                let (number, rest) = number_and_unit(&written).unwrap();
+                assert_eq!(shifted(number, unit(rest).unwrap().1), value, "{written}");
+            }
+        }
+    }
+}
