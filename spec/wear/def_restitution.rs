@@ -1,0 +1,168 @@
+//! Restitution, exactly.
+
+use crate::equation::Equation;
+use crate::{Real, equation};
+
+/// **Appendix A.1.2**, unnumbered: damping ratio of a dashpot beside a spring.
+///
+/// ```math
+/// \zeta = \frac{c}{2 \sqrt{k m_{\mathrm{eff}}}}
+/// ```
+///
+/// | name | symbol | unit | domain | meaning |
+/// |---|---|---|---|---|
+/// | `c` | $c$ | kg/s | >= 0 | damping factor |
+/// | `k` | $k$ | N/m | > 0 | stiffness |
+/// | `m_eff` | $m_{\mathrm{eff}}$ | kg | > 0 | effective mass |
+/// | → `zeta` | $\zeta$ | 1 | | damping ratio |
+///
+/// # Laws
+///
+/// * `one_for_the_critical_damping_of_a_pair`
+#[inline(always)]
+pub fn damping_ratio_of<R: Real>(c: R, k: R, m_eff: R) -> R {
+    c / (R::lit(2.0) * (k * m_eff).sqrt())
+}
+
+/// **Appendix A.2**, unnumbered: restitution coefficient that a damping ratio really gives (A.42).
+///
+/// ```math
+/// \eta = e^{-\pi \zeta / \sqrt{1 - \zeta^2}}
+/// ```
+///
+/// # Reading
+///
+/// The contact ends when the particles stop touching, as in the paper, not when the force vanishes.
+///
+/// | name | symbol | unit | domain | meaning |
+/// |---|---|---|---|---|
+/// | `zeta` | $\zeta$ | 1 | [0, 1) | damping ratio |
+/// | → `eta` | $\eta$ | 1 | | restitution coefficient |
+///
+/// # Laws
+///
+/// * `everything_comes_back_without_damping`
+/// * `less_comes_back_the_stronger_the_damping`
+/// * `is_what_an_integrated_collision_gives`
+#[inline(always)]
+pub fn restitution<R: Real>(zeta: R) -> R {
+    let one = R::one();
+    (-R::pi() * zeta / ((one - zeta) * (one + zeta)).sqrt()).exp()
+}
+
+/// **Appendix A.2**, unnumbered: damping ratio that gives a wanted restitution coefficient, exactly.
+///
+/// ```math
+/// \zeta = \frac{-\ln \eta}{\sqrt{\pi^2 + \ln^2 \eta}}
+/// ```
+///
+/// | name | symbol | unit | domain | meaning |
+/// |---|---|---|---|---|
+/// | `eta` | $\eta$ | 1 | (0, 1] | restitution coefficient wanted |
+/// | → `zeta` | $\zeta$ | 1 | | damping ratio |
+///
+/// # Laws
+///
+/// * `inverts_the_restitution`
+/// * `approaches_eq_12_for_weak_damping`
+#[inline(always)]
+pub fn damping_ratio<R: Real>(eta: R) -> R {
+    let log = eta.ln();
+    -log / (R::pi().squared() + log.squared()).sqrt()
+}
+
+/// **Appendix A.2**, unnumbered: damping factor that gives a wanted restitution coefficient, exactly.
+///
+/// ```math
+/// c = 2 \zeta(\eta) \sqrt{k m_{\mathrm{eff}}}
+/// ```
+///
+/// | name | symbol | unit | domain | meaning |
+/// |---|---|---|---|---|
+/// | `eta` | $\eta$ | 1 | (0, 1] | restitution coefficient wanted |
+/// | `k` | $k$ | N/m | >= 0 | stiffness |
+/// | `m_eff` | $m_{\mathrm{eff}}$ | kg | > 0 | effective mass |
+/// | → `c` | $c$ | kg/s | | damping factor |
+///
+/// # Laws
+///
+/// * `gives_the_wanted_restitution`
+#[inline(always)]
+pub fn exact_damping<R: Real>(eta: R, k: R, m_eff: R) -> R {
+    R::lit(2.0) * damping_ratio(eta) * (k * m_eff).sqrt()
+}
+
+pub(super) fn equations() -> Vec<Equation> {
+    vec![
+        equation!("wear/def_restitution.rs", "wear-damping-ratio", [], damping_ratio_of),
+        equation!("wear/def_restitution.rs", "wear-restitution", [], restitution),
+        equation!("wear/def_restitution.rs", "wear-damping-ratio-exact", [], damping_ratio),
+        equation!("wear/def_restitution.rs", "wear-damping-exact", [], exact_damping),
+    ]
+}
+
+#[cfg(test)]
+mod laws {
+    use super::*;
+    use crate::wear::eq12_normal_damping::normal_damping;
+    use crate::wear::eq17_effective_mass::effective_mass;
+    use approx::relative_eq;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn one_for_the_critical_damping_of_a_pair(k in 0.1..10.0, m in 0.1..10.0f64) {
+            let c_c = f64::sqrt(2.0 * k * m);
+            prop_assert!(relative_eq!(damping_ratio_of(c_c, k, effective_mass(m, m)), 1.0, max_relative = 1e-14));
+        }
+
+        #[test]
+        fn less_comes_back_the_stronger_the_damping(zeta in 0.0..0.95, more in 0.001..0.04) {
+            prop_assert!(restitution(zeta + more) < restitution(zeta));
+        }
+
+        #[test]
+        fn inverts_the_restitution(eta in 0.05..0.999) {
+            prop_assert!(relative_eq!(restitution(damping_ratio(eta)), eta, max_relative = 1e-13));
+        }
+
+        #[test]
+        fn approaches_eq_12_for_weak_damping(loss in 1e-6..0.1f64) {
+            let (exact, printed) = (exact_damping(1.0 - loss, 1.0, 1.0), normal_damping(1.0 - loss, 1.0, 1.0));
+            prop_assert!(exact > printed && exact - printed <= loss * printed);
+        }
+
+        #[test]
+        fn gives_the_wanted_restitution(eta in 0.05..0.999, k in 0.1..10.0, m_eff in 0.1..10.0) {
+            let zeta = damping_ratio_of(exact_damping(eta, k, m_eff), k, m_eff);
+            prop_assert!(relative_eq!(restitution(zeta), eta, max_relative = 1e-13));
+        }
+    }
+
+    #[test]
+    fn everything_comes_back_without_damping() {
+        assert_eq!(restitution(0.0), 1.0);
+    }
+
+    #[test]
+    fn is_what_an_integrated_collision_gives() {
+        // Unit mass on a unit spring, by the classical Runge-Kutta method from touching to touching.
+        let zeta = 0.3f64;
+        let slope = |(x, v): (f64, f64)| (v, -x - 2.0 * zeta * v);
+        let add = |(x, v): (f64, f64), (a, b): (f64, f64), h: f64| (x + h * a, v + h * b);
+        let steps = 2000;
+        let dt = std::f64::consts::PI / (1.0 - zeta * zeta).sqrt() / f64::from(steps);
+        let mut now = (0.0, -1.0);
+        for _ in 0..steps {
+            let a = slope(now);
+            let b = slope(add(now, a, 0.5 * dt));
+            let c = slope(add(now, b, 0.5 * dt));
+            let d = slope(add(now, c, dt));
+            for (k, weight) in [(a, 1.0), (b, 2.0), (c, 2.0), (d, 1.0)] {
+                now = add(now, k, weight * dt / 6.0);
+            }
+        }
+        assert!(now.0.abs() < 1e-12);
+        assert!((now.1 - restitution(zeta)).abs() < 1e-12);
+    }
+}

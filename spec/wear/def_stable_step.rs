@@ -1,0 +1,127 @@
+//! The limits of the time step that Eq. 6 leaves out.
+
+use crate::equation::Equation;
+use crate::{Real, equation};
+
+/// **Appendix A.1**, unnumbered: stable time steps of a damped pair, as a fraction of Eq. 6.
+///
+/// ```math
+/// \frac{\Delta t_{\max}}{\Delta t_c} = \sqrt{1 + \zeta^2} - \zeta
+/// ```
+///
+/// # Reading
+///
+/// The dashpot of Eq. 2 acts with the old velocity, which lowers the limit. Evaluated as $1 / (\sqrt{1 + \zeta^2} + \zeta)$,
+/// which cancels nothing.
+///
+/// | name | symbol | unit | domain | meaning |
+/// |---|---|---|---|---|
+/// | `zeta` | $\zeta$ | 1 | >= 0 | damping ratio |
+/// | → `ratio` | $\Delta t_{\max} / \Delta t_c$ | 1 | | largest stable fraction |
+///
+/// # Laws
+///
+/// * `no_damping_no_reduction`
+#[inline(always)]
+pub fn damped_limit<R: Real>(zeta: R) -> R {
+    R::one() / ((R::one() + zeta.squared()).sqrt() + zeta)
+}
+
+/// **Appendix A.1**, unnumbered: stable time steps of two equal solid spheres that slide and turn, as a fraction of Eq. 6.
+///
+/// ```math
+/// \frac{\Delta t_{\max}}{\Delta t_c} = \left(\frac{7}{2} \frac{k_T}{k_N}\right)^{-1/2}, \quad \frac{k_T}{k_N} = \frac{1 - 4\nu}{1 + \nu}
+/// ```
+///
+/// # Reading
+///
+/// The tangential spring moves 2/7 of the effective mass. Below a Poisson's ratio of 1/6 this is the tighter limit.
+///
+/// | name | symbol | unit | domain | meaning |
+/// |---|---|---|---|---|
+/// | `nu` | $\nu$ | 1 | (-1, 1/4) | Poisson's ratio |
+/// | → `ratio` | $\Delta t_{\max} / \Delta t_c$ | 1 | | largest stable fraction |
+/// | → `k_ratio` | $k_T / k_N$ | 1 | | ratio of the stiffnesses |
+///
+/// # Laws
+///
+/// * `tighter_than_eq_6_below_one_sixth`
+#[inline(always)]
+pub fn sliding_limit<R: Real>(nu: R) -> (R, R) {
+    let k_ratio = (R::one() - R::lit(4.0) * nu) / (R::one() + nu);
+    (R::one() / (R::lit(3.5) * k_ratio).sqrt(), k_ratio)
+}
+
+/// **Appendix A.1**, unnumbered: largest stable time step of a mass on a spring and a dashpot.
+///
+/// ```math
+/// \Delta t_{\max} = \frac{2}{\sqrt{k/m + (c/2m)^2} + c/2m}
+/// ```
+///
+/// # Reading
+///
+/// The general limit of Eq. 1, of which the two above are fractions: with $m = m_{\mathrm{eff}}$ it is
+/// $\Delta t_c (\sqrt{1 + \zeta^2} - \zeta)$, with $2/7 \, m_{\mathrm{eff}}$ and the tangential spring it is the limit of sliding.
+/// Written so that a missing spring or dashpot needs no exception.
+///
+/// | name | symbol | unit | domain | meaning |
+/// |---|---|---|---|---|
+/// | `m` | $m$ | kg | > 0 | mass |
+/// | `k` | $k$ | N/m | >= 0 | stiffness |
+/// | `c` | $c$ | kg/s | >= 0 | damping factor |
+/// | → `dt_max` | $\Delta t_{\max}$ | s | | largest stable time step |
+///
+/// # Laws
+///
+/// * `is_the_damped_fraction_of_eq_6`
+/// * `is_the_sliding_fraction_of_eq_6`
+#[inline(always)]
+pub fn stable_time_step<R: Real>(m: R, k: R, c: R) -> R {
+    let rate = R::lit(0.5) * c / m;
+    R::lit(2.0) / ((k / m + rate.squared()).sqrt() + rate)
+}
+
+pub(super) fn equations() -> Vec<Equation> {
+    vec![
+        equation!("wear/def_stable_step.rs", "wear-dtlim-damped", [], damped_limit),
+        equation!("wear/def_stable_step.rs", "wear-dtlim-tang", [], sliding_limit),
+        equation!("wear/def_stable_step.rs", "wear-dtlim", [], stable_time_step),
+    ]
+}
+
+#[cfg(test)]
+mod laws {
+    use super::*;
+    use crate::wear::def_restitution::damping_ratio_of;
+    use crate::wear::def_sphere::sliding_mass;
+    use crate::wear::eq06_critical_time_step::critical_time_step;
+    use crate::wear::eq17_effective_mass::effective_mass;
+    use approx::relative_eq;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn is_the_damped_fraction_of_eq_6(m in 0.1..10.0, k in 0.1..10.0, c in 0.0..10.0) {
+            let m_eff = effective_mass(m, m);
+            let fraction = stable_time_step(m_eff, k, c) / critical_time_step(m, k);
+            prop_assert!(relative_eq!(fraction, damped_limit(damping_ratio_of(c, k, m_eff)), max_relative = 1e-14));
+        }
+
+        #[test]
+        fn is_the_sliding_fraction_of_eq_6(m in 0.1..10.0, k_n in 0.1..10.0, nu in -0.9..0.24) {
+            let (ratio, k_ratio) = sliding_limit(nu);
+            let fraction = stable_time_step(sliding_mass(effective_mass(m, m)), k_ratio * k_n, 0.0) / critical_time_step(m, k_n);
+            prop_assert!(relative_eq!(fraction, ratio, max_relative = 1e-14));
+        }
+
+        #[test]
+        fn tighter_than_eq_6_below_one_sixth(nu in -0.9..0.24) {
+            prop_assert_eq!(sliding_limit(nu).0 < 1.0, nu < 1.0 / 6.0);
+        }
+    }
+
+    #[test]
+    fn no_damping_no_reduction() {
+        assert_eq!(damped_limit(0.0), 1.0);
+    }
+}
