@@ -1,6 +1,25 @@
 //! Pham-Ba & Molinari, *Adhesive wear with a coarse-grained discrete element model*,
 //! Comput. Methods Appl. Mech. Engrg. 397 (2022) 115124.
 
+pub mod a01_pair_motion;
+pub mod a04_time_step;
+pub mod a06_energy;
+pub mod a07_scaled_variables;
+pub mod a11_scaled_step;
+pub mod a14_many_steps;
+pub mod a16_eigenvalues;
+pub mod a17_stability;
+pub mod a19_critical_damping;
+pub mod a20_stress;
+pub mod a24_stiffness;
+pub mod a28_elastic_limit;
+pub mod a31_fracture_energy;
+pub mod a35_impact;
+pub mod a37_frequency;
+pub mod a39_impact_end;
+pub mod a42_restitution;
+pub mod a45_damping;
+pub mod a49_rescaled_separation;
 pub mod def_potential;
 pub mod def_restitution;
 pub mod def_sphere;
@@ -56,6 +75,25 @@ pub fn equations() -> Vec<Equation> {
         eq18_critical_diameter::equations(),
         eq19_minimum_diameter::equations(),
         def_sphere::equations(),
+        a01_pair_motion::equations(),
+        a04_time_step::equations(),
+        a06_energy::equations(),
+        a07_scaled_variables::equations(),
+        a11_scaled_step::equations(),
+        a14_many_steps::equations(),
+        a16_eigenvalues::equations(),
+        a17_stability::equations(),
+        a19_critical_damping::equations(),
+        a20_stress::equations(),
+        a24_stiffness::equations(),
+        a28_elastic_limit::equations(),
+        a31_fracture_energy::equations(),
+        a35_impact::equations(),
+        a37_frequency::equations(),
+        a39_impact_end::equations(),
+        a42_restitution::equations(),
+        a45_damping::equations(),
+        a49_rescaled_separation::equations(),
     ]
     .into_iter()
     .flatten()
