@@ -53,7 +53,7 @@ pub struct Outcome<R, M> {
 }
 
 /// A fixed number of `R`, in order: how an engine keeps what a model remembers without knowing what it means.
-pub trait Flat<R>: Copy {
+pub trait Flat<R>: Copy + Send + Sync {
     /// How many numbers.
     const LEN: usize;
     /// Builds the value from its numbers.
@@ -62,7 +62,7 @@ pub trait Flat<R>: Copy {
     fn get(&self, k: usize) -> R;
 }
 
-impl<R: Copy, const N: usize> Flat<R> for [R; N] {
+impl<R: Copy + Send + Sync, const N: usize> Flat<R> for [R; N] {
     const LEN: usize = N;
     #[inline(always)]
     fn from_fn(f: impl FnMut(usize) -> R) -> Self {
@@ -74,7 +74,7 @@ impl<R: Copy, const N: usize> Flat<R> for [R; N] {
     }
 }
 
-impl<R: Copy> Flat<R> for Vec3<R> {
+impl<R: Copy + Send + Sync> Flat<R> for Vec3<R> {
     const LEN: usize = 3;
     #[inline(always)]
     fn from_fn(f: impl FnMut(usize) -> R) -> Self {
@@ -93,7 +93,7 @@ macro_rules! flat_struct {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct $name<R> { $($(#[$field_doc])* pub $field: R),* }
-        impl<R: Copy> $crate::Flat<R> for $name<R> {
+        impl<R: Copy + Send + Sync> $crate::Flat<R> for $name<R> {
             const LEN: usize = [$(stringify!($field)),*].len();
             #[inline(always)]
             fn from_fn(mut f: impl FnMut(usize) -> R) -> Self {

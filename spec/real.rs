@@ -15,7 +15,7 @@ use std::ops::{BitAnd, BitOr, Div, Neg, Not, Sub};
 /// Addition and multiplication come from `num-traits` with their neutral elements; all other functions are here.
 /// Transcendental functions come from one pinned pure-Rust implementation, so that the bits do not depend on the platform.
 pub trait Real:
-    Copy + Debug + Zero + One + Sub<Output = Self> + Div<Output = Self> + Neg<Output = Self> + 'static
+    Copy + Debug + Zero + One + Sub<Output = Self> + Div<Output = Self> + Neg<Output = Self> + Send + Sync + 'static
 {
     /// The truth of a comparison: one `bool` per value the number holds.
     type Mask: Copy + BitAnd<Output = Self::Mask> + BitOr<Output = Self::Mask> + Not<Output = Self::Mask>;

@@ -5,6 +5,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 /// A vector of space, in Cartesian components.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Vec3<R>(pub [R; 3]);
 
 /// A second-rank tensor, rows first.

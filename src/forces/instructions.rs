@@ -1,0 +1,37 @@
+//! Which vector instructions the pair loop may use. The bits of the results do not depend on the choice.
+
+/// An instruction set, from the plainest.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Instructions {
+    /// What every processor of the target has.
+    Baseline,
+    /// Four numbers at once.
+    Avx2,
+    /// Eight numbers at once.
+    Avx512,
+}
+
+impl Instructions {
+    /// Those that this processor has.
+    pub fn available() -> Vec<Self> {
+        let mut sets = vec![Self::Baseline];
+        #[cfg(target_arch = "x86_64")]
+        {
+            if std::arch::is_x86_feature_detected!("avx2") {
+                sets.push(Self::Avx2);
+            }
+            if std::arch::is_x86_feature_detected!("avx512f")
+                && std::arch::is_x86_feature_detected!("avx512dq")
+                && std::arch::is_x86_feature_detected!("avx512vl")
+            {
+                sets.push(Self::Avx512);
+            }
+        }
+        sets
+    }
+
+    /// The widest that this processor has.
+    pub fn best() -> Self {
+        Self::available().pop().unwrap_or(Self::Baseline)
+    }
+}

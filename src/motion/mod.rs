@@ -1,0 +1,9 @@
+//! From forces to motion: spheres, rigid walls, and the sides of the box.
+
+mod box_relaxation;
+mod spheres;
+mod walls;
+
+pub use box_relaxation::BoxRelaxation;
+pub use spheres::{inertia, Moved, Spheres, Step, advance};
+pub use walls::{WallWork, drive, kinetic_energy};

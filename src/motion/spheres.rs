@@ -1,0 +1,162 @@
+//! The spheres of a block: forces gathered, one step taken.
+
+use crate::forces::{Block, Load};
+use crate::spec::wear::def_sphere::moment_of_inertia;
+use crate::spec::wear::eq01_symplectic_euler::symplectic_euler;
+use crate::spec::{PairModel, Vec3};
+use crate::system::{Particles, Wall};
+
+/// Moment of inertia of a sphere, ag nm^2.
+pub fn inertia(particles: &Particles, p: usize) -> f64 {
+    moment_of_inertia(particles.mass[p], particles.radius[p])
+}
+
+/// The state of the spheres of a block, and where they were when the neighbour list was built.
+pub struct Spheres<'a> {
+    /// Centres.
+    pub x: &'a mut [Vec3<f64>],
+    /// Velocities.
+    pub v: &'a mut [Vec3<f64>],
+    /// Angular velocities.
+    pub w: &'a mut [Vec3<f64>],
+    /// Radii.
+    pub radius: &'a [f64],
+    /// Masses.
+    pub mass: &'a [f64],
+    /// Walls they belong to.
+    pub wall: &'a [u32],
+    /// Centres when the neighbour list was built, moved with the box since.
+    pub reference: &'a mut [Vec3<f64>],
+}
+
+impl<'a> Spheres<'a> {
+    /// The first `count` spheres, and the rest.
+    pub fn split(self, count: usize) -> (Self, Self) {
+        let (x, other_x) = self.x.split_at_mut(count);
+        let (v, other_v) = self.v.split_at_mut(count);
+        let (w, other_w) = self.w.split_at_mut(count);
+        let (radius, other_radius) = self.radius.split_at(count);
+        let (mass, other_mass) = self.mass.split_at(count);
+        let (wall, other_wall) = self.wall.split_at(count);
+        let (reference, other_reference) = self.reference.split_at_mut(count);
+        let rest = Self {
+            x: other_x,
+            v: other_v,
+            w: other_w,
+            radius: other_radius,
+            mass: other_mass,
+            wall: other_wall,
+            reference: other_reference,
+        };
+        (Self { x, v, w, radius, mass, wall, reference }, rest)
+    }
+}
+
+/// What all spheres share in a step.
+pub struct Step<'a> {
+    /// Time step, ns.
+    pub dt: f64,
+    /// Coefficient of the global damping, ag/ns.
+    pub damping: f64,
+    /// The walls, already driven.
+    pub walls: &'a [Wall],
+    /// Factors by which the box grows.
+    pub growth: [f64; 3],
+}
+
+/// What happened to the spheres of a block in one step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Moved {
+    /// Kinetic energy after the step, zJ.
+    pub kinetic: f64,
+    /// Diagonal of the sum of `m v v` after the step, zJ.
+    pub momentum_flux: [f64; 3],
+    /// Energy lost to the global damping, zJ.
+    pub drag: f64,
+    /// What the integration scheme adds to the kinetic energy: `dt^2 (F^2 / m + T^2 / I) / 2`.
+    pub scheme: f64,
+    /// Least displacement since the neighbour list was built, by axis.
+    pub least: [f64; 3],
+    /// Largest displacement since the neighbour list was built, by axis.
+    pub most: [f64; 3],
+}
+
+impl Default for Moved {
+    fn default() -> Self {
+        Self {
+            kinetic: 0.0,
+            momentum_flux: [0.0; 3],
+            drag: 0.0,
+            scheme: 0.0,
+            least: [f64::INFINITY; 3],
+            most: [f64::NEG_INFINITY; 3],
+        }
+    }
+}
+
+impl Moved {
+    /// Both together.
+    pub fn and(self, other: Self) -> Self {
+        Self {
+            kinetic: self.kinetic + other.kinetic,
+            momentum_flux: std::array::from_fn(|a| self.momentum_flux[a] + other.momentum_flux[a]),
+            drag: self.drag + other.drag,
+            scheme: self.scheme + other.scheme,
+            least: std::array::from_fn(|a| self.least[a].min(other.least[a])),
+            most: std::array::from_fn(|a| self.most[a].max(other.most[a])),
+        }
+    }
+
+    /// No two spheres have come closer than this since the neighbour list was built, nm.
+    pub fn approach(&self) -> f64 {
+        let range = Vec3(std::array::from_fn(|a| self.most[a] - self.least[a])).norm();
+        let farthest = Vec3(std::array::from_fn(|a| self.most[a].abs().max(self.least[a].abs()))).norm();
+        range.min(2.0 * farthest)
+    }
+}
+
+/// Adds what other blocks hold for a block to its own loads, and moves its spheres by one step of Eq. 1.
+pub fn advance<M: PairModel>(
+    block: &Block<M>,
+    number: usize,
+    loads: &[Vec<Load>],
+    spheres: Spheres,
+    step: &Step,
+) -> Moved {
+    let Step { dt, damping, .. } = *step;
+    let mut moved = Moved::default();
+    let mut incoming = block.incoming.iter().peekable();
+    for p in 0..block.own.len() {
+        let mut load = loads[number][p];
+        while let Some(&(_, from, place)) = incoming.next_if(|&&(to, ..)| to as usize == p) {
+            for (sum, part) in load.iter_mut().zip(&loads[from as usize][place as usize]) {
+                *sum += part;
+            }
+        }
+        let (m, x, v, w) = (spheres.mass[p], spheres.x[p], spheres.v[p], spheres.w[p]);
+        let (x, v, w) = if spheres.wall[p] == 0 {
+            let i = moment_of_inertia(m, spheres.radius[p]);
+            let [fx, fy, fz, tx, ty, tz] = load;
+            let (force, torque) = (Vec3([fx, fy, fz]) + v * -damping, Vec3([tx, ty, tz]));
+            let (after, x, spin) = symplectic_euler(x, v, w, force, torque, m, i, dt);
+            moved.kinetic += 0.5 * (m * after.dot(after) + i * spin.dot(spin));
+            moved.drag += damping * v.dot(v) * dt;
+            moved.scheme += 0.5 * (force.dot(force) / m + torque.dot(torque) / i) * dt * dt;
+            for a in 0..3 {
+                moved.momentum_flux[a] += m * after.0[a] * after.0[a];
+            }
+            (x, after, spin)
+        } else {
+            let v = step.walls[spheres.wall[p] as usize - 1].velocity;
+            (x + v * dt, v, Vec3::zero())
+        };
+        let x = Vec3(std::array::from_fn(|a| x.0[a] * step.growth[a]));
+        let reference = Vec3(std::array::from_fn(|a| spheres.reference[p].0[a] * step.growth[a]));
+        for a in 0..3 {
+            moved.least[a] = moved.least[a].min(x.0[a] - reference.0[a]);
+            moved.most[a] = moved.most[a].max(x.0[a] - reference.0[a]);
+        }
+        (spheres.x[p], spheres.v[p], spheres.w[p], spheres.reference[p]) = (x, v, w, reference);
+    }
+    moved
+}

@@ -1,0 +1,49 @@
+//! Rigid walls: what their drive and their neighbours do to them.
+
+use crate::spec::Vec3;
+use crate::spec::wear::eq01_symplectic_euler::kick;
+use crate::system::{Motion, Wall};
+
+/// Energy that crossed the walls in one step, zJ.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct WallWork {
+    /// Done on the spheres by walls of prescribed velocity.
+    pub prescribed: f64,
+    /// Done by the loads on the walls they push.
+    pub load: f64,
+    /// What the integration scheme adds to the kinetic energy of the loaded walls: `dt^2 F^2 / 2m`.
+    pub scheme: f64,
+    /// Kinetic energy of the loaded walls after the step.
+    pub kinetic: f64,
+}
+
+/// Kinetic energy of a wall along the axes on which a load drives it, zJ.
+pub fn kinetic_energy(wall: &Wall) -> f64 {
+    let moved = |a: &usize| matches!(wall.motion[*a], Motion::Load(_));
+    (0..3).filter(moved).map(|a| 0.5 * wall.mass * wall.velocity.0[a] * wall.velocity.0[a]).sum()
+}
+
+/// Advances the velocities of the walls by one step under the forces of the spheres on them.
+pub fn drive(walls: &mut [Wall], forces: &[Vec3<f64>], dt: f64) -> WallWork {
+    let mut work = WallWork::default();
+    for (wall, &force) in walls.iter_mut().zip(forces) {
+        wall.force = force;
+        for a in 0..3 {
+            let v = wall.velocity.0[a];
+            match wall.motion[a] {
+                Motion::Velocity(prescribed) => {
+                    wall.velocity.0[a] = prescribed;
+                    work.prescribed -= force.0[a] * v * dt;
+                }
+                Motion::Load(load) => {
+                    let total = force.0[a] + load;
+                    wall.velocity.0[a] += kick(Vec3::zero(), Vec3::new(total, 0.0, 0.0), wall.mass, dt).0[0];
+                    work.load += load * v * dt;
+                    work.scheme += 0.5 * total * total / wall.mass * dt * dt;
+                }
+            }
+        }
+        work.kinetic += kinetic_energy(wall);
+    }
+    work
+}

@@ -1,0 +1,50 @@
+//! What a simulation must satisfy to go on.
+
+use super::Simulation;
+use crate::spec::PairModel;
+use crate::system::{Halt, Reason};
+
+impl<M: PairModel> Simulation<M> {
+    pub(super) fn halt(&self, reason: Reason) -> Halt {
+        Halt { step: self.system.step, time: self.system.time, reason }
+    }
+
+    /// The least stability limit of two equal spheres in contact, over all free spheres, ns, and the sphere that sets it.
+    pub fn critical_time_step(&self) -> (f64, u32) {
+        let particles = &self.system.particles;
+        (0..particles.len())
+            .filter(|&p| particles.wall[p] == 0)
+            .map(|p| (self.model.critical_time_step(particles.radius[p], particles.mass[p]), particles.id[p]))
+            .fold((f64::INFINITY, 0), |least, limit| if limit.0 < least.0 { limit } else { least })
+    }
+
+    pub(super) fn check_time_step(&self) -> Result<(), Halt> {
+        let (limit, particle) = self.critical_time_step();
+        let dt = self.settings.dt;
+        if dt < limit { Ok(()) } else { Err(self.halt(Reason::TimeStep { dt, limit, particle })) }
+    }
+
+    /// A NaN anywhere makes the kinetic energy one.
+    pub(super) fn check_finite(&self, kinetic: f64) -> Result<(), Halt> {
+        if kinetic.is_finite() {
+            return Ok(());
+        }
+        let particles = &self.system.particles;
+        let lost = (0..particles.len())
+            .find(|&p| [particles.x[p], particles.v[p], particles.w[p]].iter().any(|u| !u.dot(*u).is_finite()));
+        Err(self.halt(Reason::NotFinite { particle: lost.map_or(0, |p| particles.id[p]) }))
+    }
+
+    /// The pair that overlaps most.
+    pub fn largest_overlap(&self) -> Option<((u32, u32), f64)> {
+        let id = &self.system.particles.id;
+        self.pairs()
+            .map(|pair| ((id[pair.i], id[pair.j]), -pair.contact.gap / (pair.contact.r_i + pair.contact.r_j)))
+            .reduce(|most, pair| if pair.1 > most.1 { pair } else { most })
+    }
+
+    pub(super) fn overlapping(&self) -> Halt {
+        let (pair, ratio) = self.largest_overlap().unwrap_or(((0, 0), f64::NAN));
+        self.halt(Reason::Overlap { pair, ratio, limit: self.settings.max_overlap })
+    }
+}

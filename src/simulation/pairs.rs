@@ -1,0 +1,71 @@
+//! Pairs one by one, for observers.
+
+use super::{Ledger, Simulation};
+use crate::spec::{Contact, Flat, Outcome, PairModel, Stored, Vec3};
+
+/// One pair in range.
+#[derive(Clone, Copy, Debug)]
+pub struct Pair<M: PairModel> {
+    /// Place of the sphere with the lower id.
+    pub i: usize,
+    /// Place of the other.
+    pub j: usize,
+    /// From the centre of `j` to that of `i`, nm.
+    pub branch: Vec3<f64>,
+    /// What they see of each other.
+    pub contact: Contact<f64>,
+    /// What they will do in the next step.
+    pub outcome: Outcome<f64, M::Memory<f64>>,
+    /// What the pair holds.
+    pub stored: Stored<f64>,
+}
+
+impl<M: PairModel> Simulation<M> {
+    /// All pairs in range, in an order that depends on the particles alone.
+    pub fn pairs(&self) -> impl Iterator<Item = Pair<M>> + '_ {
+        let (particles, domain) = (&self.system.particles, &self.system.domain);
+        self.blocks.iter().flat_map(move |block| {
+            block.each_pair().filter_map(move |(place_i, place_j, row, lane)| {
+                let ((i, image_i), (j, image_j)) = (block.member(place_i), block.member(place_j));
+                let branch = particles.x[i] + domain.shift(image_i) - (particles.x[j] + domain.shift(image_j));
+                let (r, v, w) = (&particles.radius, &particles.v, &particles.w);
+                let contact = Contact::new(branch, v[i] - v[j], w[i], w[j], r[i], r[j]);
+                if contact.distance > self.model.range(r[i], r[j]) {
+                    return None;
+                }
+                let coefficients = Flat::from_fn(|k| block.pairs.coefficients[row].get(k).0[lane]);
+                let memory = Flat::from_fn(|k| block.pairs.memory[row].get(k).0[lane]);
+                let outcome = self.model.pair(&contact, &coefficients, memory, self.settings.dt);
+                let stored = self.model.stored(&contact, &coefficients, &memory);
+                Some(Pair { i, j, branch, contact, outcome, stored })
+            })
+        })
+    }
+
+    /// Where the energy went, up to now.
+    pub fn ledger(&self) -> Ledger {
+        let mut ledger = self.ledger;
+        (ledger.normal, ledger.tangential) = self.stored();
+        ledger
+    }
+
+    /// Energies of the normal forces and of the tangential springs, zJ.
+    fn stored(&self) -> (f64, f64) {
+        self.pairs().fold((0.0, 0.0), |(n, t), pair| (n + pair.stored.normal, t + pair.stored.tangential))
+    }
+
+    pub(super) fn open_ledger(&mut self) {
+        let particles = &self.system.particles;
+        let mut kinetic = 0.0;
+        for p in (0..particles.len()).filter(|&p| particles.wall[p] == 0) {
+            let (m, v, w) = (particles.mass[p], particles.v[p], particles.w[p]);
+            kinetic += 0.5 * (m * v.dot(v) + crate::motion::inertia(particles, p) * w.dot(w));
+            for a in 0..3 {
+                self.momentum_flux[a] += m * v.0[a] * v.0[a];
+            }
+        }
+        kinetic += self.system.walls.iter().map(crate::motion::kinetic_energy).sum::<f64>();
+        let (normal, tangential) = self.stored();
+        self.ledger = Ledger { kinetic, normal, tangential, start: [kinetic, normal, tangential], ..Ledger::default() };
+    }
+}

@@ -1,0 +1,69 @@
+//! The complete state, to be written and taken up again.
+//!
+//! The neighbour list is not stored but what it was built from, so a simulation taken up from a snapshot has the same list,
+//! the same order of sums, and goes on with the same bits.
+
+use super::{Ledger, Listed, Settings, Simulation};
+use crate::forces::Springs;
+use crate::spec::{Flat, PairModel, Vec3};
+use crate::system::{Halt, System};
+use serde::{Deserialize, Serialize};
+
+/// All that a simulation is, besides its model and settings.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Snapshot {
+    system: System,
+    reference: Vec<Vec3<f64>>,
+    listed: Listed,
+    /// Springs of all pairs, in the order of the list.
+    memory: Vec<f64>,
+    box_rate: [f64; 3],
+    momentum_flux: [f64; 3],
+    stress: [f64; 3],
+    ledger: Ledger,
+}
+
+impl<M: PairModel> Simulation<M> {
+    /// The complete state.
+    pub fn snapshot(&self) -> Snapshot {
+        let memory = self.blocks.iter().flat_map(|block| {
+            block.each_pair().flat_map(|(_, _, row, lane)| {
+                let memory = &block.pairs.memory[row];
+                (0..M::Memory::<f64>::LEN).map(move |k| memory.get(k).0[lane])
+            })
+        });
+        Snapshot {
+            memory: memory.collect(),
+            system: self.system.clone(),
+            reference: self.reference.clone(),
+            listed: self.listed.clone(),
+            box_rate: self.box_rate,
+            momentum_flux: self.momentum_flux,
+            stress: self.stress,
+            ledger: self.ledger,
+        }
+    }
+
+    /// Takes a simulation up where a snapshot left it.
+    pub fn resume(model: M, settings: Settings, snapshot: Snapshot) -> Result<Self, Halt> {
+        let Snapshot { system, reference, listed, memory, box_rate, momentum_flux, stress, ledger } = snapshot;
+        let (blocks, loads) = (Vec::new(), Vec::new());
+        let mut simulation =
+            Self { model, settings, blocks, loads, reference, listed, box_rate, momentum_flux, stress, ledger, system };
+        simulation.relist(&Springs::default())?;
+        let mut numbers = memory.into_iter();
+        for block in &mut simulation.blocks {
+            for k in 0..block.pairs.len {
+                let (row, lane) = (k / crate::forces::LANES, k % crate::forces::LANES);
+                let row = &mut block.pairs.memory[row];
+                let springs: M::Memory<f64> = Flat::from_fn(|_| numbers.next().unwrap_or(f64::NAN));
+                *row = Flat::from_fn(|k| {
+                    let mut lanes = row.get(k);
+                    lanes.0[lane] = springs.get(k);
+                    lanes
+                });
+            }
+        }
+        Ok(simulation)
+    }
+}

@@ -1,0 +1,117 @@
+//! The state of a simulation: spheres in a periodic box, some of them forming rigid walls.
+
+mod domain;
+mod halt;
+mod wall;
+
+pub use domain::{Domain, Image};
+pub use halt::{Halt, Reason};
+pub use wall::{Motion, Wall};
+
+use crate::spec::Vec3;
+use serde::{Deserialize, Serialize};
+
+/// The spheres. All vectors have the same length and are permuted together when the neighbour list is built, so a sphere
+/// keeps its `id`, not its place. Units: nm, m/s, 1/ns, ag.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Particles {
+    /// Centre, never folded back into the box: displacements need no bookkeeping.
+    pub x: Vec<Vec3<f64>>,
+    /// Velocity.
+    pub v: Vec<Vec3<f64>>,
+    /// Angular velocity.
+    pub w: Vec<Vec3<f64>>,
+    /// Radius.
+    pub radius: Vec<f64>,
+    /// Mass.
+    pub mass: Vec<f64>,
+    /// 0 for a free sphere, `k` for a member of `walls[k - 1]`.
+    pub wall: Vec<u32>,
+    /// The sphere's name, unique and lasting.
+    pub id: Vec<u32>,
+    /// The body it belonged to at the beginning.
+    pub tag: Vec<u32>,
+}
+
+impl Particles {
+    /// Number of spheres.
+    pub fn len(&self) -> usize {
+        self.x.len()
+    }
+
+    /// True when there is no sphere.
+    pub fn is_empty(&self) -> bool {
+        self.x.is_empty()
+    }
+
+    /// Appends a free sphere at rest; its id is its place.
+    pub fn push(&mut self, x: Vec3<f64>, radius: f64, mass: f64, tag: u32) {
+        self.id.push(self.len() as u32);
+        self.x.push(x);
+        self.v.push(Vec3::zero());
+        self.w.push(Vec3::zero());
+        self.radius.push(radius);
+        self.mass.push(mass);
+        self.wall.push(0);
+        self.tag.push(tag);
+    }
+
+    /// The spheres at the given places, in that order.
+    pub fn pick(&self, places: &[u32]) -> Self {
+        fn at<T: Copy>(values: &[T], places: &[u32]) -> Vec<T> {
+            places.iter().map(|&p| values[p as usize]).collect()
+        }
+        Self {
+            x: at(&self.x, places),
+            v: at(&self.v, places),
+            w: at(&self.w, places),
+            radius: at(&self.radius, places),
+            mass: at(&self.mass, places),
+            wall: at(&self.wall, places),
+            id: at(&self.id, places),
+            tag: at(&self.tag, places),
+        }
+    }
+}
+
+/// Spheres, box, walls, and where in time they are.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct System {
+    /// The spheres.
+    pub particles: Particles,
+    /// The box.
+    pub domain: Domain,
+    /// The rigid walls.
+    pub walls: Vec<Wall>,
+    /// Simulated time, ns.
+    pub time: f64,
+    /// Steps taken.
+    pub step: u64,
+}
+
+impl System {
+    /// Spheres at rest in a box, at time zero.
+    pub fn new(particles: Particles, domain: Domain) -> Self {
+        Self { particles, domain, walls: Vec::new(), time: 0.0, step: 0 }
+    }
+
+    /// Makes the spheres that `member` picks into one rigid wall, whose mass is theirs.
+    pub fn add_wall(&mut self, motion: [Motion; 3], member: impl Fn(&Particles, usize) -> bool) {
+        let number = self.walls.len() as u32 + 1;
+        let mut mass = 0.0;
+        for i in 0..self.particles.len() {
+            if member(&self.particles, i) {
+                self.particles.wall[i] = number;
+                mass += self.particles.mass[i];
+            }
+        }
+        self.walls.push(Wall::new(motion, mass));
+        let velocity = self.walls[number as usize - 1].velocity;
+        for i in 0..self.particles.len() {
+            if self.particles.wall[i] == number {
+                self.particles.v[i] = velocity;
+                self.particles.w[i] = Vec3::zero();
+            }
+        }
+    }
+}

@@ -1,0 +1,83 @@
+//! Small systems for the tests of the engine.
+
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
+use veridem::forces::Instructions;
+use veridem::simulation::{Settings, Simulation};
+use veridem::spec::Vec3;
+use veridem::spec::wear::law::{Interaction, Material, Wear};
+use veridem::system::{Domain, Motion, Particles, System};
+
+/// Silica: Table 5 of the wear paper, in MPa and pN/nm.
+pub const SILICA: Material<f64> = Material {
+    young_modulus: 73_000.0,
+    poisson_ratio: 0.17,
+    tensile_strength: 16_000.0,
+    shear_strength: 9_000.0,
+    surface_energy: 1_500.0,
+    restitution: 0.9,
+    scaling: 0.5,
+};
+
+/// Number drawn evenly from 0 to 1.
+pub fn uniform(rng: &mut ChaCha8Rng) -> f64 {
+    (rng.next_u64() >> 11) as f64 * 2f64.powi(-53)
+}
+
+/// A crowd of spheres of 1 to 3 nm, jittered about a cubic lattice of `side` points a side so that many touch and none coincide,
+/// each with a random velocity and spin.
+pub fn crowd(seed: u64, side: usize) -> System {
+    let mut rng = ChaCha8Rng::seed_from_u64(seed);
+    let mut draw = |from: f64, to: f64| from + (to - from) * uniform(&mut rng);
+    let spacing = 2.0;
+    let mut particles = Particles::default();
+    for k in 0..side * side * side {
+        let place = [k % side, k / side % side, k / side / side];
+        let radius = draw(0.5, 1.5);
+        let mass = 2.2 * 4.0 / 3.0 * std::f64::consts::PI * radius * radius * radius;
+        particles.push(Vec3(place.map(|c| spacing * (c as f64 + 0.5 + draw(-0.1, 0.1)))), radius, mass, 0);
+    }
+    for p in 0..particles.len() {
+        particles.v[p] = Vec3([draw(-50.0, 50.0), draw(-50.0, 50.0), draw(-50.0, 50.0)]);
+        particles.w[p] = Vec3([draw(-50.0, 50.0), draw(-50.0, 50.0), draw(-50.0, 50.0)]);
+    }
+    System::new(particles, Domain::periodic([side as f64 * spacing; 3]))
+}
+
+/// The crowd between two rigid walls, the lower at rest, the upper pulled along x and pressed down along y.
+pub fn sheared_crowd(seed: u64, side: usize) -> System {
+    let mut system = crowd(seed, side);
+    system.domain.periodic[1] = false;
+    let height = system.domain.sides[1];
+    let at_rest = [Motion::Velocity(0.0); 3];
+    system.add_wall(at_rest, |particles, p| particles.x[p].0[1] < 2.0);
+    let pulled = [Motion::Velocity(10.0), Motion::Load(-5_000.0), Motion::Velocity(0.0)];
+    system.add_wall(pulled, |particles, p| particles.x[p].0[1] > height - 2.0);
+    system
+}
+
+/// Silica with all its forces.
+pub fn wear() -> Wear {
+    Wear { material: SILICA, interaction: Interaction::Full }
+}
+
+/// Settings that the crowd is stable and quick with.
+pub fn settings(dt: f64) -> Settings {
+    Settings {
+        dt,
+        damping: 0.0,
+        skin: 0.3,
+        max_overlap: f64::INFINITY,
+        relax_box: None,
+        instructions: Instructions::best(),
+    }
+}
+
+/// A simulation after some steps.
+pub fn run(system: System, settings: Settings, steps: usize) -> Simulation<Wear> {
+    let mut simulation = Simulation::new(wear(), system, settings).expect("a valid system");
+    for _ in 0..steps {
+        simulation.step().expect("a stable step");
+    }
+    simulation
+}

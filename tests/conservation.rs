@@ -1,0 +1,62 @@
+//! Does the engine keep what the equations keep?
+
+mod common;
+
+use common::{crowd, run, settings, sheared_crowd};
+use veridem::motion::inertia;
+use veridem::simulation::Simulation;
+use veridem::spec::Vec3;
+use veridem::spec::wear::law::Wear;
+use veridem::system::{Domain, System};
+
+fn momentum(system: &System) -> Vec3<f64> {
+    let p = &system.particles;
+    (0..p.len()).fold(Vec3::zero(), |sum, k| sum + p.v[k] * p.mass[k])
+}
+
+fn angular_momentum(system: &System) -> Vec3<f64> {
+    let p = &system.particles;
+    (0..p.len()).fold(Vec3::zero(), |sum, k| sum + p.x[k].cross(p.v[k]) * p.mass[k] + p.w[k] * inertia(p, k))
+}
+
+/// A crowd in free space: nothing outside acts on it.
+fn free(seed: u64) -> System {
+    let mut system = crowd(seed, 6);
+    system.domain = Domain { periodic: [false; 3], ..system.domain };
+    system
+}
+
+fn assert_close(a: Vec3<f64>, b: Vec3<f64>, scale: f64) {
+    assert!((a - b).norm() < 1e-12 * scale, "{a:?} against {b:?}, scale {scale}");
+}
+
+#[test]
+fn linear_and_angular_momentum_are_conserved_to_rounding() {
+    let before = free(5);
+    let after = run(before.clone(), settings(2e-5), 1000);
+    let p = &before.particles;
+    let scale: f64 = (0..p.len()).map(|k| p.mass[k] * p.v[k].norm()).sum();
+    assert_close(momentum(&before), momentum(after.system()), scale);
+    assert_close(angular_momentum(&before), angular_momentum(after.system()), scale * before.domain.sides[0]);
+}
+
+#[test]
+fn the_discrete_account_closes_to_rounding() {
+    for system in [crowd(6, 6), sheared_crowd(6, 6)] {
+        let ledger = run(system, settings(2e-5), 1000).ledger();
+        assert!(ledger.discrete_residual().abs() < 1e-11 * ledger.turnover(), "{ledger:?}");
+    }
+}
+
+fn physical_residual(dt: f64, steps: usize) -> f64 {
+    let simulation: Simulation<Wear> = run(sheared_crowd(7, 6), settings(dt), steps);
+    let ledger = simulation.ledger();
+    ledger.physical_residual().abs() / ledger.turnover()
+}
+
+#[test]
+fn the_physical_account_closes_to_first_order_in_the_time_step() {
+    let (coarse, fine, finest) = (physical_residual(2e-5, 200), physical_residual(1e-5, 400), physical_residual(5e-6, 800));
+    assert!(coarse < 1e-2, "{coarse}");
+    assert!(fine < 0.7 * coarse && finest < 0.7 * fine, "{coarse} {fine} {finest}");
+}

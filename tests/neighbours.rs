@@ -1,0 +1,54 @@
+//! Is the neighbour list the same as looking at every pair?
+
+mod common;
+
+use common::uniform;
+use quickcheck::{QuickCheck, TestResult};
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::SeedableRng;
+use veridem::forces::{Neighbour, neighbours};
+use veridem::spec::Vec3;
+use veridem::system::Domain;
+
+/// Every pair and every copy within two boxes, the long way.
+fn brute_force(x: &[Vec3<f64>], radius: &[f64], domain: &Domain, reach: impl Fn(f64, f64) -> f64) -> Vec<Neighbour> {
+    let copies = |a: usize| if domain.periodic[a] { -9..=9 } else { 0..=0 };
+    let mut all = Vec::new();
+    for p in 0..x.len() {
+        for q in p..x.len() {
+            for i in copies(0) {
+                for j in copies(1) {
+                    for k in copies(2) {
+                        let image = [i, j, k];
+                        let apart = x[p] - (x[q] + domain.shift(image));
+                        let near = apart.dot(apart) < reach(radius[p], radius[q]) * reach(radius[p], radius[q]);
+                        if near && (p != q || image > [0; 3]) {
+                            all.push(Neighbour { p: p as u32, q: q as u32, image });
+                        }
+                    }
+                }
+            }
+        }
+    }
+    all.sort_unstable();
+    all
+}
+
+#[test]
+fn the_list_is_every_pair_in_reach() {
+    fn same(seed: u64, count: u8, axes: u8) -> TestResult {
+        let mut rng = ChaCha8Rng::seed_from_u64(seed);
+        let periodic = [axes & 1 != 0, axes & 2 != 0, axes & 4 != 0];
+        // Boxes down to less than one reach across, positions some boxes away, radii over three octaves.
+        let domain = Domain { sides: [1.5 + 5.0 * uniform(&mut rng), 6.0, 2.0 + 3.0 * uniform(&mut rng)], periodic };
+        let x: Vec<_> = (0..count % 40)
+            .map(|_| Vec3(std::array::from_fn(|a| domain.sides[a] * (3.0 * uniform(&mut rng) - 1.0))))
+            .collect();
+        let radius: Vec<_> = x.iter().map(|_| 0.1 + 0.9 * uniform(&mut rng) * uniform(&mut rng)).collect();
+        let reach = |r_i: f64, r_j: f64| 1.1 * (r_i + r_j) + 0.2;
+        TestResult::from_bool(
+            neighbours(&x, &radius, &domain, reach) == brute_force(&x, &radius, &domain, reach),
+        )
+    }
+    QuickCheck::new().tests(60).quickcheck(same as fn(u64, u8, u8) -> TestResult);
+}
