@@ -1,4 +1,4 @@
-//! Three-vectors over [`Real`].
+//! Three-vectors over [`Real`], components written out: the pair loop is made of them and must be inlined whole.
 
 use crate::Real;
 use std::ops::{Add, Mul, Neg, Sub};
@@ -47,12 +47,14 @@ impl<R: Real> Vec3<R> {
     /// `yes` where the mask is true, `no` elsewhere.
     #[inline(always)]
     pub fn select(mask: R::Mask, yes: Self, no: Self) -> Self {
-        Self(std::array::from_fn(|k| R::select(mask, yes.0[k], no.0[k])))
+        let ([a, b, c], [x, y, z]) = (yes.0, no.0);
+        Self([R::select(mask, a, x), R::select(mask, b, y), R::select(mask, c, z)])
     }
     /// All nine products of components: the tensor with rows `self`.
     #[inline(always)]
     pub fn outer(self, other: Self) -> Tensor<R> {
-        self.0.map(|component| other * component)
+        let [a, b, c] = self.0;
+        [other * a, other * b, other * c]
     }
 }
 
@@ -60,27 +62,31 @@ impl<R: Real> Add for Vec3<R> {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: Self) -> Self {
-        Self(std::array::from_fn(|k| self.0[k] + other.0[k]))
+        let ([a, b, c], [x, y, z]) = (self.0, other.0);
+        Self([a + x, b + y, c + z])
     }
 }
 impl<R: Real> Sub for Vec3<R> {
     type Output = Self;
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
-        Self(std::array::from_fn(|k| self.0[k] - other.0[k]))
+        let ([a, b, c], [x, y, z]) = (self.0, other.0);
+        Self([a - x, b - y, c - z])
     }
 }
 impl<R: Real> Neg for Vec3<R> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
-        Self(self.0.map(|component| -component))
+        let [a, b, c] = self.0;
+        Self([-a, -b, -c])
     }
 }
 impl<R: Real> Mul<R> for Vec3<R> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, factor: R) -> Self {
-        Self(self.0.map(|component| component * factor))
+        let [a, b, c] = self.0;
+        Self([a * factor, b * factor, c * factor])
     }
 }

@@ -126,6 +126,20 @@ fn dispatch<M: PairModel>(
     rows(model, pairs, bench, max_overlap, dt)
 }
 
+/// Position, velocity, angular velocity and radius of the spheres at eight places.
+#[inline(always)]
+fn gather(spheres: &[[f64; 10]; CAPACITY], places: &[u16; LANES]) -> ([Vec3<Row>; 3], Row) {
+    let mut rows = [Row::zero(); 10];
+    for lane in 0..LANES {
+        let sphere = &spheres[usize::from(places[lane]) % CAPACITY];
+        for k in 0..10 {
+            rows[k].0[lane] = sphere[k];
+        }
+    }
+    let [x, y, z, a, b, c, d, e, f, r] = rows;
+    ([Vec3([x, y, z]), Vec3([a, b, c]), Vec3([d, e, f])], r)
+}
+
 #[inline(always)]
 fn rows<M: PairModel>(model: &M, pairs: &mut Pairs<M>, bench: &mut Bench, max_overlap: f64, dt: f64) -> Totals {
     let Bench { spheres, loads } = bench;
@@ -137,13 +151,10 @@ fn rows<M: PairModel>(model: &M, pairs: &mut Pairs<M>, bench: &mut Bench, max_ov
 
     let rows = pairs.i.iter().zip(&pairs.j).zip(&pairs.coefficients).zip(&mut pairs.memory);
     for (((i, j), coefficients), memory) in rows {
-        let sphere = |places: &[u16; LANES], k: usize| -> Row {
-            Lanes(std::array::from_fn(|lane| spheres[usize::from(places[lane]) % CAPACITY][k]))
-        };
-        let vector = |places: &[u16; LANES], k: usize| Vec3::new(sphere(places, k), sphere(places, k + 1), sphere(places, k + 2));
-        let branch = vector(i, 0) - vector(j, 0);
-        let v = vector(i, 3) - vector(j, 3);
-        let contact = Contact::new(branch, v, vector(i, 6), vector(j, 6), sphere(i, 9), sphere(j, 9));
+        let ([x_i, v_i, w_i], r_i) = gather(spheres, i);
+        let ([x_j, v_j, w_j], r_j) = gather(spheres, j);
+        let branch = x_i - x_j;
+        let contact = Contact::new(branch, v_i - v_j, w_i, w_j, r_i, r_j);
 
         let outcome = model.pair(&contact, coefficients, *memory, dt);
         *memory = outcome.memory;
