@@ -46,9 +46,7 @@ fn the_list_is_every_pair_in_reach() {
             .collect();
         let radius: Vec<_> = x.iter().map(|_| 0.1 + 0.9 * uniform(&mut rng) * uniform(&mut rng)).collect();
         let reach = |r_i: f64, r_j: f64| 1.1 * (r_i + r_j) + 0.2;
-        TestResult::from_bool(
-            neighbours(&x, &radius, &domain, reach) == brute_force(&x, &radius, &domain, reach),
-        )
+        TestResult::from_bool(neighbours(&x, &radius, &domain, reach) == brute_force(&x, &radius, &domain, reach))
     }
     QuickCheck::new().tests(60).quickcheck(same as fn(u64, u8, u8) -> TestResult);
 }

@@ -75,6 +75,7 @@ pub fn sliding_limit<R: Real>(nu: R) -> (R, R) {
 ///
 /// * `is_the_damped_fraction_of_eq_6`
 /// * `is_the_sliding_fraction_of_eq_6`
+/// * `there_the_spectral_radius_of_the_step_crosses_one`
 #[inline(always)]
 pub fn stable_time_step<R: Real>(m: R, k: R, c: R) -> R {
     let rate = R::lit(0.5) * c / m;
@@ -90,16 +91,44 @@ pub(super) fn equations() -> Vec<Equation> {
 }
 
 #[cfg(test)]
-mod laws {
+pub(super) mod laws {
     use super::*;
+    use crate::Vec3;
     use crate::wear::def_restitution::damping_ratio_of;
     use crate::wear::def_sphere::sliding_mass;
+    use crate::wear::eq01_symplectic_euler::symplectic_euler;
     use crate::wear::eq06_critical_time_step::critical_time_step;
     use crate::wear::eq17_effective_mass::effective_mass;
     use approx::relative_eq;
     use proptest::prelude::*;
 
+    /// Largest modulus of the eigenvalues of a step of Eq. 1 of a mass on a spring and a dashpot.
+    pub fn spectral_radius(m: f64, k: f64, c: f64, dt: f64) -> f64 {
+        let along = |x: f64| Vec3::new(x, 0.0, 0.0);
+        let step = |x: f64, v: f64| {
+            let force = along(-k * x - c * v);
+            let (v, x, _) = symplectic_euler(along(x), along(v), along(0.0), force, along(0.0), m, 1.0, dt);
+            [x.0[0], v.0[0]]
+        };
+        // Position and velocity in units that balance the matrix.
+        let columns = [step(1.0, 0.0), step(0.0, 1.0 / dt)];
+        let matrix = faer::Mat::from_fn(2, 2, |i, j| columns[j][i] * [1.0, dt][i]);
+        matrix
+            .eigenvalues()
+            .expect("eigenvalues of a 2 by 2 matrix")
+            .into_iter()
+            .map(|z| z.re.hypot(z.im))
+            .fold(0.0, f64::max)
+    }
+
     proptest! {
+        #[test]
+        fn there_the_spectral_radius_of_the_step_crosses_one(m in 0.1..10.0, k in 0.1..10.0, c in 0.0..10.0) {
+            let dt = stable_time_step(m, k, c);
+            prop_assert!(spectral_radius(m, k, c, 0.999 * dt) <= 1.0 + 1e-10);
+            prop_assert!(spectral_radius(m, k, c, 1.001 * dt) > 1.0 + 1e-4);
+        }
+
         #[test]
         fn is_the_damped_fraction_of_eq_6(m in 0.1..10.0, k in 0.1..10.0, c in 0.0..10.0) {
             let m_eff = effective_mass(m, m);

@@ -34,6 +34,12 @@ use crate::{Real, Vec3, equation};
 /// # Laws
 ///
 /// * `exact_for_a_constant_force_up_to_half_a_step`
+/// * `the_spin_gains_torque_times_time_which_the_printed_line_gets_wrong`
+/// * `the_oscillator_conserves_its_invariant_and_keeps_its_energy_within_bounds`
+/// * `the_energy_error_is_of_first_order_in_the_time_step`
+/// * `areas_of_phase_space_are_kept`
+/// * `six_steps_of_half_the_critical_one_return_to_the_start`
+/// * `two_particles_keep_momentum_and_angular_momentum_for_any_time_step`
 #[inline(always)]
 pub fn symplectic_euler<R: Real>(
     x: Vec3<R>,
@@ -69,8 +75,19 @@ pub(super) fn equations() -> Vec<Equation> {
 #[cfg(test)]
 mod laws {
     use super::*;
-    use approx::relative_eq;
+    use approx::{assert_relative_eq, relative_eq};
     use proptest::prelude::*;
+
+    fn vector() -> impl Strategy<Value = Vec3<f64>> {
+        prop::array::uniform3(-1.0..1.0).prop_map(Vec3)
+    }
+
+    /// A step of `h` of a unit mass on a unit spring, through Eq. 1.
+    fn oscillate((x, v): (f64, f64), h: f64) -> (f64, f64) {
+        let along = |x: f64| Vec3::new(x, 0.0, 0.0);
+        let (v, x, _) = symplectic_euler(along(x), along(v), along(0.0), along(-x), along(0.0), 1.0, 1.0, h);
+        (x.0[0], v.0[0])
+    }
 
     proptest! {
         #[test]
@@ -85,5 +102,77 @@ mod laws {
             let exact = n * dt * v + 0.5 * n * (n + 1.0) * dt * dt * f / m;
             prop_assert!(relative_eq!(now.1.0[2], exact, max_relative = 1e-12, epsilon = 1e-12));
         }
+
+        #[test]
+        fn the_spin_gains_torque_times_time_which_the_printed_line_gets_wrong(
+            omega in vector(), torque in vector(), i in 2.0..10.0, dt in 0.1..1.0,
+        ) {
+            prop_assume!(torque.norm() > 0.1);
+            let zero = Vec3::zero();
+            let after = symplectic_euler(zero, zero, omega, zero, torque, 1.0, i, dt).2;
+            prop_assert!(((after - omega) * i - torque * dt).norm() < 1e-13);
+            let printed = omega + torque * dt;
+            prop_assert!(((printed - omega) * i - torque * dt).norm() > 0.009);
+        }
+
+        #[test]
+        fn the_oscillator_conserves_its_invariant_and_keeps_its_energy_within_bounds(x in -1.0..1.0, v in -1.0..1.0, h in 0.01..1.9) {
+            prop_assume!(x * x + v * v > 0.1);
+            let (energy, invariant) = (|(x, v): (f64, f64)| x * x + v * v, |(x, v): (f64, f64)| x * x + v * v - h * x * v);
+            let start = (x, v);
+            let mut now = start;
+            for _ in 0..500 {
+                now = oscillate(now, h);
+                prop_assert!(relative_eq!(invariant(now), invariant(start), max_relative = 1e-11));
+                prop_assert!(energy(now) <= energy(start) * (1.0 + 0.5 * h) / (1.0 - 0.5 * h) * (1.0 + 1e-11));
+            }
+        }
+
+        #[test]
+        fn the_energy_error_is_of_first_order_in_the_time_step(phase in 0.0..6.0f64) {
+            let worst = |h: f64| {
+                let mut now = (phase.cos(), phase.sin());
+                (0..(7.0 / h) as usize)
+                    .map(|_| {
+                        now = oscillate(now, h);
+                        (now.0 * now.0 + now.1 * now.1 - 1.0).abs()
+                    })
+                    .fold(0.0, f64::max)
+            };
+            let ratio = worst(2e-3) / worst(1e-3);
+            prop_assert!((ratio - 2.0).abs() < 0.02);
+        }
+
+        #[test]
+        fn areas_of_phase_space_are_kept(h in 0.01..3.0) {
+            let ((a, c), (b, d)) = (oscillate((1.0, 0.0), h), oscillate((0.0, 1.0), h));
+            prop_assert!(relative_eq!(a * d - b * c, 1.0, max_relative = 1e-13));
+        }
+
+        #[test]
+        fn two_particles_keep_momentum_and_angular_momentum_for_any_time_step(
+            x_i in vector(), x_j in vector(), v_i in vector(), v_j in vector(), omega in vector(), f in vector(), share in 0.0..1.0, dt in 0.01..10.0,
+        ) {
+            // A force and its reaction, and torques that balance their couple: what every contact law gives.
+            let couple = (x_i - x_j).cross(f);
+            let (m_i, m_j, i) = (2.0, 0.5, 0.3);
+            let (w_i, y_i, spin_i) = symplectic_euler(x_i, v_i, omega, f, -couple * share, m_i, i, dt);
+            let (w_j, y_j, spin_j) = symplectic_euler(x_j, v_j, omega, -f, -couple * (1.0 - share), m_j, i, dt);
+            let momentum = (w_i - v_i) * m_i + (w_j - v_j) * m_j;
+            prop_assert!(momentum.norm() < 1e-13 * (1.0 + dt));
+            let before = x_i.cross(v_i) * m_i + x_j.cross(v_j) * m_j + (omega + omega) * i;
+            let after = y_i.cross(w_i) * m_i + y_j.cross(w_j) * m_j + (spin_i + spin_j) * i;
+            prop_assert!((after - before).norm() < 1e-12 * (1.0 + dt * dt * dt));
+        }
+    }
+
+    #[test]
+    fn six_steps_of_half_the_critical_one_return_to_the_start() {
+        let mut now = (0.6, 0.8);
+        for _ in 0..6 {
+            now = oscillate(now, 1.0);
+        }
+        assert_relative_eq!(now.0, 0.6, max_relative = 1e-15);
+        assert_relative_eq!(now.1, 0.8, max_relative = 1e-15);
     }
 }

@@ -20,10 +20,18 @@ pub mod a39_impact_end;
 pub mod a42_restitution;
 pub mod a45_damping;
 pub mod a49_rescaled_separation;
+pub mod def_box;
+pub mod def_contact;
+pub mod def_elastic_constants;
+pub mod def_kinematics;
+pub mod def_lognormal;
+pub mod def_parameters;
 pub mod def_potential;
 pub mod def_restitution;
 pub mod def_sphere;
+pub mod def_spring;
 pub mod def_stable_step;
+pub mod def_virial;
 pub mod eq01_symplectic_euler;
 pub mod eq02_pair_force;
 pub mod eq03_normal_force;
@@ -43,9 +51,13 @@ pub mod eq16_tangential_cross_section;
 pub mod eq17_effective_mass;
 pub mod eq18_critical_diameter;
 pub mod eq19_minimum_diameter;
+pub mod eq20_matched_strength;
+pub mod eq21_critical_damping;
+pub mod eq22_critical_length;
 pub mod law;
 
-pub use law::{Interaction, Material, Parameters, Wear};
+pub use def_contact::Parameters;
+pub use law::{Interaction, Material, Wear};
 
 use crate::equation::Equation;
 
@@ -54,10 +66,13 @@ pub fn equations() -> Vec<Equation> {
     [
         eq01_symplectic_euler::equations(),
         eq02_pair_force::equations(),
+        def_kinematics::equations(),
         eq03_normal_force::equations(),
         def_potential::equations(),
         eq04_tangential_force::equations(),
         eq05_rescaled_maximum::equations(),
+        def_spring::equations(),
+        def_contact::equations(),
         eq06_critical_time_step::equations(),
         def_stable_step::equations(),
         eq07_normal_stiffness::equations(),
@@ -72,9 +87,17 @@ pub fn equations() -> Vec<Equation> {
         eq15_normal_cross_section::equations(),
         eq16_tangential_cross_section::equations(),
         eq17_effective_mass::equations(),
+        def_sphere::equations(),
         eq18_critical_diameter::equations(),
         eq19_minimum_diameter::equations(),
-        def_sphere::equations(),
+        def_parameters::equations(),
+        eq20_matched_strength::equations(),
+        def_elastic_constants::equations(),
+        eq21_critical_damping::equations(),
+        def_virial::equations(),
+        def_lognormal::equations(),
+        def_box::equations(),
+        eq22_critical_length::equations(),
         a01_pair_motion::equations(),
         a04_time_step::equations(),
         a06_energy::equations(),

@@ -124,7 +124,8 @@ impl<K: Kind, S: Scale> Scaled<K, S> {
         {
             return Ok(Self::times(number.parse().expect("the number has been parsed before")));
         }
-        let or_multiple = |error: String| format!("{error} or `{} {}`", if S::SYMBOL == "steps" { "1000" } else { "1.5" }, S::SYMBOL);
+        let or_multiple =
+            |error: String| format!("{error} or `{} {}`", if S::SYMBOL == "steps" { "1000" } else { "1.5" }, S::SYMBOL);
         Quantity::parse(text).map(Self::Absolute).map_err(or_multiple)
     }
 }

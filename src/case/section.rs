@@ -90,7 +90,8 @@ impl Visitor<'_> for KeyName {
 
 /// The message for a key that is not one of `known`.
 pub fn unknown_key(name: &str, known: &[&str]) -> String {
-    let nearest = known.iter().map(|key| (strsim::damerau_levenshtein(name, key), key)).min_by_key(|(distance, _)| *distance);
+    let nearest =
+        known.iter().map(|key| (strsim::damerau_levenshtein(name, key), key)).min_by_key(|(distance, _)| *distance);
     match nearest {
         Some((distance, key)) if 3 * distance <= name.len().max(3) => {
             format!("unknown key `{name}`, did you mean `{key}`?")
@@ -101,7 +102,8 @@ pub fn unknown_key(name: &str, known: &[&str]) -> String {
 
 /// A section in which every key has its default.
 pub fn defaults<T: for<'de> Deserialize<'de>>() -> T {
-    let nothing = serde::de::value::MapDeserializer::<_, serde::de::value::Error>::new(std::iter::empty::<(String, String)>());
+    let nothing =
+        serde::de::value::MapDeserializer::<_, serde::de::value::Error>::new(std::iter::empty::<(String, String)>());
     T::deserialize(nothing).expect("every key of a section that may be left out has a default")
 }
 

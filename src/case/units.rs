@@ -42,7 +42,8 @@ const PREFIXES: [(&str, i32); 13] = [
 
 /// One symbol such as `GPa`: its dimension and power of ten in engine units.
 fn symbol(text: &str) -> Option<(Dimension, i32)> {
-    let plain = |text: &str| UNITS.iter().find(|unit| unit.0 == text).map(|&(_, d, power)| (d, power + d.engine_power()));
+    let plain =
+        |text: &str| UNITS.iter().find(|unit| unit.0 == text).map(|&(_, d, power)| (d, power + d.engine_power()));
     plain(text).or_else(|| {
         PREFIXES.iter().find_map(|&(prefix, power)| {
             let (dimension, unit) = plain(text.strip_prefix(prefix)?)?;

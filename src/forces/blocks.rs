@@ -142,13 +142,15 @@ fn lay<M: PairModel>(
             own.len() + halo.partition_point(|&entry| entry < (q, image))
         }
     };
-    let mut laid = Pairs { i: Vec::new(), j: Vec::new(), coefficients: Vec::new(), memory: Vec::new(), len: pairs.len() };
+    let mut laid =
+        Pairs { i: Vec::new(), j: Vec::new(), coefficients: Vec::new(), memory: Vec::new(), len: pairs.len() };
     for row in pairs.chunks(LANES) {
         let mut places = [[NOWHERE; LANES], [0; LANES]];
         let mut coefficients = Vec::with_capacity(LANES);
         let mut memory = Vec::with_capacity(LANES);
         for (lane, pair) in row.iter().enumerate() {
-            let mut ends = [(pair.p as usize - own.start, pair.p as usize), (place_of(pair.q, pair.image), pair.q as usize)];
+            let mut ends =
+                [(pair.p as usize - own.start, pair.p as usize), (place_of(pair.q, pair.image), pair.q as usize)];
             let key = bond(particles, pair.p as usize, pair.q as usize, pair.image);
             if particles.id[pair.p as usize] != key.0 {
                 ends.reverse();

@@ -86,7 +86,8 @@ impl<'a> Grid<'a> {
             high = std::array::from_fn(|a| high[a].max(p.0[a]));
         }
         let origin = std::array::from_fn(|a| if domain.periodic[a] { 0.0 } else { low[a] });
-        let extent: [f64; 3] = std::array::from_fn(|a| if domain.periodic[a] { domain.sides[a] } else { high[a] - low[a] });
+        let extent: [f64; 3] =
+            std::array::from_fn(|a| if domain.periodic[a] { domain.sides[a] } else { high[a] - low[a] });
         // More cells than spheres would only cost memory.
         let finest = (extent.iter().product::<f64>() / (members.len() as f64)).cbrt().max(size);
         let count = extent.map(|length| ((length / finest) as i64).max(1));
@@ -95,8 +96,7 @@ impl<'a> Grid<'a> {
 
         let cell_of = |q: u32| {
             let folded = domain.folded(x[q as usize]);
-            let place: [i64; 3] =
-                std::array::from_fn(|a| grid.along(a, folded.0[a]).clamp(0, grid.count[a] - 1));
+            let place: [i64; 3] = std::array::from_fn(|a| grid.along(a, folded.0[a]).clamp(0, grid.count[a] - 1));
             grid.index(place)
         };
         let mut keyed: Vec<(usize, u32)> = members.into_iter().map(|q| (cell_of(q), q)).collect();

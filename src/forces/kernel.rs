@@ -113,7 +113,13 @@ fn dispatch<M: PairModel>(
             rows(model, pairs, bench, max_overlap, dt)
         }
         #[target_feature(enable = "avx512f,avx512dq,avx512vl")]
-        fn avx512<M: PairModel>(model: &M, pairs: &mut Pairs<M>, bench: &mut Bench, max_overlap: f64, dt: f64) -> Totals {
+        fn avx512<M: PairModel>(
+            model: &M,
+            pairs: &mut Pairs<M>,
+            bench: &mut Bench,
+            max_overlap: f64,
+            dt: f64,
+        ) -> Totals {
             rows(model, pairs, bench, max_overlap, dt)
         }
         #[expect(unsafe_code, reason = "`Instructions` above the baseline exist only where the processor has them")]

@@ -5,5 +5,5 @@ mod spheres;
 mod walls;
 
 pub use box_relaxation::BoxRelaxation;
-pub use spheres::{inertia, Moved, Spheres, Step, advance};
+pub use spheres::{Moved, Spheres, Step, advance, inertia};
 pub use walls::{WallWork, drive, kinetic_energy};

@@ -119,7 +119,9 @@ impl<M: PairModel> Simulation<M> {
             .blocks
             .par_iter_mut()
             .zip(&mut self.loads)
-            .map(|(block, loads)| forces::evaluate(model, instructions, block, (particles, domain), max_overlap, dt, loads))
+            .map(|(block, loads)| {
+                forces::evaluate(model, instructions, block, (particles, domain), max_overlap, dt, loads)
+            })
             .collect();
         let totals = totals.into_iter().fold(Totals::default(), Totals::and);
         if totals.clearance < 0.0 {
@@ -201,7 +203,8 @@ impl<M: PairModel> Simulation<M> {
     /// Whether spheres may have come into range that the neighbour list does not hold.
     fn stale(&self, moved: &Moved) -> bool {
         let largest = self.system.particles.radius.iter().copied().fold(0.0, f64::max);
-        let strain = (0..3).map(|a| (self.system.domain.sides[a] / self.listed.sides[a] - 1.0).abs()).fold(0.0, f64::max);
+        let strain =
+            (0..3).map(|a| (self.system.domain.sides[a] / self.listed.sides[a] - 1.0).abs()).fold(0.0, f64::max);
         let deformed = strain * (self.model.range(largest, largest) + self.settings.skin);
         // Written so that a NaN is stale too.
         !(moved.approach() + deformed < self.settings.skin)
@@ -223,8 +226,12 @@ impl<M: PairModel> Simulation<M> {
         let (model, skin) = (&self.model, self.settings.skin);
         let pairs =
             forces::neighbours(&self.listed.x, &particles.radius, &domain, |r_i, r_j| model.range(r_i, r_j) + skin);
-        let pairs: Vec<_> =
-            pairs.into_iter().filter(|n| particles.wall[n.p as usize] == 0 || particles.wall[n.q as usize] != particles.wall[n.p as usize]).collect();
+        let pairs: Vec<_> = pairs
+            .into_iter()
+            .filter(|n| {
+                particles.wall[n.p as usize] == 0 || particles.wall[n.q as usize] != particles.wall[n.p as usize]
+            })
+            .collect();
         self.blocks = forces::partition(model, particles, &pairs, springs).map_err(|reason| self.halt(reason))?;
         self.loads = vec![Vec::new(); self.blocks.len()];
         Ok(())
