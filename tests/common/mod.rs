@@ -9,7 +9,7 @@ use veridem::spec::wear::law::{Interaction, Material, Wear};
 use veridem::system::{Domain, Motion, Particles, System};
 
 /// Silica: Table 5 of the wear paper, in MPa and pN/nm.
-pub const SILICA: Material<f64> = Material {
+pub const SILICA: Material = Material {
     young_modulus: 73_000.0,
     poisson_ratio: 0.17,
     tensile_strength: 16_000.0,
