@@ -7,6 +7,7 @@
 extern crate self as veridem_spec;
 
 pub mod contact;
+pub mod document;
 pub mod equation;
 pub mod model;
 pub mod numbers;
