@@ -59,6 +59,24 @@ pub enum Domain {
     },
 }
 
+impl std::fmt::Display for Domain {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        match *self {
+            Self::Unit => write!(f, "a unit vector"),
+            Self::Between { lo, hi, .. } if lo.is_infinite() && hi.is_infinite() => write!(f, "any"),
+            Self::Between { lo, hi, with_lo, .. } if hi.is_infinite() => {
+                write!(f, "{} {lo}", if with_lo { ">=" } else { ">" })
+            }
+            Self::Between { lo, hi, with_hi, .. } if lo.is_infinite() => {
+                write!(f, "{} {hi}", if with_hi { "<=" } else { "<" })
+            }
+            Self::Between { lo, hi, with_lo, with_hi } => {
+                write!(f, "{}{lo}, {hi}{}", if with_lo { '[' } else { '(' }, if with_hi { ']' } else { ')' })
+            }
+        }
+    }
+}
+
 /// How far from one the length of a unit vector may be: normals come with about seven digits at the least.
 const UNIT_TOLERANCE: f64 = 1e-6;
 
@@ -252,6 +270,9 @@ mod laws {
         assert!(domain("< 1").contains(&[-3.0]) && !domain("<= 1").contains(&[1.0f64.next_up()]));
         assert!(domain("unit").contains(&[0.6, 0.0, -0.8]) && !domain("unit").contains(&[0.6, 0.0, 0.9]));
         assert!(!domain(">= 0").contains(&[f64::INFINITY]));
+        for text in ["any", "> 0", ">= -2", "< 1.5", "<= 1", "[0, 1)", "(-1, 0.25]"] {
+            assert_eq!(domain(text).to_string(), text);
+        }
     }
 
     #[test]

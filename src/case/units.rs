@@ -9,7 +9,7 @@ pub struct Dimension(pub [i32; 3]);
 
 impl Dimension {
     /// Power of ten of the coherent SI unit of this dimension, counted in engine units.
-    const fn engine_power(self) -> i32 {
+    pub const fn engine_power(self) -> i32 {
         let [kilogram, metre, second] = self.0;
         21 * kilogram + 9 * metre + 9 * second
     }

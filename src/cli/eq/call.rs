@@ -1,0 +1,214 @@
+//! From what a user wrote to a value: names are found generously, values are taken strictly.
+
+use crate::case::units;
+use veridem_spec::document::{Document, Quantity};
+use veridem_spec::equation::Equation;
+use veridem_spec::unit::WHOLE;
+
+/// An equation and its documentation.
+pub struct Entry {
+    /// The equation.
+    pub equation: Equation,
+    /// What its documentation says.
+    pub document: Document,
+}
+
+/// Every equation.
+pub struct Registry(pub Vec<Entry>);
+
+/// A result: the row of the table, and its numbers.
+pub type Results<'a> = Vec<(&'a Quantity, Vec<f64>)>;
+
+impl Registry {
+    /// All equations with their documentation.
+    pub fn new() -> Self {
+        let document = |equation: Equation| {
+            let document = Document::of(&equation).expect("every equation is documented");
+            Entry { equation, document }
+        };
+        Self(veridem_spec::equations().into_iter().map(document).collect())
+    }
+
+    /// The equation with an id; `wear-03` and `WEAR-3` are `wear-3`.
+    pub fn find(&self, id: &str) -> Result<&Entry, String> {
+        self.0.iter().find(|entry| plain_id(entry.equation.id) == plain_id(id)).ok_or_else(|| {
+            let ids = self.0.iter().map(|entry| entry.equation.id);
+            format!("there is no equation `{id}`, {}", nearest(id, ids))
+        })
+    }
+
+    /// Evaluates an equation with arguments such as `k_n=1 N/m`.
+    pub fn eval(&self, id: &str, arguments: &[String]) -> Result<Results<'_>, String> {
+        let entry = self.find(id)?;
+        let mut given = vec![];
+        for argument in arguments {
+            let (name, text) =
+                argument.split_once('=').ok_or_else(|| format!("`{argument}`: expected name=\"value unit\""))?;
+            let quantity = entry.argument(name.trim())?;
+            given.push((name.trim().to_string(), with_unit(quantity, text)?));
+        }
+        entry.evaluate(given)
+    }
+}
+
+impl Entry {
+    /// The argument of a name: that of the table or the paper's symbol, in any case and without underscores.
+    pub fn argument(&self, name: &str) -> Result<&Quantity, String> {
+        let quantities = &self.document.arguments;
+        let by_symbol = || {
+            let mut all = quantities.iter().filter(|q| plain_symbol(&q.symbol) == plain(name));
+            all.next().filter(|_| all.next().is_none())
+        };
+        quantities.iter().find(|q| plain(&q.name) == plain(name)).or_else(by_symbol).ok_or_else(|| {
+            let names = quantities.iter().map(|q| q.name.as_str());
+            format!("{} has no argument `{name}`, {}", self.equation.id, nearest(name, names))
+        })
+    }
+
+    /// Evaluates the equation with arguments in SI, in any order.
+    pub fn evaluate(&self, given: Vec<(String, Vec<f64>)>) -> Result<Results<'_>, String> {
+        let mut values: Vec<Option<Vec<f64>>> = self.document.arguments.iter().map(|_| None).collect();
+        for (name, value) in given {
+            let quantity = self.argument(&name)?;
+            let place = self.document.arguments.iter().position(|q| q.name == quantity.name).expect("one of them");
+            if values[place].replace(value).is_some() {
+                return Err(format!("`{}` is given twice", quantity.name));
+            }
+        }
+        let mut numbers = vec![];
+        for (quantity, value) in self.document.arguments.iter().zip(values) {
+            let name = &quantity.name;
+            let value =
+                value.ok_or_else(|| format!("`{name}` is missing ({} in {})", quantity.meaning, quantity.unit))?;
+            if value.len() != quantity.size {
+                return Err(format!("`{name}` is {} numbers, expected {}", value.len(), shape(quantity)));
+            }
+            if !quantity.domain.contains(&value) {
+                return Err(format!("`{name}` = {value:?} is outside its domain: {}", quantity.domain));
+            }
+            numbers.extend(value);
+        }
+        let out = (self.equation.eval.f64)(&numbers);
+        if out.iter().any(|y| !y.is_finite()) {
+            return Err(format!("{} has no finite value there: {out:?}", self.equation.id));
+        }
+        let mut rest = out.as_slice();
+        let mut take = |size| {
+            let (parts, after) = rest.split_at(size);
+            rest = after;
+            parts.to_vec()
+        };
+        Ok(self.document.results.iter().map(|quantity| (quantity, take(quantity.size))).collect())
+    }
+}
+
+fn shape(quantity: &Quantity) -> String {
+    if quantity.size == 1 { "one number".into() } else { format!("{} numbers", quantity.size) }
+}
+
+/// Reads numbers and a unit of the right dimension; without a unit the numbers are in SI.
+fn with_unit(quantity: &Quantity, text: &str) -> Result<Vec<f64>, String> {
+    let wrong = |what: &str| {
+        format!("`{}` = `{text}`: {what}, expected {} in {}", quantity.name, shape(quantity), quantity.unit)
+    };
+    let cleared = text.replace(['[', ']', ','], " ");
+    let (mut rest, mut decimals) = (cleared.trim(), vec![]);
+    while decimals.len() < quantity.size {
+        let (decimal, after) = units::number_and_unit(rest).ok_or_else(|| wrong("too few numbers"))?;
+        decimals.push(decimal.to_string());
+        rest = after;
+    }
+    let unit = rest.replace("rad", "1");
+    let power = match units::unit(if unit.is_empty() { "1" } else { &unit }) {
+        None => return Err(wrong(&format!("`{rest}` is not a unit"))),
+        Some(_) if unit.is_empty() => 0,
+        Some((dimension, _)) if dimension.0.map(|e| e * i32::from(WHOLE)) != quantity.exponents.map(i32::from) => {
+            return Err(wrong(&format!("`{rest}` has another dimension")));
+        }
+        Some((dimension, power)) => power - dimension.engine_power(),
+    };
+    Ok(decimals.iter().map(|decimal| units::shifted(decimal, power)).collect())
+}
+
+/// Letters and digits only, in lower case.
+fn plain(name: &str) -> String {
+    name.chars().filter(|c| c.is_alphanumeric()).flat_map(char::to_lowercase).collect()
+}
+
+/// The letters of a symbol, without what only changes how it looks.
+fn plain_symbol(symbol: &str) -> String {
+    let looks = ["\\mathbf", "\\boldsymbol", "\\mathrm", "\\text", "\\hat"];
+    plain(&looks.iter().fold(symbol.to_string(), |text, look| text.replace(look, "")))
+}
+
+/// Like [`plain`], without the leading zeros of its numbers.
+fn plain_id(id: &str) -> String {
+    let mut out = String::new();
+    for c in plain(id).chars() {
+        let digits = out.len() - out.trim_end_matches(|last: char| last.is_ascii_digit()).len();
+        if c.is_ascii_digit() && digits == 1 && out.ends_with('0') {
+            out.pop();
+        }
+        out.push(c);
+    }
+    out
+}
+
+fn nearest<'a>(wrong: &str, known: impl Iterator<Item = &'a str>) -> String {
+    let alike = |name: &&str| (strsim::jaro_winkler(&plain(wrong), &plain(name)) * 1e9) as u64;
+    known.max_by_key(alike).map_or("nothing is like it".into(), |name| format!("the nearest is `{name}`"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn generous_names_are_unambiguous() {
+        let registry = Registry::new();
+        let ids: BTreeSet<String> = registry.0.iter().map(|entry| plain_id(entry.equation.id)).collect();
+        assert_eq!(ids.len(), registry.0.len());
+        for entry in &registry.0 {
+            let names: BTreeSet<String> = entry.document.arguments.iter().map(|q| plain(&q.name)).collect();
+            assert_eq!(names.len(), entry.document.arguments.len(), "{}", entry.equation.id);
+        }
+    }
+
+    #[test]
+    fn ids_may_be_padded_and_in_any_case() {
+        let registry = Registry::new();
+        for id in ["wear-3", "wear-03", "WEAR-003", "wear 3"] {
+            assert_eq!(registry.find(id).map(|entry| entry.equation.id), Ok("wear-3"), "{id}");
+        }
+        assert_eq!(plain_id("wear-A07"), plain_id("wear-a7"));
+        assert_ne!(plain_id("wear-A10"), plain_id("wear-A1"));
+        assert_eq!(plain_id("wear-100"), "wear100");
+        let error = registry.find("wear-normal").map(|_| ()).unwrap_err();
+        assert!(error.starts_with("there is no equation `wear-normal`, the nearest is `wear-"), "{error}");
+    }
+
+    fn eval(arguments: [&str; 4]) -> Result<f64, String> {
+        let registry = Registry::new();
+        registry.eval("wear-3", &arguments.map(String::from)).map(|results| results[0].1[0])
+    }
+
+    #[test]
+    fn units_are_converted_and_checked() {
+        let value = eval(["k_n=58.6 N/m", "delta_e=0.33 nm", "deltaF=375 pm", "delta_N=-0.1 nm"]);
+        assert_eq!(value, Ok(58.6 * -0.1e-9));
+        assert_eq!(eval(["k_N=2", "delta_e=1", "delta_f=2", "delta_n=0.5"]), Ok(1.0));
+        let error = eval(["k_n=58.6 N", "delta_e=1", "delta_f=2", "delta_n=0"]).unwrap_err();
+        assert_eq!(error, "`k_n` = `58.6 N`: `N` has another dimension, expected one number in N/m");
+        let error = eval(["k_n=1 N/m", "delta_e=1", "delta_f=2", "delta=0"]).unwrap_err();
+        assert_eq!(error, "wear-3 has no argument `delta`, the nearest is `delta_n`");
+    }
+
+    #[test]
+    fn what_lies_outside_the_domain_is_refused() {
+        let error = eval(["k_n=-1", "delta_e=1", "delta_f=2", "delta_n=0"]).unwrap_err();
+        assert_eq!(error, "`k_n` = [-1.0] is outside its domain: > 0");
+        let error = eval(["k_n=1", "delta_e=1", "delta_f=2", "delta_f=2"]).unwrap_err();
+        assert_eq!(error, "`delta_f` is given twice");
+    }
+}

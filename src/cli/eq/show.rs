@@ -1,0 +1,86 @@
+//! Equations on a terminal.
+
+use super::call::{Entry, Registry, Results};
+use serde_json::{Value, json};
+use veridem_spec::document::Quantity;
+
+/// One line per equation.
+pub fn list(registry: &Registry) -> String {
+    let width = registry.0.iter().map(|entry| entry.equation.id.len()).max().unwrap_or(0);
+    let line = |entry: &Entry| format!("{:width$}  {}\n", entry.equation.id, plain_text(&entry.document.title));
+    registry.0.iter().map(line).collect()
+}
+
+/// Everything that is known of every equation.
+pub fn list_as_json(registry: &Registry) -> String {
+    let quantities = |quantities: &[Quantity]| -> Vec<Value> {
+        let row = |q: &Quantity| {
+            json!({ "name": q.name, "symbol": q.symbol, "unit": q.unit, "size": q.size,
+                    "domain": q.domain.to_string(), "meaning": q.meaning })
+        };
+        quantities.iter().map(row).collect()
+    };
+    let entry = |Entry { equation, document }: &Entry| {
+        json!({
+            "id": equation.id,
+            "numbers": equation.covers,
+            "function": equation.function,
+            "file": format!("spec/{}", equation.file),
+            "title": plain_text(&document.title),
+            "formula": document.formula,
+            "arguments": quantities(&document.arguments),
+            "results": quantities(&document.results),
+            "laws": document.laws,
+            "rounding": document.rounding,
+        })
+    };
+    format!("{:#}\n", registry.0.iter().map(entry).collect::<Value>())
+}
+
+/// The whole documentation of an equation.
+pub fn entry(Entry { equation, document }: &Entry) -> String {
+    let laws: Vec<String> = document.laws.iter().map(|law| law.replace('_', " ")).collect();
+    let bound = document.rounding.map_or("not stated".into(), |bound| format!("at most {bound} ULP"));
+    [
+        format!("{}: {}", equation.id, plain_text(&document.title)),
+        indented(&document.formula),
+        format!("Reading\n{}", indented(&document.reading)),
+        format!("Arguments\n{}", indented(&table(&document.arguments))),
+        format!("Results\n{}", indented(&table(&document.results))),
+        format!("Laws\n{}", indented(&laws.join("\n"))),
+        format!("Rounding\n{}", indented(&bound)),
+        format!("Source\n    spec/{}, `{}`\n", equation.file, equation.function),
+    ]
+    .join("\n\n")
+}
+
+fn table(quantities: &[Quantity]) -> String {
+    let row = |q: &Quantity| {
+        let unit = if q.size == 1 { q.unit.clone() } else { format!("{} ({})", q.unit, q.size) };
+        [q.name.clone(), q.symbol.clone(), unit, q.domain.to_string()]
+    };
+    let rows: Vec<[String; 4]> = quantities.iter().map(row).collect();
+    let widths: [usize; 4] = std::array::from_fn(|k| rows.iter().map(|row| row[k].chars().count()).max().unwrap_or(0));
+    let line = |(row, quantity): (&[String; 4], &Quantity)| {
+        let cells: Vec<String> = row.iter().zip(widths).map(|(cell, width)| format!("{cell:width$}")).collect();
+        format!("{}  {}\n", cells.join("  "), quantity.meaning)
+    };
+    rows.iter().zip(quantities).map(line).collect()
+}
+
+/// The results, one per line, in SI.
+pub fn results(results: &Results) -> String {
+    let line = |(quantity, values): &(&Quantity, Vec<f64>)| {
+        let digits: Vec<String> = values.iter().map(|x| format!("{x:.16e}")).collect();
+        format!("{} = {} {}\n", quantity.name, digits.join(" "), quantity.unit)
+    };
+    results.iter().map(line).collect()
+}
+
+fn indented(text: &str) -> String {
+    text.lines().map(|line| format!("    {line}").trim_end().to_string()).collect::<Vec<_>>().join("\n")
+}
+
+fn plain_text(markdown: &str) -> String {
+    markdown.replace("**", "").replace('\n', " ")
+}

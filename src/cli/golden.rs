@@ -1,0 +1,70 @@
+//! `veridem golden`: checks the golden vectors, or mints them anew.
+
+use super::{Manner, print};
+use crate::error::{AtPath, Error};
+use crate::golden::{INDEX, check, documented, index, measure, regenerate, samples};
+use std::fmt::Write;
+use std::path::PathBuf;
+
+/// Random inputs per equation when its rounding error is measured.
+const SAMPLED: usize = 200;
+
+/// The arguments.
+#[derive(clap::Args)]
+pub struct Arguments {
+    #[command(subcommand)]
+    action: Action,
+    /// The repository, which has the folders golden, spec and src
+    #[arg(long, default_value = ".", global = true)]
+    root: PathBuf,
+}
+
+#[derive(clap::Subcommand)]
+enum Action {
+    /// Compare every vector with 256-bit numbers, f64 with every vector, and the index with the sources
+    Check,
+    /// Mint the vectors and the index anew; print what changed and by how much. Independent values are kept
+    Regenerate,
+    /// Measure the rounding error of every equation and print it beside the stated bound
+    Bounds,
+}
+
+/// Checks, mints or measures.
+pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
+    let root = &arguments.root;
+    let equations = documented().map_err(Error::Verification)?;
+    let (golden, index_file) = (root.join("golden"), root.join(INDEX));
+    let mut text = String::new();
+    match arguments.action {
+        Action::Check => {
+            let mut wrong: Vec<String> =
+                equations.iter().flat_map(|(e, document)| check(&golden, e, document)).collect();
+            if std::fs::read_to_string(&index_file).at(&index_file)? != index(root, &equations).at(root)? {
+                wrong.push(format!("{} is out of date", index_file.display()));
+            }
+            if !wrong.is_empty() {
+                return Err(Error::Verification(wrong.join("\n")));
+            }
+            manner.say(format!("the golden vectors of {} equations hold", equations.len()));
+        }
+        Action::Regenerate => {
+            let mut changes = vec![];
+            for (equation, document) in &equations {
+                changes.extend(regenerate(&golden, equation, document).at(&golden)?);
+            }
+            std::fs::write(&index_file, index(root, &equations).at(root)?).at(&index_file)?;
+            text.extend(changes.iter().map(|change| format!("{change}\n")));
+            manner.say(format!("{} equations minted, {} vectors changed", equations.len(), changes.len()));
+        }
+        Action::Bounds => {
+            let _ = writeln!(text, "{:24} {:>10} {:>8}", "equation", "measured", "stated");
+            for (equation, document) in &equations {
+                let inputs = samples(equation, document, SAMPLED);
+                let measured = measure(equation, inputs.iter().map(|sample| sample.numbers.as_slice())).ulps;
+                let stated = document.rounding.map_or("-".into(), |bound| bound.to_string());
+                let _ = writeln!(text, "{:24} {measured:>10.3} {stated:>8}", equation.id);
+            }
+        }
+    }
+    print(&text)
+}

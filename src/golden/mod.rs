@@ -1,0 +1,22 @@
+//! Golden vectors: inputs and correctly rounded outputs of every equation, kept in `golden/`.
+//!
+//! The vectors are minted with 256-bit numbers and never edited by hand; those computed independently of this code keep
+//! their values and say where they come from. `golden/README.md` is the format.
+
+mod index;
+mod rounding;
+mod sample;
+mod vectors;
+
+pub use index::{INDEX, index};
+pub use rounding::{Rounding, error, measure};
+pub use sample::{Sample, samples};
+pub use vectors::{File, Vector, check, folder, read, regenerate};
+
+use veridem_spec::document::Document;
+use veridem_spec::equation::Equation;
+
+/// Every equation with its documentation.
+pub fn documented() -> Result<Vec<(Equation, Document)>, String> {
+    veridem_spec::equations().into_iter().map(|equation| Document::of(&equation).map(|d| (equation, d))).collect()
+}

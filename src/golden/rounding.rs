@@ -1,0 +1,48 @@
+//! The rounding error of an equation in `f64`, measured against 256-bit numbers.
+
+use veridem_spec::Real;
+use veridem_spec::equation::Equation;
+use veridem_spec::numbers::{Dual, Reference};
+
+/// The largest error of an equation over some inputs.
+pub struct Rounding {
+    /// In units of the last place, as [`error`] defines them.
+    pub ulps: f64,
+    /// Where it was found: the arguments, laid end to end.
+    pub at: Vec<f64>,
+}
+
+/// The error of each number that comes out, divided by `eps (|f| + sum_k |x_k df/dx_k|)`: as if the result and each
+/// input had been rounded so many times. Conditioning, which no implementation can help, is thereby divided out.
+/// None where a derivative is infinite.
+pub fn error(equation: &Equation, numbers: &[f64], out: &[f64], exact: &[Reference], eps: f64) -> Option<Vec<f64>> {
+    let mut sizes: Vec<f64> = exact.iter().map(|y| y.to_f64().abs()).collect();
+    for (k, x) in numbers.iter().enumerate().filter(|(_, x)| **x != 0.0) {
+        let mut duals: Vec<Dual> = numbers.iter().map(|x| Dual::constant(*x)).collect();
+        duals[k] = Dual::variable(*x);
+        for (size, y) in sizes.iter_mut().zip((equation.eval.dual)(&duals)) {
+            *size += (x * y.slope).abs();
+        }
+    }
+    let ulps = |((y, exact), size): ((&f64, &Reference), f64)| {
+        let error = (Reference::exact(*y) - *exact).abs().to_f64();
+        if error == 0.0 { 0.0 } else { error / (eps * size) }
+    };
+    sizes.iter().all(|size| size.is_finite()).then(|| out.iter().zip(exact).zip(sizes).map(ulps).collect())
+}
+
+/// The largest error of an equation in `f64` over the given inputs.
+pub fn measure<'a>(equation: &Equation, inputs: impl Iterator<Item = &'a [f64]>) -> Rounding {
+    let mut worst = Rounding { ulps: 0.0, at: vec![] };
+    for numbers in inputs {
+        let exact: Vec<Reference> = numbers.iter().map(|x| Reference::exact(*x)).collect();
+        let exact = (equation.eval.reference)(&exact);
+        let out = (equation.eval.f64)(numbers);
+        let errors = error(equation, numbers, &out, &exact, f64::EPSILON).unwrap_or_default();
+        let ulps = errors.into_iter().fold(0.0, f64::max);
+        if ulps > worst.ulps {
+            worst = Rounding { ulps, at: numbers.to_vec() };
+        }
+    }
+    worst
+}

@@ -1,0 +1,118 @@
+//! Every equation, over every kind of number: what its documentation claims is executed.
+
+use veridem::golden::{documented, error, measure, samples};
+use veridem_spec::document::{Document, Quantity};
+use veridem_spec::equation::Equation;
+use veridem_spec::numbers::{Dimension, Interval, Lanes, Reference};
+
+/// Random inputs per equation.
+const COUNT: usize = 200;
+
+/// Runs a check on every equation and reports all failures together.
+fn every_equation(check: impl Fn(&Equation, &Document) -> Result<(), String>) {
+    let equations = documented().expect("every equation is documented");
+    let failures: Vec<String> =
+        equations.iter().filter_map(|(e, d)| check(e, d).err().map(|what| format!("{}: {what}", e.id))).collect();
+    assert!(failures.is_empty(), "\n{}", failures.join("\n"));
+}
+
+/// Sampled inputs, which must not be scarce: a table whose domains are wrong leaves few inputs with a value.
+fn inputs(equation: &Equation, document: &Document) -> Result<Vec<Vec<f64>>, String> {
+    let inputs: Vec<_> = samples(equation, document, COUNT).into_iter().map(|sample| sample.numbers).collect();
+    if inputs.len() < COUNT { Err(format!("only {} inputs have a value", inputs.len())) } else { Ok(inputs) }
+}
+
+fn references(numbers: &[f64]) -> Vec<Reference> {
+    numbers.iter().map(|x| Reference::exact(*x)).collect()
+}
+
+#[test]
+fn units_of_the_results_follow_from_those_of_the_arguments() {
+    every_equation(|equation, document| {
+        let dimension = |q: &Quantity| std::iter::repeat_n(Dimension::Of(q.exponents), q.size);
+        let arguments: Vec<Dimension> = document.arguments.iter().flat_map(dimension).collect();
+        let stated: Vec<Dimension> = document.results.iter().flat_map(dimension).collect();
+        let executed = (equation.eval.dimension)(&arguments);
+        for (k, (stated, executed)) in stated.iter().zip(&executed).enumerate() {
+            // a component that is always zero has any dimension
+            if stated != executed && *executed != Dimension::Any {
+                return Err(format!("output {k} is said to be {stated}, it is {executed}"));
+            }
+        }
+        if executed.iter().all(|d| *d == Dimension::Any) { Err("is always zero".into()) } else { Ok(()) }
+    });
+}
+
+#[test]
+fn eight_lanes_have_the_bits_of_eight_doubles() {
+    every_equation(|equation, document| {
+        for eight in inputs(equation, document)?.chunks_exact(8) {
+            let lanes: Vec<Lanes<8>> =
+                (0..eight[0].len()).map(|k| Lanes(std::array::from_fn(|lane| eight[lane][k]))).collect();
+            let out = (equation.eval.lanes)(&lanes);
+            for (lane, numbers) in eight.iter().enumerate() {
+                let single = (equation.eval.f64)(numbers);
+                if single.iter().zip(&out).any(|(y, lanes)| y.to_bits() != lanes.0[lane].to_bits()) {
+                    return Err(format!("{numbers:?} gives {single:?} alone and {out:?} in lane {lane}"));
+                }
+            }
+        }
+        Ok(())
+    });
+}
+
+#[test]
+fn intervals_contain_the_double_and_the_exact_value() {
+    every_equation(|equation, document| {
+        for numbers in inputs(equation, document)? {
+            let points: Vec<Interval> = numbers.iter().map(|x| Interval::point(*x)).collect();
+            let bounds = (equation.eval.interval)(&points);
+            let (out, exact) = ((equation.eval.f64)(&numbers), (equation.eval.reference)(&references(&numbers)));
+            for ((bounds, y), exact) in bounds.iter().zip(out).zip(exact) {
+                if !bounds.contains(y) || !bounds.contains(exact.to_f64()) {
+                    return Err(format!("{numbers:?}: {y} or {} is not in {bounds:?}", exact.to_f64()));
+                }
+            }
+        }
+        Ok(())
+    });
+}
+
+#[test]
+fn rounding_errors_are_within_their_bounds_and_the_bounds_are_tight() {
+    every_equation(|equation, document| {
+        let inputs = inputs(equation, document)?;
+        let measured = measure(equation, inputs.iter().map(Vec::as_slice));
+        let stated = document.rounding.ok_or(format!("no `Rounding:` line; measured {:.3}", measured.ulps))?;
+        if measured.ulps > stated {
+            return Err(format!("{} ULP at {:?}, stated are {stated}", measured.ulps, measured.at));
+        }
+        // one rounding of the result is the least that an inexact function can promise
+        if stated > (4.0 * measured.ulps).max(1.0) || (measured.ulps == 0.0) != (stated == 0.0) {
+            return Err(format!("the bound {stated} is too loose for the {} ULP measured", measured.ulps));
+        }
+        Ok(())
+    });
+}
+
+#[test]
+fn single_precision_loses_digits_no_faster_than_double() {
+    every_equation(|equation, document| {
+        let stated = document.rounding.unwrap_or(0.0);
+        for numbers in inputs(equation, document)? {
+            let single: Vec<f32> = numbers.iter().map(|x| *x as f32).collect();
+            let rounded: Vec<f64> = single.iter().map(|x| f64::from(*x)).collect();
+            let out: Vec<f64> = (equation.eval.f32)(&single).into_iter().map(f64::from).collect();
+            let exact = (equation.eval.reference)(&references(&rounded));
+            if exact.iter().any(|y| !y.to_f64().is_finite()) {
+                continue; // rounding left the domain
+            }
+            let eps = f64::from(f32::EPSILON);
+            let errors = error(equation, &rounded, &out, &exact, eps).unwrap_or_default();
+            if let Some(ulps) = errors.iter().find(|ulps| !(**ulps <= stated)) {
+                return Err(format!("{ulps} ULP of single precision at {rounded:?}, stated are {stated}"));
+            }
+        }
+        Ok(())
+    });
+}

@@ -1,0 +1,135 @@
+//! From the paper to the specification and back: no equation is missing, claimed twice, unproven or mislabelled.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+use veridem::golden::{documented, index};
+use veridem_spec::equation::Equation;
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// Names of the arguments of a function, from its source.
+fn argument_names(equation: &Equation) -> Vec<String> {
+    let start = equation.source.find(&format!("pub fn {}<", equation.function)).expect("the function is in its file");
+    let signature = &equation.source[start..];
+    let signature = &signature[signature.find('(').expect("arguments")..signature.find(" -> ").expect("a result")];
+    signature
+        .trim_matches(['(', ')'])
+        .split(", ")
+        .flat_map(|part| part.split(",\n"))
+        .filter_map(|argument| argument.split_once(':').map(|(name, _)| name.trim().to_string()))
+        .collect()
+}
+
+#[test]
+fn tables_list_the_arguments_in_order_with_their_shapes() {
+    for (equation, document) in documented().unwrap() {
+        let names: Vec<String> = document.arguments.iter().map(|q| q.name.clone()).collect();
+        assert_eq!(names, argument_names(&equation), "{}", equation.id);
+        let shape = (equation.shape)();
+        let sizes =
+            |quantities: &[veridem_spec::document::Quantity]| quantities.iter().map(|q| q.size).collect::<Vec<_>>();
+        assert_eq!(sizes(&document.arguments), shape.arguments, "{}", equation.id);
+        assert_eq!(sizes(&document.results), shape.results, "{}", equation.id);
+        let unique: BTreeSet<&String> = document.arguments.iter().chain(&document.results).map(|q| &q.name).collect();
+        assert_eq!(unique.len(), document.arguments.len() + document.results.len(), "{}: a name twice", equation.id);
+    }
+}
+
+#[test]
+fn every_equation_shows_its_number_its_formula_and_its_reading() {
+    for (equation, document) in documented().unwrap() {
+        assert!(!document.formula.is_empty() && !document.reading.is_empty(), "{}", equation.id);
+        for number in equation.covers {
+            let printed = number.replace('A', "A.");
+            let named = |text: &str| {
+                text.contains(&format!("Eq. {printed}*"))
+                    || text.contains(&format!("Eq. {printed} "))
+                    || text.contains(&format!("{printed},"))
+                    || text.contains(&format!("{printed}."))
+                    || text.contains(&format!("{printed}:"))
+            };
+            assert!(
+                named(&document.title) || named(&document.reading),
+                "{} does not mention Eq. {printed}",
+                equation.id
+            );
+        }
+    }
+}
+
+/// The functions in the module `laws` of a file: name, whether a test, whether inside `proptest!`.
+fn laws_of(source: &str) -> Vec<(String, bool, bool)> {
+    let Some((_, module)) = source.split_once("\n#[cfg(test)]\nmod laws {\n") else { return vec![] };
+    let (mut attributes, mut out, mut in_proptest) = (vec![], vec![], false);
+    for line in module.lines() {
+        match line.trim() {
+            "proptest! {" => in_proptest = true,
+            text if line == "    }" && text == "}" => in_proptest = false,
+            text if text.starts_with("#[") => attributes.push(text.to_string()),
+            text if text.starts_with("fn ") => {
+                let name = text[3..].split(['(', '<']).next().unwrap_or_default().to_string();
+                let is_test =
+                    attributes.iter().any(|a| a == "#[test]") && !attributes.iter().any(|a| a.contains("ignore"));
+                out.push((name, is_test, in_proptest));
+                attributes.clear();
+            }
+            "" => attributes.clear(),
+            _ => {}
+        }
+    }
+    out
+}
+
+#[test]
+fn laws_are_exactly_the_tests_that_run() {
+    let mut listed: BTreeMap<&str, BTreeSet<String>> = BTreeMap::new();
+    let documented = documented().unwrap();
+    for (equation, document) in &documented {
+        assert!(!document.laws.is_empty(), "{} has no law", equation.id);
+        listed.entry(equation.file).or_default().extend(document.laws.iter().cloned());
+    }
+    for (equation, _) in &documented {
+        let laws = laws_of(equation.source);
+        for (name, is_test, in_proptest) in &laws {
+            assert!(*is_test || !in_proptest, "spec/{}: `{name}` is not marked #[test], it never runs", equation.file);
+        }
+        let tests: BTreeSet<String> = laws.into_iter().filter(|law| law.1).map(|law| law.0).collect();
+        assert_eq!(
+            tests, listed[equation.file],
+            "spec/{}: tests on the left, laws in the documentation on the right",
+            equation.file
+        );
+    }
+}
+
+#[test]
+fn a_law_that_would_not_run_is_noticed() {
+    let source = "\n#[cfg(test)]\nmod laws {\n    proptest! {\n        #[test]\n        fn runs(x in 0.0..1.0) {}\n\n        fn never(x in 0.0..1.0) {}\n    }\n    #[test]\n    #[ignore]\n    fn ignored() {}\n";
+    let laws = laws_of(source);
+    let expected = [("runs", true, true), ("never", false, true), ("ignored", false, false)];
+    assert_eq!(laws, expected.map(|(name, test, inside)| (name.to_string(), test, inside)));
+}
+
+#[test]
+fn no_equation_is_claimed_twice() {
+    let equations = veridem_spec::equations();
+    let ids: BTreeSet<&str> = equations.iter().map(|e| e.id).collect();
+    assert_eq!(ids.len(), equations.len(), "an id twice");
+    let mut numbers = BTreeSet::new();
+    for equation in &equations {
+        let (paper, name) = equation.id.split_once('-').expect("paper and number");
+        for number in equation.covers {
+            assert!(numbers.insert((paper, *number)), "{paper} Eq. {number} twice");
+            assert_eq!(*number, name, "the id is the number");
+        }
+    }
+}
+
+#[test]
+fn the_index_is_up_to_date() {
+    let now = index(root(), &documented().unwrap()).unwrap();
+    let kept = std::fs::read_to_string(root().join(veridem::golden::INDEX)).unwrap();
+    assert!(now == kept, "run `veridem golden regenerate`");
+}
