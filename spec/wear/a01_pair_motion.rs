@@ -29,6 +29,8 @@ use crate::{Real, equation};
 /// | → `a_i` | $\ddot x_i$ | m/s^2 | | acceleration of i |
 /// | → `a_j` | $\ddot x_j$ | m/s^2 | | acceleration of j |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `momentum_is_conserved`
@@ -59,6 +61,8 @@ pub fn pair_accelerations<R: Real>(m_i: R, m_j: R, c_n: R, k_n: R, x_i: R, x_j: 
 /// | `x` | $x$ | m | any | separation, `x_i - x_j` |
 /// | `v` | $\dot x$ | m/s | any | rate of separation |
 /// | → `a` | $\ddot x$ | m/s^2 | | acceleration of the separation |
+///
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///

@@ -23,6 +23,8 @@ use crate::{Real, equation};
 /// | → `v_next` | $v_{n+1}$ | m/s | | rate of separation after the step |
 /// | → `x_next` | $x_{n+1}$ | m | | separation after the step |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `a_free_pair_drifts`
@@ -53,6 +55,8 @@ pub fn kick_and_drift<R: Real>(k_n: R, m_eff: R, dt: R, x: R, v: R) -> (R, R) {
 /// | `v` | $v_n$ | m/s | any | rate of separation |
 /// | → `v_next` | $v_{n+1}$ | m/s | | rate of separation after the step |
 /// | → `x_next` | $x_{n+1}$ | m | | separation after the step |
+///
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///

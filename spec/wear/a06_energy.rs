@@ -22,6 +22,8 @@ use crate::{Real, equation};
 /// | `v` | $v_n$ | m/s | any | rate of separation |
 /// | → `energy` | $E_n$ | J | | total energy |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `positive_except_at_rest`

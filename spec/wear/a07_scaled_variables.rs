@@ -20,6 +20,8 @@ use crate::{Real, equation};
 /// | `x` | $x_n$ | m | any | separation |
 /// | → `x_hat` | $\hat x_n$ | 1 | | scaled separation |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `the_start_lies_on_the_unit_circle`
@@ -46,6 +48,8 @@ pub fn scaled_position<R: Real>(k_n: R, e_0: R, x: R) -> R {
 /// | `v` | $v_n$ | m/s | any | rate of separation |
 /// | → `v_hat` | $\hat v_n$ | 1 | | scaled rate of separation |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `the_start_lies_on_the_unit_circle`
@@ -70,6 +74,8 @@ pub fn scaled_velocity<R: Real>(m_eff: R, e_0: R, v: R) -> R {
 /// | `x_hat` | $\hat x_0$ | 1 | any | scaled separation |
 /// | `v_hat` | $\hat v_0$ | 1 | any | scaled rate of separation |
 /// | → `norm` | $\hat x_0^2 + \hat v_0^2$ | 1 | | energy as a multiple of the initial energy |
+///
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///
@@ -96,6 +102,8 @@ pub fn scaled_energy<R: Real>(x_hat: R, v_hat: R) -> R {
 /// | `m_eff` | $m_{\text{eff}}$ | kg | > 0 | effective mass of the pair |
 /// | `dt` | $\Delta t$ | s | > 0 | time step |
 /// | → `h` | $\hat{\Delta t}$ | 1 | | scaled time step |
+///
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///

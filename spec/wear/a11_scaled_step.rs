@@ -22,6 +22,8 @@ use crate::{Real, equation};
 /// | → `v_next` | $\hat v_{n+1}$ | 1 | | scaled rate of separation after the step |
 /// | → `x_next` | $\hat x_{n+1}$ | 1 | | scaled separation after the step |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `is_the_time_step_in_scaled_variables`
@@ -49,6 +51,8 @@ pub fn scaled_step<R: Real>(h: R, x: R, v: R) -> (R, R) {
 /// | → `a_xv` | $A_{12}$ | 1 | | position from velocity |
 /// | → `a_vx` | $A_{21}$ | 1 | | velocity from position |
 /// | → `a_vv` | $A_{22}$ | 1 | | velocity from velocity |
+///
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///
@@ -80,6 +84,8 @@ pub fn amplification_matrix<R: Real>(h: R) -> (R, R, R, R) {
 /// | → `x_next` | $\hat x_{n+1}$ | 1 | | scaled separation after the step |
 /// | → `v_next` | $\hat v_{n+1}$ | 1 | | scaled rate of separation after the step |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `the_matrix_does_the_scaled_step`
@@ -105,6 +111,8 @@ pub fn amplify<R: Real>(a_xx: R, a_xv: R, a_vx: R, a_vv: R, x: R, v: R) -> (R, R
 /// | `x` | $\hat x$ | 1 | any | scaled separation |
 /// | `v` | $\hat v$ | 1 | any | scaled rate of separation |
 /// | → `invariant` | $I$ | 1 | | the same before and after every step |
+///
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///

@@ -23,6 +23,8 @@ use crate::{Real, equation};
 /// | → `x` | $\hat x_n$ | 1 | | scaled separation |
 /// | → `v` | $\hat v_n$ | 1 | | scaled rate of separation |
 ///
+/// Rounding: at most 1 ULP.
+///
 /// # Laws
 ///
 /// * `is_as_many_single_steps`
@@ -55,6 +57,8 @@ pub fn state_after<R: Real>(h: R, n: R, x_0: R, v_0: R) -> (R, R) {
 /// | → `a_xv` | $(A^n)_{12}$ | 1 | | position from velocity |
 /// | → `a_vx` | $(A^n)_{21}$ | 1 | | velocity from position |
 /// | → `a_vv` | $(A^n)_{22}$ | 1 | | velocity from velocity |
+///
+/// Rounding: at most 12 ULP.
 ///
 /// # Laws
 ///

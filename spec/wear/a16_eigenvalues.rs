@@ -24,6 +24,8 @@ use crate::{Real, equation};
 /// | → `re_2` | $\mathrm{Re}\,\lambda_2$ | 1 | | real part of the eigenvalue with the minus sign |
 /// | → `im_2` | $\mathrm{Im}\,\lambda_2$ | 1 | | its imaginary part |
 ///
+/// Rounding: at most 1 ULP.
+///
 /// # Laws
 ///
 /// * `are_those_that_faer_finds`

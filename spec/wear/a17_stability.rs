@@ -21,6 +21,8 @@ use crate::{Real, equation};
 /// | `k_n` | $k_N$ | N/m | > 0 | normal stiffness |
 /// | → `dt` | $\Delta t$ | s | | every smaller time step is stable |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `is_a_scaled_step_of_two`

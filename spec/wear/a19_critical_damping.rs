@@ -19,6 +19,8 @@ use crate::{Real, equation};
 /// | `m_eff` | $m_{\text{eff}}$ | kg | > 0 | effective mass of the pair |
 /// | → `c_c` | $c_c$ | kg/s | | critical damping |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `the_characteristic_roots_coincide`

@@ -19,6 +19,8 @@ use crate::{Real, equation};
 /// | `a_n` | $A_N$ | m^2 | > 0 | cross section in the normal direction |
 /// | → `sigma_n` | $\sigma_N$ | Pa | | normal stress, positive in tension |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `stress_times_cross_section_is_the_force`
@@ -42,6 +44,8 @@ pub fn normal_stress<R: Real>(f_n: R, a_n: R) -> R {
 /// | `f_t` | $F_T$ | N | any | tangential force |
 /// | `a_t` | $A_T$ | m^2 | > 0 | cross section in the tangential direction |
 /// | → `sigma_t` | $\sigma_T$ | Pa | | tangential stress |
+///
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///
@@ -68,6 +72,8 @@ pub fn tangential_stress<R: Real>(f_t: R, a_t: R) -> R {
 /// | `r_j` | $r_j$ | m | > 0 | radius of j |
 /// | → `epsilon_n` | $\varepsilon_N$ | 1 | | normal strain, positive in tension |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `does_not_depend_on_the_scale`
@@ -91,6 +97,8 @@ pub fn normal_strain<R: Real>(delta_n: R, r_i: R, r_j: R) -> R {
 /// | `e` | $E$ | Pa | > 0 | Young's modulus |
 /// | `epsilon_n` | $\varepsilon_N$ | 1 | any | normal strain |
 /// | → `sigma_n` | $\sigma_N$ | Pa | | normal stress |
+///
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///

@@ -21,6 +21,8 @@ use crate::{Real, equation};
 /// | `delta_n` | $\delta_N$ | m | any | separation of the surfaces, not zero |
 /// | → `k_n` | $k_N$ | N/m | | normal stiffness |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `the_three_lines_are_one_stiffness`
@@ -48,6 +50,8 @@ pub fn stiffness_of_force<R: Real>(f_n: R, delta_n: R) -> R {
 /// | `r_j` | $r_j$ | m | > 0 | radius of j |
 /// | `epsilon_n` | $\varepsilon_N$ | 1 | any | normal strain, not zero |
 /// | → `k_n` | $k_N$ | N/m | | normal stiffness |
+///
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///

@@ -21,6 +21,8 @@ use crate::{Real, equation};
 /// | `e` | $E$ | Pa | > 0 | Young's modulus |
 /// | → `epsilon_e` | $\varepsilon_e$ | 1 | | elastic strain |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `is_the_strain_of_the_elastic_separation`

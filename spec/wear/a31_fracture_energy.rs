@@ -22,6 +22,8 @@ use crate::{Real, equation};
 /// | `delta_f` | $\delta_f$ | m | > 0 | fracture separation |
 /// | → `u_gamma` | $U_\gamma$ | J | | work of separation |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `is_the_area_under_the_force`
@@ -49,6 +51,8 @@ pub fn work_of_separation<R: Real>(k_n: R, delta_e: R, delta_f: R) -> R {
 /// | `delta_f` | $\delta_f$ | m | > 0 | fracture separation, not below the elastic one |
 /// | → `u_gamma` | $U_\gamma$ | J | | work of separation |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `strength_and_stiffness_give_one_work`
@@ -73,6 +77,8 @@ pub fn work_of_strength<R: Real>(a_n: R, sigma_mn: R, delta_f: R) -> R {
 /// | `u_gamma` | $U_\gamma$ | J | >= 0 | work of separation |
 /// | `a_n` | $A_N$ | m^2 | > 0 | cross section in the normal direction |
 /// | → `gamma` | $\gamma$ | J/m^2 | | surface energy |
+///
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///

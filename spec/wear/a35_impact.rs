@@ -34,6 +34,8 @@ use crate::{Real, equation, piecewise};
 /// | `t` | $t$ | s | >= 0 | time |
 /// | → `x` | $x$ | m | | separation |
 ///
+/// Rounding: at most 1 ULP.
+///
 /// # Laws
 ///
 /// * `starts_at_rest_length_with_the_given_velocity`
@@ -66,6 +68,8 @@ pub fn impact_separation<R: Real>(k_n: R, m_eff: R, c_n: R, v_0: R, t: R) -> R {
 /// | `v_0` | $v_0$ | m/s | any | rate of separation when the spheres meet, at time zero |
 /// | `t` | $t$ | s | >= 0 | time |
 /// | → `v` | $\dot x$ | m/s | | rate of separation |
+///
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

@@ -24,6 +24,8 @@ use crate::{Real, equation};
 /// | `c_n` | $c_N$ | kg/s | >= 0 | normal damping |
 /// | → `omega` | $\omega$ | rad/s | | damped frequency |
 ///
+/// Rounding: at most 1 ULP.
+///
 /// # Laws
 ///
 /// * `is_the_printed_frequency`
@@ -50,6 +52,8 @@ pub fn damped_frequency<R: Real>(k_n: R, m_eff: R, c_n: R) -> R {
 /// | `k_n` | $k_N$ | N/m | > 0 | normal stiffness |
 /// | `m_eff` | $m_{\text{eff}}$ | kg | > 0 | effective mass of the pair |
 /// | → `omega_0` | $\omega_0$ | rad/s | | natural frequency |
+///
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///

@@ -22,6 +22,8 @@ use crate::{Real, equation};
 /// | `omega` | $\omega$ | rad/s | > 0 | damped frequency |
 /// | → `t_f` | $t_f$ | s | | duration of the impact |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `the_spheres_just_touch_after_it`
@@ -47,6 +49,8 @@ pub fn impact_duration<R: Real>(omega: R) -> R {
 /// | `c_n` | $c_N$ | kg/s | >= 0 | normal damping |
 /// | `v_0` | $v_0$ | m/s | any | rate of separation before the impact |
 /// | → `v_f` | $v_f$ | m/s | | rate of separation after the impact |
+///
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///
@@ -78,6 +82,8 @@ pub fn velocity_at_the_end<R: Real>(k_n: R, m_eff: R, c_n: R, v_0: R) -> R {
 /// | `v_0` | $v_0$ | m/s | any | rate of separation before the impact |
 /// | → `v_f` | $v_f$ | m/s | | rate of separation after the impact |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `the_closed_form_is_the_velocity_at_the_end`
@@ -103,6 +109,8 @@ pub fn final_velocity<R: Real>(k_n: R, m_eff: R, c_n: R, v_0: R) -> R {
 /// | `v_0` | $v_0$ | m/s | > 0 | rate of separation before the impact |
 /// | `v_f` | $v_f$ | m/s | any | rate of separation after the impact |
 /// | → `eta` | $\eta$ | 1 | | restitution coefficient |
+///
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///

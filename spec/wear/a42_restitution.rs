@@ -23,6 +23,8 @@ use crate::{Real, equation};
 /// | `c_n` | $c_N$ | kg/s | >= 0 | normal damping |
 /// | → `eta` | $\eta$ | 1 | | restitution coefficient |
 ///
+/// Rounding: at most 1 ULP.
+///
 /// # Laws
 ///
 /// * `is_that_of_the_damping_ratio`
@@ -50,6 +52,8 @@ pub fn pair_restitution<R: Real>(k_n: R, m_eff: R, c_n: R) -> R {
 /// | `c_n` | $c_N$ | kg/s | >= 0 | normal damping |
 /// | → `eta` | $\eta$ | 1 | | restitution coefficient, approximately |
 ///
+/// Rounding: at most 2 ULP.
+///
 /// # Laws
 ///
 /// * `both_approximations_are_below_by_half_the_square_of_the_loss`
@@ -74,6 +78,8 @@ pub fn weak_restitution<R: Real>(k_n: R, m_eff: R, c_n: R) -> R {
 /// | `m_eff` | $m_{\text{eff}}$ | kg | > 0 | effective mass of the pair |
 /// | `c_n` | $c_N$ | kg/s | >= 0 | normal damping |
 /// | → `eta` | $\eta$ | 1 | | restitution coefficient, approximately |
+///
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

@@ -22,6 +22,8 @@ use crate::{Real, equation};
 /// | `c_c` | $c_c$ | kg/s | > 0 | critical damping |
 /// | → `c_n` | $c_N$ | kg/s | | normal damping |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `is_the_damping_of_equation_12`

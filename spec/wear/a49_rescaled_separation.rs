@@ -23,6 +23,8 @@ use crate::{Real, equation};
 /// | `s` | $s$ | 1 | >= 0 | scaling parameter |
 /// | → `delta_f` | $\delta'_f$ | m | | fracture separation |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `is_the_fracture_separation_of_large_spheres`

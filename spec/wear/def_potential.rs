@@ -23,6 +23,8 @@ use crate::{Real, equation, piecewise};
 /// | `delta_n` | $\delta_N$ | m | any | separation of the surfaces, negative for an overlap |
 /// | → `v` | $V$ | J | | potential |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `the_force_is_its_slope`

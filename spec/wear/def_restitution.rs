@@ -16,6 +16,8 @@ use crate::{Real, equation};
 /// | `m_eff` | $m_{\mathrm{eff}}$ | kg | > 0 | effective mass |
 /// | → `zeta` | $\zeta$ | 1 | | damping ratio |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `one_for_the_critical_damping_of_a_pair`
@@ -39,6 +41,8 @@ pub fn damping_ratio_of<R: Real>(c: R, k: R, m_eff: R) -> R {
 /// | `zeta` | $\zeta$ | 1 | [0, 1) | damping ratio |
 /// | → `eta` | $\eta$ | 1 | | restitution coefficient |
 ///
+/// Rounding: at most 1 ULP.
+///
 /// # Laws
 ///
 /// * `everything_comes_back_without_damping`
@@ -60,6 +64,8 @@ pub fn restitution<R: Real>(zeta: R) -> R {
 /// |---|---|---|---|---|
 /// | `eta` | $\eta$ | 1 | (0, 1] | restitution coefficient wanted |
 /// | → `zeta` | $\zeta$ | 1 | | damping ratio |
+///
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///
@@ -83,6 +89,8 @@ pub fn damping_ratio<R: Real>(eta: R) -> R {
 /// | `k` | $k$ | N/m | >= 0 | stiffness |
 /// | `m_eff` | $m_{\mathrm{eff}}$ | kg | > 0 | effective mass |
 /// | → `c` | $c$ | kg/s | | damping factor |
+///
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

@@ -15,6 +15,8 @@ use crate::{Real, equation};
 /// | `r` | $r$ | m | > 0 | radius |
 /// | → `m` | $m$ | kg | | mass |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `eight_times_the_mass_for_twice_the_radius`
@@ -39,6 +41,8 @@ pub fn sphere_mass<R: Real>(rho: R, r: R) -> R {
 /// | `r` | $r$ | m | > 0 | radius |
 /// | → `i` | $I$ | kg m^2 | | moment of inertia |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `sums_the_shells_of_the_sphere`
@@ -62,6 +66,8 @@ pub fn moment_of_inertia<R: Real>(m: R, r: R) -> R {
 /// |---|---|---|---|---|
 /// | `m_eff` | $m_{\mathrm{eff}}$ | kg | > 0 | effective mass |
 /// | → `m_t` | $m_T$ | kg | | mass that slides |
+///
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///

@@ -19,6 +19,8 @@ use crate::{Real, equation};
 /// | `zeta` | $\zeta$ | 1 | >= 0 | damping ratio |
 /// | → `ratio` | $\Delta t_{\max} / \Delta t_c$ | 1 | | largest stable fraction |
 ///
+/// Rounding: at most 1.5 ULP.
+///
 /// # Laws
 ///
 /// * `no_damping_no_reduction`
@@ -42,6 +44,8 @@ pub fn damped_limit<R: Real>(zeta: R) -> R {
 /// | `nu` | $\nu$ | 1 | (-1, 1/4) | Poisson's ratio |
 /// | → `ratio` | $\Delta t_{\max} / \Delta t_c$ | 1 | | largest stable fraction |
 /// | → `k_ratio` | $k_T / k_N$ | 1 | | ratio of the stiffnesses |
+///
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///
@@ -70,6 +74,8 @@ pub fn sliding_limit<R: Real>(nu: R) -> (R, R) {
 /// | `k` | $k$ | N/m | >= 0 | stiffness |
 /// | `c` | $c$ | kg/s | >= 0 | damping factor |
 /// | → `dt_max` | $\Delta t_{\max}$ | s | | largest stable time step |
+///
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

@@ -31,6 +31,8 @@ use crate::{Real, Vec3, equation};
 /// | → `x_next` | $\mathbf{x}_{n+1}$ | m (3) | | position one step later |
 /// | → `omega_next` | $\boldsymbol{\omega}_{n+1}$ | rad/s (3) | | angular velocity one step later |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `exact_for_a_constant_force_up_to_half_a_step`

@@ -28,6 +28,8 @@ use crate::{Real, Vec3, equation};
 /// | `n_t` | $\mathbf{n}_T$ | 1 (3) | unit | direction of sliding |
 /// | → `force` | $\mathbf{F}$ | N (3) | | force on i |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `reversing_the_normal_reverses_the_normal_part`

@@ -25,6 +25,8 @@ use crate::{Real, equation, piecewise};
 /// | `delta_n` | $\delta_N$ | m | any | separation of the surfaces, negative for an overlap |
 /// | → `f_n` | $F_N$ | N | | force along the normal, positive when it attracts |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `hookean_up_to_the_elastic_separation`

@@ -23,6 +23,8 @@ use crate::{Real, equation};
 /// | `f_mt_rescaled` | $F'_{m,T}$ | N | >= 0 | largest tangential force at this separation |
 /// | → `f_t` | $F_T$ | N | | magnitude of the tangential force |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `linear_then_flat`
@@ -52,6 +54,8 @@ pub fn tangential_force<R: Real>(k_t: R, delta_t: R, f_mt_rescaled: R) -> R {
 /// | `delta_t` | $\delta_T$ | m | >= 0 | slid distance |
 /// | `f_mt_rescaled` | $F'_{m,T}$ | N | >= 0 | largest tangential force at this separation |
 /// | → `delta_t_trimmed` | $\delta_T$ | m | | slid distance that the spring still remembers |
+///
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///

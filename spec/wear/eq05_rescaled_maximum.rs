@@ -20,6 +20,8 @@ use crate::{Real, equation};
 /// | `f_mt` | $F_{m,T}$ | N | >= 0 | largest tangential force in contact |
 /// | → `f_mt_rescaled` | $F'_{m,T}$ | N | | largest tangential force at this separation |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `whole_in_contact`

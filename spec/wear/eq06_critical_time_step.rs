@@ -16,11 +16,15 @@ use crate::{Real, equation};
 /// ([`sliding_limit`](super::def_stable_step::sliding_limit)) the limit is lower.
 /// This is the time step the paper calls critical, to take fractions of; the pair law offers the smallest of the three as limit.
 ///
+/// Eq. A.18 repeats it.
+///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `m` | $m$ | kg | > 0 | mass of either particle |
 /// | `k_n` | $k_N$ | N/m | > 0 | normal stiffness |
 /// | → `dt_c` | $\Delta t_c$ | s | | critical time step |
+///
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///

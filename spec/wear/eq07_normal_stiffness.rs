@@ -9,6 +9,10 @@ use crate::{Real, equation};
 /// k_N = \frac{A_N E}{r_i + r_j}
 /// ```
 ///
+/// # Reading
+///
+/// As printed; Eq. A.26 repeats it.
+///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `a_n` | $A_N$ | m^2 | > 0 | normal cross section |
@@ -16,6 +20,8 @@ use crate::{Real, equation};
 /// | `r_i` | $r_i$ | m | > 0 | radius of i |
 /// | `r_j` | $r_j$ | m | > 0 | radius of j |
 /// | → `k_n` | $k_N$ | N/m | | normal stiffness |
+///
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///

@@ -15,6 +15,8 @@ use crate::{Real, equation};
 /// Eq. 7 with the tangential cross section. It is Young's modulus, not the shear modulus, that stands here:
 /// the cross section of Eq. 16 makes up for it.
 ///
+/// Eq. A.27 repeats it.
+///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `a_t` | $A_T$ | m^2 | >= 0 | tangential cross section |
@@ -22,6 +24,8 @@ use crate::{Real, equation};
 /// | `r_i` | $r_i$ | m | > 0 | radius of i |
 /// | `r_j` | $r_j$ | m | > 0 | radius of j |
 /// | → `k_t` | $k_T$ | N/m | | tangential stiffness |
+///
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///

@@ -9,6 +9,10 @@ use crate::{Real, equation};
 /// \delta_e = \frac{(r_i + r_j) \sigma_{m,N}}{E}
 /// ```
 ///
+/// # Reading
+///
+/// As printed; Eq. A.29 repeats it.
+///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `r_i` | $r_i$ | m | > 0 | radius of i |
@@ -16,6 +20,8 @@ use crate::{Real, equation};
 /// | `sigma_mn` | $\sigma_{m,N}$ | Pa | > 0 | tensile strength |
 /// | `e` | $E$ | Pa | > 0 | Young's modulus |
 /// | → `delta_e` | $\delta_e$ | m | | elastic separation |
+///
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///

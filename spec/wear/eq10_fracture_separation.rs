@@ -27,6 +27,8 @@ use crate::{Real, equation, piecewise};
 /// | `s` | $s$ | 1 | >= 0 | scaling parameter |
 /// | → `delta_f` | $\delta_f$ | m | | fracture separation |
 ///
+/// Rounding: at most 1 ULP.
+///
 /// # Laws
 ///
 /// * `continuous_at_the_critical_diameter_for_every_scaling`

@@ -9,11 +9,17 @@ use crate::{Real, equation};
 /// F_{m,T} = A_T \sigma_{m,T}
 /// ```
 ///
+/// # Reading
+///
+/// As printed; Eq. A.30 repeats it.
+///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `a_t` | $A_T$ | m^2 | >= 0 | tangential cross section |
 /// | `sigma_mt` | $\sigma_{m,T}$ | Pa | >= 0 | shear strength |
 /// | → `f_mt` | $F_{m,T}$ | N | | largest tangential force in contact |
+///
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///

@@ -14,12 +14,16 @@ use crate::{Real, equation};
 /// An approximation for weak damping (A.43, A.44): what comes back is more than `eta`, by about $(1 - \eta)^2 / 2$: 0.9512 for 0.95,
 /// 0.603 for 0.5. It is used as printed; [`damping_ratio`](super::def_restitution::damping_ratio) is exact.
 ///
+/// Eq. A.45 repeats it.
+///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `eta` | $\eta$ | 1 | [0, 1] | restitution coefficient wanted |
 /// | `k_n` | $k_N$ | N/m | >= 0 | normal stiffness |
 /// | `m_eff` | $m_{\mathrm{eff}}$ | kg | > 0 | effective mass |
 /// | → `c_n` | $c_N$ | kg/s | | normal damping factor |
+///
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

@@ -15,12 +15,16 @@ use crate::{Real, equation};
 /// Eq. 12 with the tangential stiffness, as if the spheres could not turn. They do: solid spheres slide with 2/7 of the
 /// effective mass, so the damping ratio is $\sqrt{7/2}$ times as large, see [`sliding_damping_ratio`]. Used as printed.
 ///
+/// Eq. A.47 repeats it.
+///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `eta` | $\eta$ | 1 | [0, 1] | restitution coefficient wanted |
 /// | `k_t` | $k_T$ | N/m | >= 0 | tangential stiffness |
 /// | `m_eff` | $m_{\mathrm{eff}}$ | kg | > 0 | effective mass |
 /// | → `c_t` | $c_T$ | kg/s | | tangential damping factor |
+///
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///
@@ -44,6 +48,8 @@ pub fn tangential_damping<R: Real>(eta: R, k_t: R, m_eff: R) -> R {
 /// |---|---|---|---|---|
 /// | `eta` | $\eta$ | 1 | [0, 1] | restitution coefficient wanted |
 /// | → `zeta_t` | $\zeta_T$ | 1 | | damping ratio of sliding |
+///
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

@@ -9,11 +9,17 @@ use crate::{Real, equation};
 /// r_{\mathrm{eff}} = \min(r_i, r_j)
 /// ```
 ///
+/// # Reading
+///
+/// As printed.
+///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `r_i` | $r_i$ | m | > 0 | radius of i |
 /// | `r_j` | $r_j$ | m | > 0 | radius of j |
 /// | → `r_eff` | $r_{\mathrm{eff}}$ | m | | effective radius |
+///
+/// Rounding: at most 0 ULP.
 ///
 /// # Laws
 ///

@@ -9,11 +9,17 @@ use crate::{Real, equation};
 /// A_N = \sqrt{2} \, r_{\mathrm{eff}}^2 \, \frac{1}{1 - 2\nu}
 /// ```
 ///
+/// # Reading
+///
+/// As printed.
+///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `r_eff` | $r_{\mathrm{eff}}$ | m | > 0 | effective radius |
 /// | `nu` | $\nu$ | 1 | (-1, 1/4] | Poisson's ratio |
 /// | → `a_n` | $A_N$ | m^2 | | normal cross section |
+///
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///

@@ -19,6 +19,8 @@ use crate::{Real, equation};
 /// | `nu` | $\nu$ | 1 | (-1, 1/4] | Poisson's ratio |
 /// | → `a_t` | $A_T$ | m^2 | | tangential cross section |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `equals_the_normal_one_without_lateral_contraction`

@@ -9,11 +9,17 @@ use crate::{Real, equation};
 /// m_{\mathrm{eff}} = \frac{m_i m_j}{m_i + m_j}
 /// ```
 ///
+/// # Reading
+///
+/// As printed; Eq. A.3 repeats it.
+///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `m_i` | $m_i$ | kg | > 0 | mass of i |
 /// | `m_j` | $m_j$ | kg | > 0 | mass of j |
 /// | → `m_eff` | $m_{\mathrm{eff}}$ | kg | | effective mass |
+///
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

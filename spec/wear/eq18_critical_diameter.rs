@@ -9,12 +9,18 @@ use crate::{Real, equation};
 /// d_c = \frac{4 \gamma E}{\sigma_{m,N}^2}
 /// ```
 ///
+/// # Reading
+///
+/// As printed; Eq. A.48 repeats it.
+///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `gamma` | $\gamma$ | J/m^2 | > 0 | surface energy |
 /// | `e` | $E$ | Pa | > 0 | Young's modulus |
 /// | `sigma_mn` | $\sigma_{m,N}$ | Pa | > 0 | tensile strength |
 /// | → `d_c` | $d_c$ | m | | critical diameter |
+///
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///

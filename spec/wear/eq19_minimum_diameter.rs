@@ -9,11 +9,17 @@ use crate::{Real, equation};
 /// d_{\min} = \frac{4 \gamma}{\sigma_{m,N}}
 /// ```
 ///
+/// # Reading
+///
+/// As printed; Eq. A.34 repeats it.
+///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `gamma` | $\gamma$ | J/m^2 | > 0 | surface energy |
 /// | `sigma_mn` | $\sigma_{m,N}$ | Pa | > 0 | tensile strength |
 /// | → `d_min` | $d_{\min}$ | m | | smallest diameter |
+///
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///
