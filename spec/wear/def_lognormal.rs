@@ -54,43 +54,48 @@ pub fn lognormal<R: Real>(d_0: R, d_s: R, d_l: R) -> (R, R) {
 ///
 /// # Reading
 ///
-/// $\Phi$ is the normal distribution; its part beyond the middle is the series $\Phi(z) - \frac12 = \phi(z) \, (z + z^3/3 + z^5/15 + \dots)$.
-/// The bounds lie five standard deviations apart, so that the series of 100 terms is exact to rounding.
+/// $\Phi$ is the normal distribution. All diameters are taken relative to the mode, with $e^\mu = d_0 e^{\sigma^2}$:
+/// $z = \ln(d / d_0) / \sigma - \sigma$. The mode lies between the bounds: without $d_s < d_0 < d_l$ there is no value.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
-/// | `mu` | $\mu$ | 1 | any | mean of the logarithm |
-/// | `sigma` | $\sigma$ | 1 | (0, 1.2] | standard deviation of the logarithm |
-/// | `d_s` | $d_s$ | 1 | > 0 | smallest diameter |
-/// | `d_l` | $d_l$ | 1 | > 0 | largest diameter |
+/// | `d_0` | $d_0$ | m | > 0 | mode of the diameters |
+/// | `d_s` | $d_s$ | m | > 0 | smallest diameter, below the mode |
+/// | `d_l` | $d_l$ | m | > 0 | largest diameter, above the mode |
 /// | → `kept` | $K$ | 1 | | fraction of the drawn diameters that is kept |
-/// | → `mean` | $\langle d \rangle$ | 1 | | mean diameter |
-/// | → `std` | $\sqrt{\langle d^2 \rangle - \langle d \rangle^2}$ | 1 | | standard deviation of the diameters |
-/// | → `m3` | $\langle d^3 \rangle$ | 1 | | mean cube of the diameters |
+/// | → `mean` | $\langle d \rangle$ | m | | mean diameter |
+/// | → `std` | $\sqrt{\langle d^2 \rangle - \langle d \rangle^2}$ | m | | standard deviation of the diameters |
+/// | → `m3` | $\langle d^3 \rangle$ | m^3 | | mean cube of the diameters |
 ///
 /// # Laws
 ///
 /// * `the_moments_are_those_of_the_density`
 /// * `gives_the_numbers_of_particles_of_table_6`
 #[inline(always)]
-pub fn truncated_moments<R: Real>(mu: R, sigma: R, d_s: R, d_l: R) -> (R, R, R, R) {
-    let (z_s, z_l) = ((d_s.ln() - mu) / sigma, (d_l.ln() - mu) / sigma);
-    let kept = beyond_the_middle(z_l) - beyond_the_middle(z_s);
+pub fn truncated_moments<R: Real>(d_0: R, d_s: R, d_l: R) -> (R, R, R, R) {
+    let (_, sigma) = lognormal(R::one(), d_s / d_0, d_l / d_0);
+    let z = |d: R| (d / d_0).ln() / sigma - sigma;
+    let (z_s, z_l) = (z(d_s), z(d_l));
+    let none = R::zero() / R::zero();
+    let kept = R::select(d_s.lt(d_0) & d_0.lt(d_l), beyond_the_middle(z_l) - beyond_the_middle(z_s), none);
+    // Moments of the diameters in units of the median.
     let moment = |k: f64| {
-        let (k, shift) = (R::lit(k), R::lit(k) * sigma);
+        let shift = R::lit(k) * sigma;
         let share = beyond_the_middle(z_l - shift) - beyond_the_middle(z_s - shift);
-        (k * mu + R::lit(0.5) * shift.squared()).exp() * share / kept
+        (R::lit(0.5) * shift.squared()).exp() * share / kept
     };
-    let mean = moment(1.0);
-    (kept, mean, (moment(2.0) - mean.squared()).sqrt(), moment(3.0))
+    let (mean, median) = (moment(1.0), d_0 * sigma.squared().exp());
+    let deviation = (moment(2.0) - mean.squared()).sqrt();
+    (kept, median * mean, median * deviation, median * median * median * moment(3.0))
 }
 
-/// The normal distribution less one half.
+/// The normal distribution less one half: its density times `z + z^3/3 + z^5/15 + ...`. Beyond nine nothing is left.
 fn beyond_the_middle<R: Real>(z: R) -> R {
+    let z = z.min(R::lit(9.0)).max(R::lit(-9.0));
     let square = z.squared();
-    // Horner's rule, from the smallest term on: each term is the one before times z^2 / (2k + 1).
+    // Horner's rule: each term is the one before times z^2 / (2k + 1).
     let mut sum = R::one();
-    for k in (1..100).rev() {
+    for k in (1..200).rev() {
         sum = R::one() + sum * square / R::lit(f64::from(2 * k + 1));
     }
     z * sum * (R::lit(-0.5) * square).exp() / (R::lit(2.0) * R::pi()).sqrt()
@@ -129,7 +134,7 @@ mod laws {
         #[test]
         fn the_moments_are_those_of_the_density(d_s in 0.5..0.95, d_l in 1.05..6.0) {
             let (mu, sigma) = lognormal(1.0, d_s, d_l);
-            let (kept, mean, std, m3) = truncated_moments(mu, sigma, d_s, d_l);
+            let (kept, mean, std, m3) = truncated_moments(1.0, d_s, d_l);
             // Simpson's rule over the logarithm.
             let intervals = 400;
             let (low, h) = (d_s.ln(), f64::ln(d_l / d_s) / f64::from(intervals));
@@ -152,16 +157,22 @@ mod laws {
 
     #[test]
     fn gives_the_numbers_of_particles_of_table_6() {
-        // 0.75 of 100 000 nm^3 holds about the 6000, 2600 and 600 particles of the paper; measured in another way the deviation does not.
-        let sphere = std::f64::consts::PI / 6.0;
-        for (d_0, particles) in [(1.5, 5542.0), (3.0, 2540.0), (6.0, 626.0)] {
-            let (d_s, d_l) = (0.75 * d_0, 7.5);
-            let (mu, sigma) = lognormal(d_0, d_s, d_l);
-            let m3 = truncated_moments(mu, sigma, d_s, d_l).3;
-            assert!((0.75e5 / (sphere * m3) - particles).abs() <= 1.0);
+        // 0.75 of 100 000 nm^3 holds about the 6000, 2600 and 600 particles of the paper.
+        let particles = |m3: f64| 0.75e5 / (std::f64::consts::PI / 6.0 * m3);
+        for (d_0, expected) in [(1.5, 5542.0), (3.0, 2540.0), (6.0, 626.0)] {
+            let (.., m3) = truncated_moments(d_0, 0.75 * d_0, 7.5);
+            assert!((particles(m3) - expected).abs() <= 1.0);
         }
-        let sigma = 0.2 * (7.5 - 0.75 * 1.5) / 1.5;
-        let m3 = truncated_moments(1.5f64.ln() + sigma * sigma, sigma, 0.75 * 1.5, 7.5).3;
-        assert!(0.75e5 / (sphere * m3) < 2200.0);
+        // A standard deviation of the logarithm in place of the diameter's would not.
+        let (d_0, d_s, d_l) = (1.5, 0.75 * 1.5, 7.5);
+        let sigma = 0.2 * (d_l - d_s) / d_0;
+        let (mut kept, mut m3) = (0.0, 0.0);
+        for n in 0..10_000 {
+            let d = d_s + (f64::from(n) + 0.5) * 1e-4 * (d_l - d_s);
+            let z = f64::ln(d / d_0) / sigma - sigma;
+            let density = (-0.5 * z * z).exp() / d;
+            (kept, m3) = (kept + density, m3 + density * d * d * d);
+        }
+        assert!(particles(m3 / kept) < 2200.0);
     }
 }
