@@ -1,12 +1,16 @@
 //! The f64 engine built on the equations of [`veridem_spec`], and the command line that runs the papers' cases.
 
+pub mod build;
 pub mod case;
 pub mod cli;
 pub mod error;
+pub mod figures;
 pub mod forces;
 #[cfg(feature = "verify")]
 pub mod golden;
 pub mod motion;
+pub mod observe;
+pub mod reproduce;
 pub mod simulation;
 pub mod system;
 

@@ -1,0 +1,13 @@
+//! Pictures: curves, snapshots, and the page that shows them beside a table of results.
+
+pub mod plot;
+pub mod report;
+pub mod snapshot;
+
+pub use plot::{Axis, Curve, Mark, Plot};
+pub use report::Report;
+pub use snapshot::snapshot;
+
+/// The colours of curves and bodies, told apart by readers with any colour vision (Okabe and Ito).
+pub(crate) const COLOURS: [(u8, u8, u8); 7] =
+    [(0, 114, 178), (213, 94, 0), (0, 158, 115), (204, 121, 167), (230, 159, 0), (86, 180, 233), (80, 80, 80)];

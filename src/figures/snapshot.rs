@@ -1,0 +1,129 @@
+//! A picture of the spheres, cut open at the middle, coloured by the body they belonged to at the beginning.
+
+use super::COLOURS;
+use crate::system::System;
+use std::fmt::Write;
+
+/// Width of the picture, pixels.
+const WIDTH: f64 = 640.0;
+/// Resolution at which hidden spheres are found, pixels per pixel of the picture.
+const RESOLUTION: f64 = 0.5;
+
+/// The half of the system behind the middle plane, seen along z: x to the right, y up. The frame follows `heights`, the
+/// lowest and the highest y to be shown, so that the pictures of one run can be compared.
+pub fn snapshot(system: &System, heights: [f64; 2]) -> String {
+    let scale = WIDTH / system.domain.sides[0];
+    let height = (heights[1] - heights[0]) * scale;
+    let p = &system.particles;
+    let middle = 0.5 * system.domain.sides[2];
+    let mut order: Vec<(f64, usize)> =
+        (0..p.len()).map(|i| (system.domain.folded(p.x[i]).0[2], i)).filter(|&(z, _)| z <= middle).collect();
+    order.sort_by(|a, b| a.0.total_cmp(&b.0).then(p.id[a.1].cmp(&p.id[b.1])));
+    // A sphere that is cut by the side of the box is drawn at both.
+    let mut discs = Vec::new();
+    for &(_, i) in &order {
+        let (x, y) = (system.domain.folded(p.x[i]).0[0] * scale, (heights[1] - p.x[i].0[1]) * scale);
+        let r = p.radius[i] * scale;
+        let colour = p.tag[i] as usize % COLOURS.len() + if p.wall[i] > 0 { COLOURS.len() } else { 0 };
+        for x in [x, x - WIDTH, x + WIDTH] {
+            if x + r > 0.0 && x - r < WIDTH {
+                discs.push(Disc { x, y, r, colour });
+            }
+        }
+    }
+    let mut svg = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}\" height=\"{height:.0}\" viewBox=\"0 0 {WIDTH} {height:.0}\">\n<defs>"
+    );
+    for (k, &colour) in COLOURS.iter().enumerate() {
+        gradient(&mut svg, k, colour, 1.0);
+        gradient(&mut svg, k + COLOURS.len(), colour, 0.55);
+    }
+    svg.push_str("</defs>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n");
+    for disc in visible(&discs, height) {
+        // Writing into a string cannot fail.
+        let _ = writeln!(
+            svg,
+            "<circle cx=\"{:.1}\" cy=\"{:.1}\" r=\"{:.1}\" fill=\"url(#c{})\"/>",
+            disc.x, disc.y, disc.r, disc.colour
+        );
+    }
+    svg.push_str("</svg>\n");
+    svg
+}
+
+struct Disc {
+    x: f64,
+    y: f64,
+    r: f64,
+    colour: usize,
+}
+
+/// A ball lit from the upper left.
+fn gradient(svg: &mut String, name: usize, (r, g, b): (u8, u8, u8), light: f64) {
+    let shade = |c: u8, factor: f64| (f64::from(c) * factor * light) as u8;
+    let bright = |c: u8| ((f64::from(c) + 0.55 * (255.0 - f64::from(c))) * light) as u8;
+    let _ = write!(
+        svg,
+        "<radialGradient id=\"c{name}\" cx=\".35\" cy=\".35\" r=\".75\"><stop offset=\"0\" stop-color=\"rgb({},{},{})\"/>\
+         <stop offset=\".6\" stop-color=\"rgb({},{},{})\"/><stop offset=\"1\" stop-color=\"rgb({},{},{})\"/></radialGradient>",
+        bright(r),
+        bright(g),
+        bright(b),
+        shade(r, 1.0),
+        shade(g, 1.0),
+        shade(b, 1.0),
+        shade(r, 0.5),
+        shade(g, 0.5),
+        shade(b, 0.5),
+    );
+}
+
+/// The discs of which any pixel is left uncovered by those after them, in order: far fewer than all.
+fn visible(discs: &[Disc], height: f64) -> impl Iterator<Item = &Disc> {
+    let (columns, rows) = ((WIDTH * RESOLUTION) as usize, (height * RESOLUTION).max(1.0) as usize);
+    let mut owner = vec![usize::MAX; columns * rows];
+    for (k, disc) in discs.iter().enumerate() {
+        let (x, y, r) = (disc.x * RESOLUTION, disc.y * RESOLUTION, disc.r * RESOLUTION);
+        let span = |centre: f64, reach: f64, end: usize| {
+            (((centre - reach).ceil().max(0.0)) as usize).min(end)
+                ..(((centre + reach).floor() + 1.0).max(0.0) as usize).min(end)
+        };
+        for row in span(y, r, rows) {
+            let off = row as f64 - y;
+            for column in span(x, (r * r - off * off).max(0.0).sqrt(), columns) {
+                owner[row * columns + column] = k;
+            }
+        }
+    }
+    let mut seen = vec![false; discs.len()];
+    owner.into_iter().filter(|&k| k != usize::MAX).for_each(|k| seen[k] = true);
+    discs.iter().enumerate().filter(move |(k, _)| seen[*k]).map(|(_, disc)| disc)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::build::hcp;
+
+    #[test]
+    fn only_the_rear_half_is_drawn_and_hidden_spheres_are_left_out() {
+        let deep = hcp(1.0, [8, 4, 8], 1.0);
+        let picture = snapshot(&deep, [0.0, deep.domain.sides[1]]);
+        let drawn = picture.matches("<circle").count();
+        // Of 16 layers the two nearest to the cut hide all others: 8 x 4 x 2 spheres each, and images across the sides.
+        assert!((128..256).contains(&drawn), "{drawn}");
+        assert_eq!(picture, snapshot(&deep, [0.0, deep.domain.sides[1]]));
+    }
+
+    #[test]
+    fn a_sphere_across_the_side_of_the_box_is_drawn_twice() {
+        let mut system = hcp(1.0, [4, 4, 2], 1.0);
+        system.particles = system.particles.pick(&[0]);
+        let picture = |x: f64| {
+            let mut moved = system.clone();
+            moved.particles.x[0].0[0] = x;
+            snapshot(&moved, [0.0, 7.0]).matches("<circle").count()
+        };
+        assert_eq!((picture(2.0), picture(0.1), picture(-3.9)), (1, 2, 2));
+    }
+}

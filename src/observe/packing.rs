@@ -1,0 +1,17 @@
+//! How densely spheres are packed.
+
+use super::Link;
+use crate::spec::wear::def_box;
+use crate::system::System;
+
+/// The fraction of the box that is filled by spheres, overlaps counted twice.
+pub fn volume_fraction(system: &System) -> f64 {
+    let cubes = system.particles.radius.iter().map(|&r| 8.0 * r * r * r).sum();
+    def_box::volume_fraction(cubes, system.domain.volume())
+}
+
+/// Mean number of neighbours that a sphere touches (`touching`) or at least attracts.
+pub fn coordination(system: &System, links: &[Link], touching: bool) -> f64 {
+    let counted = links.iter().filter(|link| !touching || link.gap <= 0.0).count();
+    2.0 * counted as f64 / system.particles.len() as f64
+}

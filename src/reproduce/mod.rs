@@ -1,0 +1,3 @@
+//! The papers' claims, tested.
+
+pub mod experiment;
