@@ -113,6 +113,7 @@ impl<R: Real> Parameters<R> {
 /// * `dashpots_never_deliver_power`
 /// * `the_spring_force_never_exceeds_the_cap`
 /// * `a_spin_about_the_normal_leaves_the_spring`
+/// * `a_dashpot_sets_in_with_a_jump_and_may_pull`
 #[inline(always)]
 pub fn contact<R: Real>(
     x_i: Vec3<R>,
@@ -253,6 +254,15 @@ mod laws {
             let before = PAIR.act(&at(n, gap, still, still, still), xi, DT);
             let after = PAIR.act(&at(n, gap, still, spinning, spinning), xi, DT);
             prop_assert!((before.memory - after.memory).norm() < 1e-14);
+        }
+
+        #[test]
+        fn a_dashpot_sets_in_with_a_jump_and_may_pull(n in unit(), speed in 0.1..1.0) {
+            let force = |gap| PAIR.act(&at(n, gap, n * speed, Vec3::zero(), Vec3::zero()), Vec3::zero(), DT).wrench.force.dot(n);
+            let (edge, touching) = (PAIR.delta_f, 0.0);
+            prop_assert!((force(edge - 1e-9) + PAIR.c_n * speed).abs() < 1e-8);
+            prop_assert_eq!(force(edge + 1e-9), 0.0);
+            prop_assert!(force(touching) < 0.0);
         }
     }
 }
