@@ -56,8 +56,8 @@ fn physical_residual(dt: f64, steps: usize) -> f64 {
 
 #[test]
 fn the_physical_account_closes_to_first_order_in_the_time_step() {
-    let (coarse, fine, finest) =
-        (physical_residual(2e-5, 200), physical_residual(1e-5, 400), physical_residual(5e-6, 800));
+    let (coarse, fine) = (physical_residual(8e-6, 250), physical_residual(1e-6, 2000));
     assert!(coarse < 1e-2, "{coarse}");
-    assert!(fine < 0.7 * coarse && finest < 0.7 * fine, "{coarse} {fine} {finest}");
+    // First order: an eighth of the step, an eighth of the residual, give or take the higher orders.
+    assert!(fine < 0.25 * coarse, "{coarse} {fine}");
 }

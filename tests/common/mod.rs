@@ -25,7 +25,7 @@ pub fn uniform(rng: &mut ChaCha8Rng) -> f64 {
 }
 
 /// A crowd of spheres of 1 to 3 nm, jittered about a cubic lattice of `side` points a side so that many touch and none coincide,
-/// each with a random velocity and spin.
+/// each with a random velocity and spin. Density that of silica.
 pub fn crowd(seed: u64, side: usize) -> System {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let mut draw = |from: f64, to: f64| from + (to - from) * uniform(&mut rng);
@@ -34,7 +34,7 @@ pub fn crowd(seed: u64, side: usize) -> System {
     for k in 0..side * side * side {
         let place = [k % side, k / side % side, k / side / side];
         let radius = draw(0.5, 1.5);
-        let mass = 2.2 * 4.0 / 3.0 * std::f64::consts::PI * radius * radius * radius;
+        let mass = 2.2e-3 * 4.0 / 3.0 * std::f64::consts::PI * radius * radius * radius;
         particles.push(Vec3(place.map(|c| spacing * (c as f64 + 0.5 + draw(-0.1, 0.1)))), radius, mass, 0);
     }
     for p in 0..particles.len() {
