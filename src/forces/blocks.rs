@@ -5,7 +5,7 @@
 //! the owners afterwards, again in a fixed order. The cut depends on the particles alone, so the sums, and with them every
 //! bit of the trajectory, do not depend on how many threads share the work.
 
-use super::{Neighbour, Springs};
+use super::{Bond, Neighbour, Springs};
 use crate::spec::numbers::Lanes;
 use crate::spec::{Flat, PairModel};
 use crate::system::{Image, Particles, Reason};
@@ -175,8 +175,8 @@ fn lay<M: PairModel>(
     laid
 }
 
-/// A pair's lasting name: the lower id first, and the copy of the other as seen from it.
-pub fn bond(particles: &Particles, p: usize, q: usize, image: Image) -> (u32, u32, Image) {
+/// The lasting name of a pair of places, `q` displaced by `image`.
+pub fn bond(particles: &Particles, p: usize, q: usize, image: Image) -> Bond {
     let (a, b) = (particles.id[p], particles.id[q]);
     if a <= b { (a, b, image) } else { (b, a, image.map(|k| -k)) }
 }

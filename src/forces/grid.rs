@@ -3,7 +3,7 @@
 //! A sphere is entered in the grid of its octave and looks for partners there and in the grids of larger octaves only. The
 //! cells of a grid fit its own spheres, so a few large spheres cost the many small ones nothing.
 
-use crate::spec::Vec3;
+use crate::spec::{Real, Vec3};
 use crate::system::{Domain, Image};
 use rayon::prelude::*;
 
@@ -41,14 +41,16 @@ pub fn neighbours(
         let mut found = Vec::new();
         for grid in grids.iter().filter(|g| g.octave >= own_octave) {
             let same = grid.octave == own_octave;
-            grid.visit(x[p], reach(radius[p], grid.largest), |q, image| {
+            let farthest = reach(radius[p], grid.largest);
+            grid.visit(x[p], farthest, |q, image| {
                 // A pair of one octave is met from both ends, a sphere and its own copy from both sides: keep one.
                 if same && (q, image) <= (p as u32, [0; 3]) {
                     return;
                 }
                 let apart = x[p] - (x[q as usize] + domain.shift(image));
-                let reach = reach(radius[p], radius[q as usize]);
-                if apart.dot(apart) < reach * reach {
+                // The exact reach is dear: most candidates fall short of any.
+                let squared = apart.dot(apart);
+                if squared < farthest * farthest && squared < reach(radius[p], radius[q as usize]).squared() {
                     found.push(ordered(p as u32, q, image));
                 }
             });

@@ -2,24 +2,42 @@
 
 use crate::system::Image;
 
+/// A pair's lasting name: the ids of the spheres, the lower first, and the copy of the second as seen from the first.
+pub type Bond = (u32, u32, Image);
+
 /// The springs of the pairs that have any, found again by who the two spheres are.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Springs {
-    /// Sorted by the ids of the spheres, the lower first, and the copy of the second.
-    pairs: Vec<((u32, u32, Image), Vec<f64>)>,
+    /// Sorted; each with the place of its springs.
+    bonds: Vec<(Bond, u32)>,
+    numbers: Vec<f64>,
+    width: usize,
 }
 
 impl Springs {
-    /// Collects springs; those that are all zero need no entry.
-    pub fn new(pairs: impl Iterator<Item = ((u32, u32, Image), Vec<f64>)>) -> Self {
-        let mut pairs: Vec<_> = pairs.filter(|(_, numbers)| numbers.iter().any(|&s| s != 0.0)).collect();
-        pairs.sort_by_key(|&(key, _)| key);
-        Self { pairs }
+    /// No springs yet, of `width` numbers each.
+    pub fn new(width: usize) -> Self {
+        Self { width, ..Self::default() }
+    }
+
+    /// Adds the springs of a pair; those that are all zero need no entry.
+    pub fn add(&mut self, bond: Bond, springs: impl Iterator<Item = f64> + Clone) {
+        if springs.clone().any(|s| s != 0.0) {
+            self.bonds.push((bond, self.numbers.len() as u32));
+            self.numbers.extend(springs);
+        }
+    }
+
+    /// Makes the springs ready to be found.
+    pub fn sorted(mut self) -> Self {
+        self.bonds.sort_unstable();
+        self
     }
 
     /// The springs of a pair, if it has any.
-    pub fn of(&self, key: (u32, u32, Image)) -> Option<&[f64]> {
-        let place = self.pairs.binary_search_by_key(&key, |&(key, _)| key).ok()?;
-        Some(&self.pairs[place].1)
+    pub fn of(&self, bond: Bond) -> Option<&[f64]> {
+        let place = self.bonds.binary_search_by_key(&bond, |&(bond, _)| bond).ok()?;
+        let start = self.bonds[place].1 as usize;
+        Some(&self.numbers[start..start + self.width])
     }
 }

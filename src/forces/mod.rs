@@ -11,5 +11,5 @@ pub use blocks::{Block, CAPACITY, LANES, Pairs, bond, partition};
 pub use grid::{Neighbour, neighbours};
 pub use instructions::Instructions;
 pub use kernel::{Load, Totals, evaluate};
-pub use memory::Springs;
+pub use memory::{Bond, Springs};
 pub use order::spatial_order;

@@ -240,14 +240,16 @@ impl<M: PairModel> Simulation<M> {
     /// The springs of all contacts, by who the spheres are.
     fn springs(&self) -> Springs {
         let particles = &self.system.particles;
-        Springs::new(self.blocks.iter().flat_map(|block| {
-            block.each_pair().map(|(i, j, row, lane)| {
+        let mut springs = Springs::new(M::Memory::<f64>::LEN);
+        for block in &self.blocks {
+            for (i, j, row, lane) in block.each_pair() {
                 let ((p, a), (q, b)) = (block.member(i), block.member(j));
-                let key = forces::bond(particles, p, q, std::array::from_fn(|k| b[k] - a[k]));
+                let bond = forces::bond(particles, p, q, std::array::from_fn(|k| b[k] - a[k]));
                 let memory = &block.pairs.memory[row];
-                (key, (0..M::Memory::<f64>::LEN).map(|k| memory.get(k).0[lane]).collect())
-            })
-        }))
+                springs.add(bond, (0..M::Memory::<f64>::LEN).map(|k| memory.get(k).0[lane]));
+            }
+        }
+        springs.sorted()
     }
 
     fn mean_diameter(&self) -> f64 {
