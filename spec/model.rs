@@ -58,8 +58,10 @@ pub trait Flat<R>: Copy + Send + Sync {
     const LEN: usize;
     /// Builds the value from its numbers.
     fn from_fn(f: impl FnMut(usize) -> R) -> Self;
-    /// The number at place `k`.
-    fn get(&self, k: usize) -> R;
+    /// The number at place `k`, below `LEN`.
+    fn at(&self, k: usize) -> &R;
+    /// The number at place `k`, below `LEN`, to be changed.
+    fn at_mut(&mut self, k: usize) -> &mut R;
 }
 
 impl<R: Copy + Send + Sync, const N: usize> Flat<R> for [R; N] {
@@ -69,20 +71,28 @@ impl<R: Copy + Send + Sync, const N: usize> Flat<R> for [R; N] {
         std::array::from_fn(f)
     }
     #[inline(always)]
-    fn get(&self, k: usize) -> R {
-        self[k]
+    fn at(&self, k: usize) -> &R {
+        &self[k]
+    }
+    #[inline(always)]
+    fn at_mut(&mut self, k: usize) -> &mut R {
+        &mut self[k]
     }
 }
 
 impl<R: Copy + Send + Sync> Flat<R> for Vec3<R> {
     const LEN: usize = 3;
     #[inline(always)]
-    fn from_fn(f: impl FnMut(usize) -> R) -> Self {
-        Self(std::array::from_fn(f))
+    fn from_fn(mut f: impl FnMut(usize) -> R) -> Self {
+        Self([f(0), f(1), f(2)])
     }
     #[inline(always)]
-    fn get(&self, k: usize) -> R {
-        self.0[k]
+    fn at(&self, k: usize) -> &R {
+        &self.0[k]
+    }
+    #[inline(always)]
+    fn at_mut(&mut self, k: usize) -> &mut R {
+        &mut self.0[k]
     }
 }
 
@@ -97,13 +107,16 @@ macro_rules! flat_struct {
             const LEN: usize = [$(stringify!($field)),*].len();
             #[inline(always)]
             fn from_fn(mut f: impl FnMut(usize) -> R) -> Self {
-                let mut place = 0..Self::LEN;
-                $(let $field = f(place.next().unwrap_or(0));)*
-                Self { $($field),* }
+                let mut place = 0..;
+                Self { $($field: f(place.next().expect("places without end"))),* }
             }
             #[inline(always)]
-            fn get(&self, k: usize) -> R {
-                [$(self.$field),*][k]
+            fn at(&self, k: usize) -> &R {
+                [$(&self.$field),*][k]
+            }
+            #[inline(always)]
+            fn at_mut(&mut self, k: usize) -> &mut R {
+                [$(&mut self.$field),*].into_iter().nth(k).expect("a place below LEN")
             }
         }
     };

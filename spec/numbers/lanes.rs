@@ -12,10 +12,9 @@ use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 #[repr(align(64))]
 pub struct Lanes<const N: usize>(pub [f64; N]);
 
-/// `N` truths, each all ones or all zeros: selecting is then bitwise, which every instruction set can do.
+/// `N` truths.
 #[derive(Clone, Copy, Debug)]
-#[repr(align(64))]
-pub struct LaneMask<const N: usize>([u64; N]);
+pub struct LaneMask<const N: usize>([bool; N]);
 
 impl<const N: usize> Lanes<N> {
     #[inline(always)]
@@ -36,9 +35,9 @@ impl<const N: usize> Lanes<N> {
     }
     #[inline(always)]
     fn compare(self, other: Self, f: impl Fn(f64, f64) -> bool) -> LaneMask<N> {
-        let mut out = [0; N];
+        let mut out = [false; N];
         for k in 0..N {
-            out[k] = (f(self.0[k], other.0[k]) as u64).wrapping_neg();
+            out[k] = f(self.0[k], other.0[k]);
         }
         LaneMask(out)
     }
@@ -46,7 +45,7 @@ impl<const N: usize> Lanes<N> {
 
 impl<const N: usize> LaneMask<N> {
     #[inline(always)]
-    fn zip(self, other: Self, f: impl Fn(u64, u64) -> u64) -> Self {
+    fn zip(self, other: Self, f: impl Fn(bool, bool) -> bool) -> Self {
         let mut out = self.0;
         for k in 0..N {
             out[k] = f(out[k], other.0[k]);
@@ -105,7 +104,7 @@ impl<const N: usize> Real for Lanes<N> {
     fn select(mask: LaneMask<N>, yes: Self, no: Self) -> Self {
         let mut out = [0.0; N];
         for k in 0..N {
-            out[k] = f64::from_bits((yes.0[k].to_bits() & mask.0[k]) | (no.0[k].to_bits() & !mask.0[k]));
+            out[k] = if mask.0[k] { yes.0[k] } else { no.0[k] };
         }
         Self(out)
     }

@@ -166,7 +166,7 @@ fn lay<M: PairModel>(
         laid.j.push(places[1]);
         // Lanes without a pair repeat the first one's constants; their partner is nowhere.
         laid.coefficients.push(Flat::from_fn(|k| {
-            Lanes(std::array::from_fn(|lane| coefficients.get(lane).unwrap_or(&coefficients[0]).get(k)))
+            Lanes(std::array::from_fn(|lane| *coefficients.get(lane).unwrap_or(&coefficients[0]).at(k)))
         }));
         laid.memory.push(Flat::from_fn(|k| {
             Lanes(std::array::from_fn(|lane| memory.get(lane).copied().flatten().map_or(0.0, |numbers| numbers[k])))

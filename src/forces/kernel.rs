@@ -3,14 +3,16 @@
 use super::blocks::{Block, CAPACITY, LANES, Pairs};
 use super::instructions::Instructions;
 use crate::spec::numbers::Lanes;
-use crate::spec::{Contact, PairModel, Real, Vec3};
+use crate::spec::{Contact, Flat, PairModel, Real, Vec3};
 use crate::system::{Domain, Particles};
 use num_traits::Zero;
 
 type Row = Lanes<LANES>;
+/// Rows that are gathered before they are evaluated: what is stored number by number is then ready to be read row by row.
+const BATCH: usize = 8;
 
-/// Force (pN) and torque (pN nm) on a sphere, end to end.
-pub type Load = [f64; 6];
+/// Force (pN) and torque (pN nm) on a sphere, end to end; the last two are always zero, so that a load is one vector.
+pub type Load = [f64; LANES];
 
 /// Sums over pairs.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,7 +56,7 @@ impl Default for Bench {
         let mut spheres = Box::new([[0.0; 10]; CAPACITY]);
         // The partner of lanes without a pair: far from everything, even across the squares of a distance.
         spheres[CAPACITY - 1] = [1e9, 1e9, 1e9, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0];
-        Self { spheres, loads: Box::new([[0.0; 6]; CAPACITY]) }
+        Self { spheres, loads: Box::new([[0.0; LANES]; CAPACITY]) }
     }
 }
 
@@ -72,7 +74,7 @@ impl Bench {
         for (&(q, image), place) in block.halo.iter().zip(&mut places) {
             *place = entry(q as usize, domain.shift(image));
         }
-        self.loads[..block.own.len() + block.halo.len()].fill([0.0; 6]);
+        self.loads[..block.own.len() + block.halo.len()].fill([0.0; LANES]);
     }
 }
 
@@ -107,92 +109,194 @@ fn dispatch<M: PairModel>(
     dt: f64,
 ) -> Totals {
     #[cfg(target_arch = "x86_64")]
-    {
-        #[target_feature(enable = "avx2")]
-        fn avx2<M: PairModel>(model: &M, pairs: &mut Pairs<M>, bench: &mut Bench, max_overlap: f64, dt: f64) -> Totals {
-            rows(model, pairs, bench, max_overlap, dt)
-        }
-        #[target_feature(enable = "avx512f,avx512dq,avx512vl")]
-        fn avx512<M: PairModel>(
-            model: &M,
-            pairs: &mut Pairs<M>,
-            bench: &mut Bench,
-            max_overlap: f64,
-            dt: f64,
-        ) -> Totals {
-            rows(model, pairs, bench, max_overlap, dt)
-        }
-        #[expect(unsafe_code, reason = "`Instructions` above the baseline exist only where the processor has them")]
-        match instructions {
-            Instructions::Baseline => {}
-            Instructions::Avx2 => return unsafe { avx2(model, pairs, bench, max_overlap, dt) },
-            Instructions::Avx512 => return unsafe { avx512(model, pairs, bench, max_overlap, dt) },
-        }
+    #[expect(unsafe_code, reason = "`Instructions` above the baseline exist only where the processor has them")]
+    match instructions {
+        Instructions::Baseline => {}
+        Instructions::Avx2 => return unsafe { avx2::rows(model, pairs, bench, max_overlap, dt) },
+        Instructions::Avx512 => return unsafe { avx512::rows(model, pairs, bench, max_overlap, dt) },
     }
-    rows(model, pairs, bench, max_overlap, dt)
+    baseline::rows(model, pairs, bench, max_overlap, dt)
 }
 
-/// Position, velocity, angular velocity and radius of the spheres at eight places.
+/// What a row of pairs takes from its spheres: differences of position and velocity, angular velocity and radius of `i` and of `j`.
+type Seen = [Row; 14];
+/// What it gives back: force on `i`, torque on `i`, torque on `j`.
+type Given = [Row; 9];
+
+/// The pair loop for one instruction set. Its three parts are kept apart, or the compiler mixes the narrow moves of the first and the
+/// last into the wide arithmetic of the second.
+macro_rules! pair_loop {
+    ($name:ident $(, $features:literal)?) => {
+        mod $name {
+            use super::*;
+
+            $(#[target_feature(enable = $features)])?
+            #[inline(never)]
+            fn gather(spheres: &[[f64; 10]; CAPACITY], i: &[u16; LANES], j: &[u16; LANES], seen: &mut Seen) {
+                super::gather(spheres, i, j, seen);
+            }
+
+            $(#[target_feature(enable = $features)])?
+            #[inline(never)]
+            fn act<M: PairModel>(
+                model: &M,
+                coefficients: &M::Coefficients<Row>,
+                memory: &mut M::Memory<Row>,
+                seen: &Seen,
+                given: &mut Given,
+                sums: &mut Sums,
+                allowed: f64,
+                dt: f64,
+            ) {
+                super::act(model, coefficients, memory, seen, given, sums, allowed, dt);
+            }
+
+            $(#[target_feature(enable = $features)])?
+            #[inline(never)]
+            fn scatter(loads: &mut [Load; CAPACITY], i: &[u16; LANES], j: &[u16; LANES], given: &Given) {
+                super::scatter(loads, i, j, given);
+            }
+
+            $(#[target_feature(enable = $features)])?
+            pub fn rows<M: PairModel>(model: &M, pairs: &mut Pairs<M>, bench: &mut Bench, allowed: f64, dt: f64) -> Totals {
+                let mut sums = Sums::default();
+                let mut seen = [[Row::zero(); 14]; BATCH];
+                let mut given = [[Row::zero(); 9]; BATCH];
+                for start in (0..pairs.i.len()).step_by(BATCH) {
+                    let rows = start..(start + BATCH).min(pairs.i.len());
+                    for (row, seen) in rows.clone().zip(&mut seen) {
+                        gather(&bench.spheres, &pairs.i[row], &pairs.j[row], seen);
+                    }
+                    for ((row, seen), given) in rows.clone().zip(&seen).zip(&mut given) {
+                        act(model, &pairs.coefficients[row], &mut pairs.memory[row], seen, given, &mut sums, allowed, dt);
+                    }
+                    for (row, given) in rows.zip(&given) {
+                        scatter(&mut bench.loads, &pairs.i[row], &pairs.j[row], given);
+                    }
+                }
+                sums.total()
+            }
+        }
+    };
+}
+
+pair_loop!(baseline);
+#[cfg(target_arch = "x86_64")]
+pair_loop!(avx2, "avx2");
+#[cfg(target_arch = "x86_64")]
+pair_loop!(avx512, "avx512f,avx512dq,avx512vl");
+
 #[inline(always)]
-fn gather(spheres: &[[f64; 10]; CAPACITY], places: &[u16; LANES]) -> ([Vec3<Row>; 3], Row) {
-    let mut rows = [Row::zero(); 10];
+fn gather(spheres: &[[f64; 10]; CAPACITY], i: &[u16; LANES], j: &[u16; LANES], seen: &mut Seen) {
+    let at = |place: u16| &spheres[usize::from(place) % CAPACITY];
+    let (i, j) = (i.map(at), j.map(at));
+    let column = |spheres: &[&[f64; 10]; LANES], k: usize| {
+        let [a, b, c, d, e, f, g, h] = spheres;
+        Lanes([a[k], b[k], c[k], d[k], e[k], f[k], g[k], h[k]])
+    };
+    for k in 0..6 {
+        seen[k] = column(&i, k) - column(&j, k);
+    }
+    for k in 0..4 {
+        seen[k + 6] = column(&i, k + 6);
+        seen[k + 10] = column(&j, k + 6);
+    }
+}
+
+#[inline(always)]
+fn act<M: PairModel>(
+    model: &M,
+    coefficients: &M::Coefficients<Row>,
+    memory: &mut M::Memory<Row>,
+    seen: &Seen,
+    given: &mut Given,
+    sums: &mut Sums,
+    allowed: f64,
+    dt: f64,
+) {
     for lane in 0..LANES {
-        let sphere = &spheres[usize::from(places[lane]) % CAPACITY];
-        for k in 0..10 {
-            rows[k].0[lane] = sphere[k];
+        let number = |k: usize| seen[k].0[lane];
+        let vector = |k: usize| Vec3([number(k), number(k + 1), number(k + 2)]);
+        let branch = vector(0);
+        let contact = Contact::new(branch, vector(3), vector(6), vector(10), number(9), number(13));
+        let constants = Flat::from_fn(|k| coefficients.at(k).0[lane]);
+        let springs = Flat::from_fn(|k| memory.at(k).0[lane]);
+        let outcome = model.pair(&contact, &constants, springs, dt);
+        for k in 0..M::Memory::<f64>::LEN {
+            memory.at_mut(k).0[lane] = *outcome.memory.at(k);
         }
+        let wrench = outcome.wrench;
+        let (f, a, b) = (wrench.force.0, wrench.torque_i.0, wrench.torque_j.0);
+        for k in 0..3 {
+            given[k].0[lane] = f[k];
+            given[k + 3].0[lane] = a[k];
+            given[k + 6].0[lane] = b[k];
+        }
+        sums.power.0[lane] += wrench.power(&contact);
+        sums.losses[0].0[lane] += outcome.losses.normal;
+        sums.losses[1].0[lane] += outcome.losses.tangential;
+        sums.losses[2].0[lane] += outcome.losses.slip;
+        for k in 0..3 {
+            sums.virial[k].0[lane] -= branch.0[k] * f[k];
+        }
+        let clearance = contact.gap + allowed * (contact.r_i + contact.r_j);
+        let least = sums.clearance.0[lane];
+        sums.clearance.0[lane] = if least < clearance { least } else { clearance };
     }
-    let [x, y, z, a, b, c, d, e, f, r] = rows;
-    ([Vec3([x, y, z]), Vec3([a, b, c]), Vec3([d, e, f])], r)
 }
 
+/// Adds forces and torques to the loads on the spheres, one after the other.
 #[inline(always)]
-fn rows<M: PairModel>(model: &M, pairs: &mut Pairs<M>, bench: &mut Bench, max_overlap: f64, dt: f64) -> Totals {
-    let Bench { spheres, loads } = bench;
-    let (allowed, dt) = (Row::lit(max_overlap), Row::lit(dt));
-    let mut power = Row::zero();
-    let mut losses = [Row::zero(); 3];
-    let mut virial = [Row::zero(); 3];
-    let mut clearance = Row::lit(f64::INFINITY);
-
-    let rows = pairs.i.iter().zip(&pairs.j).zip(&pairs.coefficients).zip(&mut pairs.memory);
-    for (((i, j), coefficients), memory) in rows {
-        let ([x_i, v_i, w_i], r_i) = gather(spheres, i);
-        let ([x_j, v_j, w_j], r_j) = gather(spheres, j);
-        let branch = x_i - x_j;
-        let contact = Contact::new(branch, v_i - v_j, w_i, w_j, r_i, r_j);
-
-        let outcome = model.pair(&contact, coefficients, *memory, dt);
-        *memory = outcome.memory;
-
-        let wrench = outcome.wrench;
-        power = power + wrench.power(&contact);
-        let lost = [outcome.losses.normal, outcome.losses.tangential, outcome.losses.slip];
-        for k in 0..3 {
-            losses[k] = losses[k] + lost[k];
-            virial[k] = virial[k] - branch.0[k] * wrench.force.0[k];
-        }
-        clearance = clearance.min(contact.gap + allowed * (contact.r_i + contact.r_j));
-
-        for lane in 0..LANES {
-            let on_i = &mut loads[usize::from(i[lane]) % CAPACITY];
-            for k in 0..3 {
-                on_i[k] += wrench.force.0[k].0[lane];
-                on_i[k + 3] += wrench.torque_i.0[k].0[lane];
-            }
-            let on_j = &mut loads[usize::from(j[lane]) % CAPACITY];
-            for k in 0..3 {
-                on_j[k] -= wrench.force.0[k].0[lane];
-                on_j[k + 3] += wrench.torque_j.0[k].0[lane];
+fn scatter(loads: &mut [Load; CAPACITY], i: &[u16; LANES], j: &[u16; LANES], given: &Given) {
+    let [x, y, z, a, b, c, d, e, f] = given.map(|row| row.0);
+    let zero = [0.0; LANES];
+    let on_i = transposed([x, y, z, a, b, c, zero, zero]);
+    let on_j = transposed([(-Lanes(x)).0, (-Lanes(y)).0, (-Lanes(z)).0, d, e, f, zero, zero]);
+    for lane in 0..LANES {
+        for (places, part) in [(i, &on_i), (j, &on_j)] {
+            let load = &mut loads[usize::from(places[lane]) % CAPACITY];
+            for k in 0..LANES {
+                load[k] += part[lane][k];
             }
         }
     }
+}
 
-    let sum = |row: Row| row.0.iter().sum::<f64>();
-    Totals {
-        power: sum(power),
-        losses: losses.map(sum),
-        virial: virial.map(sum),
-        clearance: clearance.0.into_iter().fold(f64::INFINITY, f64::min),
+/// Rows to columns.
+#[inline(always)]
+fn transposed(rows: [[f64; LANES]; LANES]) -> [[f64; LANES]; LANES] {
+    let mut columns = rows;
+    for row in 0..LANES {
+        for k in 0..LANES {
+            columns[k][row] = rows[row][k];
+        }
+    }
+    columns
+}
+
+/// Sums over pairs, lane by lane.
+struct Sums {
+    power: Row,
+    losses: [Row; 3],
+    virial: [Row; 3],
+    clearance: Row,
+}
+
+impl Default for Sums {
+    fn default() -> Self {
+        let zero = Row::zero();
+        Self { power: zero, losses: [zero; 3], virial: [zero; 3], clearance: Row::lit(f64::INFINITY) }
+    }
+}
+
+impl Sums {
+    fn total(&self) -> Totals {
+        let sum = |row: Row| row.0.iter().sum::<f64>();
+        Totals {
+            power: sum(self.power),
+            losses: self.losses.map(sum),
+            virial: self.virial.map(sum),
+            clearance: self.clearance.0.into_iter().fold(f64::INFINITY, f64::min),
+        }
     }
 }

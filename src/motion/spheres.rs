@@ -136,7 +136,7 @@ pub fn advance<M: PairModel>(
         let (m, x, v, w) = (spheres.mass[p], spheres.x[p], spheres.v[p], spheres.w[p]);
         let (x, v, w) = if spheres.wall[p] == 0 {
             let i = moment_of_inertia(m, spheres.radius[p]);
-            let [fx, fy, fz, tx, ty, tz] = load;
+            let [fx, fy, fz, tx, ty, tz, ..] = load;
             let (force, torque) = (Vec3([fx, fy, fz]) + v * -damping, Vec3([tx, ty, tz]));
             let (after, x, spin) = symplectic_euler(x, v, w, force, torque, m, i, dt);
             moved.kinetic += 0.5 * (m * after.dot(after) + i * spin.dot(spin));

@@ -246,7 +246,7 @@ impl<M: PairModel> Simulation<M> {
                 let ((p, a), (q, b)) = (block.member(i), block.member(j));
                 let bond = forces::bond(particles, p, q, std::array::from_fn(|k| b[k] - a[k]));
                 let memory = &block.pairs.memory[row];
-                springs.add(bond, (0..M::Memory::<f64>::LEN).map(|k| memory.get(k).0[lane]));
+                springs.add(bond, (0..M::Memory::<f64>::LEN).map(|k| memory.at(k).0[lane]));
             }
         }
         springs.sorted()

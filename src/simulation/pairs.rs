@@ -33,8 +33,8 @@ impl<M: PairModel> Simulation<M> {
                 if contact.distance > self.model.range(r[i], r[j]) {
                     return None;
                 }
-                let coefficients = Flat::from_fn(|k| block.pairs.coefficients[row].get(k).0[lane]);
-                let memory = Flat::from_fn(|k| block.pairs.memory[row].get(k).0[lane]);
+                let coefficients = Flat::from_fn(|k| block.pairs.coefficients[row].at(k).0[lane]);
+                let memory = Flat::from_fn(|k| block.pairs.memory[row].at(k).0[lane]);
                 let outcome = self.model.pair(&contact, &coefficients, memory, self.settings.dt);
                 let stored = self.model.stored(&contact, &coefficients, &memory);
                 Some(Pair { i, j, branch, contact, outcome, stored })

@@ -29,7 +29,7 @@ impl<M: PairModel> Simulation<M> {
         let memory = self.blocks.iter().flat_map(|block| {
             block.each_pair().flat_map(|(_, _, row, lane)| {
                 let memory = &block.pairs.memory[row];
-                (0..M::Memory::<f64>::LEN).map(move |k| memory.get(k).0[lane])
+                (0..M::Memory::<f64>::LEN).map(move |k| memory.at(k).0[lane])
             })
         });
         Snapshot {
@@ -56,12 +56,9 @@ impl<M: PairModel> Simulation<M> {
             for k in 0..block.pairs.len {
                 let (row, lane) = (k / crate::forces::LANES, k % crate::forces::LANES);
                 let row = &mut block.pairs.memory[row];
-                let springs: M::Memory<f64> = Flat::from_fn(|_| numbers.next().unwrap_or(f64::NAN));
-                *row = Flat::from_fn(|k| {
-                    let mut lanes = row.get(k);
-                    lanes.0[lane] = springs.get(k);
-                    lanes
-                });
+                for k in 0..M::Memory::<f64>::LEN {
+                    row.at_mut(k).0[lane] = numbers.next().unwrap_or(f64::NAN);
+                }
             }
         }
         Ok(simulation)
