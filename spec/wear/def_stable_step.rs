@@ -97,35 +97,15 @@ pub(super) fn equations() -> Vec<Equation> {
 }
 
 #[cfg(test)]
-pub(super) mod laws {
+mod laws {
     use super::*;
-    use crate::Vec3;
+    use crate::wear::amplification::spectral_radius;
     use crate::wear::def_restitution::damping_ratio_of;
     use crate::wear::def_sphere::sliding_mass;
-    use crate::wear::eq01_symplectic_euler::symplectic_euler;
     use crate::wear::eq06_critical_time_step::critical_time_step;
     use crate::wear::eq17_effective_mass::effective_mass;
     use approx::relative_eq;
     use proptest::prelude::*;
-
-    /// Largest modulus of the eigenvalues of a step of Eq. 1 of a mass on a spring and a dashpot.
-    pub fn spectral_radius(m: f64, k: f64, c: f64, dt: f64) -> f64 {
-        let along = |x: f64| Vec3::new(x, 0.0, 0.0);
-        let step = |x: f64, v: f64| {
-            let force = along(-k * x - c * v);
-            let (v, x, _) = symplectic_euler(along(x), along(v), along(0.0), force, along(0.0), m, 1.0, dt);
-            [x.0[0], v.0[0]]
-        };
-        // Position and velocity in units that balance the matrix.
-        let columns = [step(1.0, 0.0), step(0.0, 1.0 / dt)];
-        let matrix = faer::Mat::from_fn(2, 2, |i, j| columns[j][i] * [1.0, dt][i]);
-        matrix
-            .eigenvalues()
-            .expect("eigenvalues of a 2 by 2 matrix")
-            .into_iter()
-            .map(|z| z.re.hypot(z.im))
-            .fold(0.0, f64::max)
-    }
 
     proptest! {
         #[test]

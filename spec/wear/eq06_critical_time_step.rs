@@ -46,7 +46,7 @@ pub(super) fn equations() -> Vec<Equation> {
 mod laws {
     use super::*;
     use crate::Vec3;
-    use crate::wear::def_stable_step::laws::spectral_radius;
+    use crate::wear::amplification::spectral_radius;
     use crate::wear::eq01_symplectic_euler::symplectic_euler;
     use crate::wear::eq03_normal_force::normal_force;
     use crate::wear::eq17_effective_mass::effective_mass;

@@ -1,5 +1,22 @@
 //! Pham-Ba & Molinari, *Adhesive wear with a coarse-grained discrete element model*,
 //! Comput. Methods Appl. Mech. Engrg. 397 (2022) 115124.
+//!
+//! A solid of cohesive spheres: every pair is a spring that carries tension too, weakens and breaks, and heals when its particles meet again.
+//! The rooms `eq..` are the numbered equations of the text, `a..` those of the appendix, `def_..` what the paper uses without a number.
+//! [`def_parameters`] leads from a material to the parameters of a pair, [`def_contact`] is the force law, [`law`] what an engine runs,
+//! [`eq01_symplectic_euler`] the step. Every number, 1 to 22 and A.1 to A.66, is a function.
+//!
+//! # Errata
+//!
+//! The paper is followed to the letter unless it contradicts itself. In the text, and with a law that fails for the printed reading:
+//!
+//! * Eq. 1 lacks the moment of inertia.
+//! * Eq. 2: arms of one radius would not keep angular momentum, see [`def_kinematics::moment_arm`].
+//! * Eq. 3 with Eq. 10: large particles would not break earlier.
+//! * Eq. 4 lacks the prime of its cap; without slip a closed path would deliver work.
+//! * Eq. 6 is not stable itself, and not the tightest limit, see [`def_stable_step`].
+//! * Eqs. 12 and 13 hold for weak damping, the latter for spheres that cannot turn, see [`def_restitution`].
+//! * Eq. 21 is critical for a dashpot, not for the drag it is used for.
 
 pub mod a01_pair_motion;
 pub mod a04_time_step;
@@ -20,6 +37,8 @@ pub mod a39_impact_end;
 pub mod a42_restitution;
 pub mod a45_damping;
 pub mod a49_rescaled_separation;
+#[cfg(test)]
+mod amplification;
 pub mod def_box;
 pub mod def_contact;
 pub mod def_elastic_constants;
