@@ -10,6 +10,8 @@ pub mod forces;
 pub mod golden;
 pub mod motion;
 pub mod observe;
+pub mod output;
+pub mod run;
 pub mod reproduce;
 pub mod simulation;
 pub mod system;

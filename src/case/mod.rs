@@ -1,8 +1,12 @@
 //! The case file: what the user asks for, read, checked and expressed in engine units.
 
+mod derived;
 pub mod quantity;
+mod read;
 pub mod schema;
 pub mod section;
 pub mod units;
+mod validation;
 
+pub use derived::{Critical, Scales};
 pub use schema::*;

@@ -1,6 +1,6 @@
 //! Quantities of a case file: a number with a unit of the right dimension, or a multiple of a scale of the case.
 
-use super::units::{Dimension, decimal, in_unit, number_and_unit, shifted, unit};
+use super::units::{Dimension, decimal, number_and_unit, shifted, unit};
 use serde::de::{Deserialize, Deserializer, Error, Unexpected, Visitor};
 use serde::{Serialize, Serializer};
 use std::fmt;
@@ -12,8 +12,6 @@ pub trait Kind: Clone + fmt::Debug + PartialEq + 'static {
     const NAME: &'static str;
     /// Its dimension.
     const DIMENSION: Dimension;
-    /// The unit it is written back in.
-    const UNIT: &'static str;
     /// What a user may write.
     const EXAMPLE: &'static str;
 }
@@ -25,26 +23,25 @@ pub trait Scale: Clone + fmt::Debug + PartialEq + 'static {
 }
 
 macro_rules! kinds {
-    ($($name:ident: $text:literal $dimension:tt $unit:literal $example:literal;)*) => {$(
+    ($($name:ident: $text:literal $dimension:tt $example:literal;)*) => {$(
         #[doc = concat!("Marks ", $text, ", such as `", $example, "`.")]
         #[derive(Clone, Debug, PartialEq)]
         pub struct $name;
         impl Kind for $name {
             const NAME: &'static str = $text;
             const DIMENSION: Dimension = Dimension($dimension);
-            const UNIT: &'static str = $unit;
             const EXAMPLE: &'static str = $example;
         }
     )*};
 }
 kinds! {
-    Length: "a length" [0, 1, 0] "nm" "14 nm";
-    Time: "a time" [0, 0, 1] "ns" "10 ns";
-    Velocity: "a velocity" [0, 1, -1] "m/s" "10 m/s";
-    Pressure: "a pressure" [1, -1, -2] "GPa" "73 GPa";
-    SurfaceEnergy: "a surface energy" [1, 0, -2] "N/m" "1.5 N/m";
-    Density: "a density" [1, -3, 0] "kg/m^3" "2200 kg/m^3";
-    Drag: "a damping coefficient" [1, 0, -1] "kg/s" "1e-12 kg/s";
+    Length: "a length" [0, 1, 0] "14 nm";
+    Time: "a time" [0, 0, 1] "10 ns";
+    Velocity: "a velocity" [0, 1, -1] "10 m/s";
+    Pressure: "a pressure" [1, -1, -2] "73 GPa";
+    SurfaceEnergy: "a surface energy" [1, 0, -2] "1.5 N/m";
+    Density: "a density" [1, -3, 0] "2200 kg/m^3";
+    Drag: "a damping coefficient" [1, 0, -1] "1e-12 kg/s";
 }
 
 macro_rules! scales {
@@ -72,6 +69,8 @@ scales! {
 pub struct Quantity<K> {
     /// In engine units.
     pub value: f64,
+    /// As the user wrote it.
+    written: String,
     kind: PhantomData<K>,
 }
 
@@ -88,7 +87,7 @@ impl<K: Kind> Quantity<K> {
         if dimension != K::DIMENSION {
             return Err(wrong(", which has another dimension"));
         }
-        Ok(Self { value: shifted(number, power), kind: PhantomData })
+        Ok(Self { value: shifted(number, power), written: text.trim().into(), kind: PhantomData })
     }
 }
 
@@ -132,7 +131,7 @@ impl<K: Kind, S: Scale> Scaled<K, S> {
 
 impl<K: Kind> fmt::Display for Quantity<K> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&in_unit(self.value, K::UNIT))
+        f.write_str(&self.written)
     }
 }
 impl<K: Kind, S: Scale> fmt::Display for Scaled<K, S> {

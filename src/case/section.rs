@@ -69,22 +69,30 @@ impl<T: Field> Field for [T; 3] {
     }
 }
 
-/// Reads the name of a key that must be one of `known`: so an unknown one is reported where it stands.
-pub struct KeyName(pub &'static [&'static str]);
+/// Reads the name of a key that must be known and not have been seen: so that a wrong one is reported where it stands.
+pub struct KeyName<'a> {
+    /// The keys of the section.
+    pub known: &'static [&'static str],
+    /// Those already read.
+    pub seen: &'a [&'static str],
+}
 
-impl<'de> DeserializeSeed<'de> for KeyName {
+impl<'de> DeserializeSeed<'de> for KeyName<'_> {
     type Value = &'static str;
     fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<&'static str, D::Error> {
         deserializer.deserialize_str(self)
     }
 }
-impl Visitor<'_> for KeyName {
+impl Visitor<'_> for KeyName<'_> {
     type Value = &'static str;
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("the name of a key")
     }
     fn visit_str<E: Error>(self, name: &str) -> Result<&'static str, E> {
-        self.0.iter().find(|known| **known == name).copied().ok_or_else(|| E::custom(unknown_key(name, self.0)))
+        if self.seen.contains(&name) {
+            return Err(E::custom(format!("key `{name}` is written twice")));
+        }
+        self.known.iter().find(|known| **known == name).copied().ok_or_else(|| E::custom(unknown_key(name, self.known)))
     }
 }
 
@@ -109,7 +117,7 @@ pub fn defaults<T: for<'de> Deserialize<'de>>() -> T {
 
 /// Reads the one key that a choice consists of.
 pub fn only_key<'de, A: MapAccess<'de>>(map: &mut A, known: &'static [&'static str]) -> Result<&'static str, A::Error> {
-    map.next_key_seed(KeyName(known))?.ok_or_else(|| A::Error::custom(one_of(known)))
+    map.next_key_seed(KeyName { known, seen: &[] })?.ok_or_else(|| A::Error::custom(one_of(known)))
 }
 /// The message for a choice that was not made, or made twice.
 pub fn one_of(known: &[&str]) -> String {
@@ -135,14 +143,13 @@ macro_rules! section {
                     }
                     fn visit_map<A: serde::de::MapAccess<'de>>(self, mut map: A) -> Result<$name, A::Error> {
                         $(let mut $key: Option<$type> = None;)*
-                        while let Some(key) = map.next_key_seed($crate::case::section::KeyName(&[$(stringify!($key)),*]))? {
-                            let twice = match key {
-                                $(stringify!($key) => $key.replace(map.next_value()?).is_some(),)*
+                        let (known, mut seen) = (&[$(stringify!($key)),*], Vec::new());
+                        while let Some(key) = map.next_key_seed($crate::case::section::KeyName { known, seen: &seen })? {
+                            match key {
+                                $(stringify!($key) => $key = Some(map.next_value()?),)*
                                 _ => unreachable!("KeyName returns a known key"),
-                            };
-                            if twice {
-                                return Err(serde::de::Error::custom(format!("key `{key}` is written twice")));
                             }
+                            seen.push(key);
                         }
                         $(let $key = match $key $(.or_else(|| Some($default)))? {
                             Some(value) => value,
@@ -185,8 +192,16 @@ macro_rules! choice {
         $($(#[doc = $doc:literal])* $variant:ident = $key:literal: $type:ty,)*
     }) => {
         $(#[doc = $about])*
-        #[derive(Clone, Debug, PartialEq, serde::Serialize)]
-        pub enum $name { $($(#[doc = $doc])* #[serde(rename = $key)] $variant($type),)* }
+        #[derive(Clone, Debug, PartialEq)]
+        pub enum $name { $($(#[doc = $doc])* $variant($type),)* }
+
+        impl serde::Serialize for $name {
+            fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+                match self {
+                    $(Self::$variant(section) => serializer.collect_map([($key, section)]),)*
+                }
+            }
+        }
 
         impl<'de> serde::Deserialize<'de> for $name {
             fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
@@ -202,7 +217,7 @@ macro_rules! choice {
                             $($key => $name::$variant(map.next_value()?),)*
                             _ => unreachable!("KeyName returns a known key"),
                         };
-                        match map.next_key_seed($crate::case::section::KeyName(KEYS))? {
+                        match map.next_key_seed($crate::case::section::KeyName { known: KEYS, seen: &[] })? {
                             None => Ok(chosen),
                             Some(_) => Err(serde::de::Error::custom($crate::case::section::one_of(KEYS))),
                         }

@@ -1,8 +1,16 @@
 //! The command line: one file per subcommand.
 
+mod check;
+mod completions;
 mod eq;
 #[cfg(feature = "verify")]
 mod golden;
+mod inspect;
+mod progress;
+mod resume;
+mod run;
+mod schema;
+mod sweep;
 
 use crate::error::Error;
 use clap::{Parser, Subcommand};
@@ -10,7 +18,7 @@ use std::process::ExitCode;
 
 /// Executable specification and fast engine of contact models for the discrete element method.
 #[derive(Parser)]
-#[command(name = "veridem", version, max_term_width = 100)]
+#[command(name = "veridem", version, max_term_width = 100, after_help = EXIT_CODES)]
 pub struct CommandLine {
     /// Write results as JSON to standard output
     #[arg(long, global = true)]
@@ -18,17 +26,37 @@ pub struct CommandLine {
     /// Write no messages
     #[arg(long, short, global = true)]
     quiet: bool,
+    /// Number of threads; all cores by default
+    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    threads: Option<u16>,
     #[command(subcommand)]
     command: Command,
 }
 
+const EXIT_CODES: &str = "Exit status: 0 done, 2 wrong command line, 4 verification failed, 5 simulation halted, \
+65 wrong input, 66 no input, 70 broken invariant, 74 I/O failure, 75 stopped and resumable";
+
 #[derive(Subcommand)]
 enum Command {
+    /// Run a case
+    Run(run::Arguments),
+    /// Go on with a run that was stopped
+    Resume(resume::Arguments),
+    /// Check a case and print it with every default and derived value
+    Check(check::Arguments),
+    /// Run a case for many values of its keys, on all cores
+    Sweep(sweep::Arguments),
+    /// Summarise a run, or compare two
+    Inspect(inspect::Arguments),
     /// List, show and evaluate the equations
     Eq(eq::Arguments),
     /// Check the golden vectors, or mint them anew
     #[cfg(feature = "verify")]
     Golden(golden::Arguments),
+    /// List the keys of a case file
+    Schema(schema::Arguments),
+    /// Write completions for a shell
+    Completions(completions::Arguments),
 }
 
 /// How the user wants to be spoken to.
@@ -52,11 +80,26 @@ impl Manner {
 /// Runs the program: parses the command line, does what it says, and tells how it ended.
 pub fn main() -> ExitCode {
     let command_line = CommandLine::parse();
+    std::panic::set_hook(Box::new(|panic| {
+        eprintln!("broken invariant: {panic}");
+        std::process::exit(70);
+    }));
     let manner = Manner { json: command_line.json, quiet: command_line.quiet };
+    if let Some(threads) = command_line.threads {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.into());
+        pool.build_global().expect("the thread pool is set up once, before it is used");
+    }
     let done = match command_line.command {
+        Command::Run(arguments) => run::run(&arguments, manner),
+        Command::Resume(arguments) => resume::run(&arguments, manner),
+        Command::Check(arguments) => check::run(&arguments, manner),
+        Command::Sweep(arguments) => sweep::run(&arguments, manner, command_line.threads),
+        Command::Inspect(arguments) => inspect::run(&arguments, manner),
         Command::Eq(arguments) => eq::run(&arguments, manner),
         #[cfg(feature = "verify")]
         Command::Golden(arguments) => golden::run(&arguments, manner),
+        Command::Schema(arguments) => schema::run(&arguments, manner),
+        Command::Completions(arguments) => completions::run(&arguments),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

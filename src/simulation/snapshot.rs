@@ -23,6 +23,13 @@ pub struct Snapshot {
     ledger: Ledger,
 }
 
+impl Snapshot {
+    /// The spheres, the box and the walls.
+    pub fn system(&self) -> &System {
+        &self.system
+    }
+}
+
 impl<M: PairModel> Simulation<M> {
     /// The complete state.
     pub fn snapshot(&self) -> Snapshot {

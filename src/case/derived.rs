@@ -1,0 +1,194 @@
+//! What follows from a case: its scales in engine units, and the values it is resolved to.
+
+use super::units::{in_unit, rounded};
+use super::{Amorphous, Case, Experiment, InCriticalDampings, InCriticalSteps, Material, Model, Sample};
+use crate::spec::wear::def_sphere::sphere_mass;
+use crate::spec::wear::eq06_critical_time_step::critical_time_step;
+use crate::spec::wear::eq18_critical_diameter::critical_diameter;
+use crate::spec::wear::eq19_minimum_diameter::minimum_diameter;
+use crate::spec::wear::eq21_critical_damping::critical_damping;
+use crate::spec::{PairModel, wear};
+use serde_yaml::{Mapping, Value};
+
+impl Material {
+    /// The material in engine units.
+    pub fn spec(&self) -> wear::Material<f64> {
+        wear::Material {
+            young_modulus: self.young_modulus.value,
+            poisson_ratio: self.poisson_ratio,
+            tensile_strength: self.tensile_strength.value,
+            shear_strength: self.shear_strength.value,
+            surface_energy: self.surface_energy.value,
+            restitution: self.restitution,
+            scaling: self.scaling,
+        }
+    }
+    /// The contact law, with the forces of a stage.
+    pub fn law(&self, interaction: wear::Interaction) -> wear::Wear {
+        wear::Wear { material: self.spec(), interaction }
+    }
+}
+
+impl Case {
+    /// The material.
+    pub fn material(&self) -> &Material {
+        let Model::Wear(material) = &self.model;
+        material
+    }
+}
+
+/// The scales that quantities of a case may be multiples of, in engine units.
+#[derive(Clone, Copy, Debug)]
+pub struct Scales {
+    /// Critical diameter, Eq. 18.
+    pub d_c: f64,
+    /// Most frequent diameter.
+    pub d_0: f64,
+    /// Smallest diameter.
+    pub d_s: f64,
+    /// Largest diameter.
+    pub d_l: f64,
+    /// Sides of the box.
+    pub size: [f64; 3],
+    /// Thickness of the walls.
+    pub walls: f64,
+}
+
+impl Scales {
+    /// The scales of a case.
+    pub fn of(case: &Case) -> Self {
+        let material = case.material().spec();
+        let d_c = critical_diameter(material.surface_energy, material.young_modulus, material.tensile_strength);
+        let (d_0, d_s, d_l, size) = match &case.sample {
+            Sample::Hcp(hcp) => {
+                let d_0 = hcp.diameter.value(d_c);
+                (d_0, d_0, d_0, &hcp.size)
+            }
+            Sample::Amorphous(Amorphous { diameter, smallest, largest, size, .. }) => {
+                let d_0 = diameter.value(d_c);
+                (d_0, smallest.value(d_0), largest.value(d_0), size)
+            }
+        };
+        let walls = match &case.experiment {
+            Experiment::Patch(patch) => &patch.walls,
+            Experiment::Junction(junction) => &junction.walls,
+        };
+        Self { d_c, d_0, d_s, d_l, size: std::array::from_fn(|a| size[a].value(d_0)), walls: walls.value(d_0) }
+    }
+}
+
+/// What time steps and dampings are multiples of: set by one sphere, the one with the least critical time step.
+#[derive(Clone, Copy, Debug)]
+pub struct Critical {
+    /// Critical time step, Eq. 6.
+    pub dt: f64,
+    /// Critical damping, Eq. 21.
+    pub damping: f64,
+    /// The largest stable time step: also dashpots and sliding with rotation have their limits.
+    pub limit: f64,
+}
+
+impl Critical {
+    /// For two equal spheres of radius `r` and mass `m`.
+    pub fn of(law: &wear::Wear, r: f64, m: f64) -> Self {
+        let k_n = law.coefficients(r, r, m, m).k_n;
+        Self {
+            dt: critical_time_step(m, k_n),
+            damping: critical_damping(k_n, m),
+            limit: law.critical_time_step(r, m),
+        }
+    }
+
+    /// Of the smallest sphere of a case, before masses are rescaled.
+    pub fn of_case(case: &Case) -> Self {
+        let (r, material) = (0.5 * Scales::of(case).d_s, case.material());
+        Self::of(&material.law(wear::Interaction::Full), r, sphere_mass(material.density.value, r))
+    }
+}
+
+impl Case {
+    /// Every time step of the case, with its key.
+    pub fn time_steps(&self) -> Vec<(&'static str, &InCriticalSteps)> {
+        let relaxation = match &self.sample {
+            Sample::Amorphous(sample) => Some(("sample.amorphous.relaxation.dt", &sample.relaxation.dt)),
+            Sample::Hcp(_) => None,
+        };
+        let experiments = match &self.experiment {
+            Experiment::Patch(patch) => vec![
+                patch.compression.as_ref().map(|test| ("experiment.patch.compression.dt", &test.dt)),
+                patch.tension.as_ref().map(|test| ("experiment.patch.tension.dt", &test.dt)),
+                patch.shear.as_ref().map(|test| ("experiment.patch.shear.dt", &test.dt)),
+            ],
+            Experiment::Junction(junction) => vec![Some(("experiment.junction.dt", &junction.dt))],
+        };
+        experiments.into_iter().chain([relaxation]).flatten().collect()
+    }
+
+    /// Every damping of the case, with its key.
+    pub fn dampings(&self) -> Vec<(&'static str, &InCriticalDampings)> {
+        let relaxation = match &self.sample {
+            Sample::Amorphous(sample) => vec![
+                ("sample.amorphous.relaxation.repulsion_damping", &sample.relaxation.repulsion_damping),
+                ("sample.amorphous.relaxation.cohesion_damping", &sample.relaxation.cohesion_damping),
+            ],
+            Sample::Hcp(_) => Vec::new(),
+        };
+        let experiments = match &self.experiment {
+            Experiment::Patch(patch) => vec![
+                patch.compression.as_ref().map(|test| ("experiment.patch.compression.damping", &test.damping)),
+                patch.tension.as_ref().map(|test| ("experiment.patch.tension.damping", &test.damping)),
+                patch.shear.as_ref().map(|test| ("experiment.patch.shear.damping", &test.damping)),
+            ],
+            Experiment::Junction(junction) => vec![Some(("experiment.junction.damping", &junction.damping))],
+        };
+        experiments.into_iter().flatten().chain(relaxation).collect()
+    }
+
+    /// The case with every default, and below `derived` what follows from it, with units.
+    pub fn resolved(&self) -> String {
+        let mut root = serde_yaml::to_value(self).expect("a case is plain data");
+        let mapping = root.as_mapping_mut().expect("a case is a mapping");
+        mapping.insert("derived".into(), Value::Mapping(self.derived()));
+        serde_yaml::to_string(&root).expect("a mapping can be written")
+    }
+
+    fn derived(&self) -> Mapping {
+        let (scales, material) = (Scales::of(self), self.material().spec());
+        let Critical { dt, damping, limit } = Critical::of_case(self);
+        let wear::Material { surface_energy, tensile_strength, .. } = material;
+        let r = 0.5 * scales.d_0;
+        let mass = |d: f64| sphere_mass(self.material().density.value, 0.5 * d);
+        let law = self.material().law(wear::Interaction::Full);
+        let pair = law.coefficients(r, r, mass(scales.d_0), mass(scales.d_0));
+        let size = scales.size.map(|side| in_unit(side, "nm")).join(" x ");
+        let mut rows = vec![
+            ("critical diameter d_c", in_unit(scales.d_c, "nm")),
+            ("least diameter d_min", in_unit(minimum_diameter(surface_energy, tensile_strength), "nm")),
+            ("most frequent diameter d_0", in_unit(scales.d_0, "nm")),
+            ("smallest diameter d_s", in_unit(scales.d_s, "nm")),
+            ("largest diameter d_l", in_unit(scales.d_l, "nm")),
+            ("box", size),
+            ("walls", in_unit(scales.walls, "nm")),
+            ("mass of d_s", in_unit(mass(scales.d_s), "kg")),
+            ("mass of d_0", in_unit(mass(scales.d_0), "kg")),
+            ("mass of d_l", in_unit(mass(scales.d_l), "kg")),
+            ("normal stiffness of two d_0", in_unit(pair.k_n, "N/m")),
+            ("tangential stiffness of two d_0", in_unit(pair.k_t, "N/m")),
+            ("elastic separation of two d_0", in_unit(pair.delta_e, "nm")),
+            ("fracture separation of two d_0", in_unit(pair.delta_f, "nm")),
+            ("critical time step dt_c", in_unit(dt, "fs")),
+            ("largest stable time step", in_unit(limit, "fs")),
+            ("critical damping c_c", in_unit(damping, "kg/s")),
+        ];
+        let steps: Vec<(String, String)> = self
+            .time_steps()
+            .into_iter()
+            .map(|(key, step)| {
+                let value = step.value(dt);
+                (key.into(), format!("{} = {} of the largest stable step", in_unit(value, "fs"), rounded(value / limit)))
+            })
+            .collect();
+        let text = |(key, value): (String, String)| (Value::String(key), Value::String(value));
+        rows.drain(..).map(|(key, value)| (key.to_string(), value)).chain(steps).map(text).collect()
+    }
+}

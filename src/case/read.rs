@@ -1,0 +1,105 @@
+//! Reads a case file and says exactly where it is wrong.
+
+use super::{Case, validation};
+use crate::error::{Error, Problem};
+use serde::de::{DeserializeSeed, Deserializer, IgnoredAny, MapAccess, Visitor};
+use std::fmt;
+use std::path::Path;
+
+impl Case {
+    /// Reads and checks a case file; also returns its text.
+    pub fn read(file: &Path) -> Result<(Self, String), Error> {
+        let text = std::fs::read_to_string(file).map_err(|cause| Error::NoInput(file.into(), cause))?;
+        let case = Self::parse(file, &text)?;
+        Ok((case, text))
+    }
+
+    /// Reads and checks the text of a case file.
+    pub fn parse(file: &Path, text: &str) -> Result<Self, Error> {
+        let case: Self = serde_yaml::from_str(text).map_err(|error| Error::Input(vec![problem(file, &error)]))?;
+        let found = validation::problems(&case);
+        if found.is_empty() {
+            return Ok(case);
+        }
+        let locate = |(key, what): (String, String)| Problem { file: file.into(), line: line_of(text, &key), key, what };
+        Err(Error::Input(found.into_iter().map(locate).collect()))
+    }
+}
+
+/// Puts an error of the YAML reader into our form. Its text is `path: message at line 3 column 5`.
+fn problem(file: &Path, error: &serde_yaml::Error) -> Problem {
+    let message = error.to_string();
+    let location = error.location();
+    let place = location.as_ref().map(|at| format!(" at line {} column {}", at.line(), at.column())).unwrap_or_default();
+    let message = message.replacen(&place, "", 1);
+    let is_path = |c: char| c.is_ascii_alphanumeric() || "_.[]".contains(c);
+    let (key, what) = match message.split_once(": ") {
+        Some((key, what)) if key.chars().all(is_path) && !what.is_empty() => (key, what),
+        _ => ("", &*message),
+    };
+    let mut what = what.to_string();
+    for (theirs, ours) in [
+        ("invalid type: ", "found "),
+        ("invalid value: ", "found "),
+        ("invalid length ", "found a list of length "),
+        ("found floating point ", "found "),
+        ("found integer ", "found "),
+        ("found sequence", "found a list"),
+        ("found map", "found a section"),
+        ("found unit value", "found nothing"),
+        ("expected f64", "expected a number"),
+        ("expected u64", "expected a whole number"),
+        ("expected an array of length 3", "expected three values"),
+    ] {
+        what = what.replace(theirs, ours);
+    }
+    Problem { file: file.into(), line: location.map(|at| at.line()), key: key.into(), what }
+}
+
+/// The line of the value behind `key`, such as `sample.hcp.size[1]`: reads the text again and fails exactly there.
+fn line_of(text: &str, key: &str) -> Option<usize> {
+    let path: Vec<&str> = key.split(['.', '[']).map(|part| part.trim_end_matches(']')).collect();
+    let stopped = Find(&path).deserialize(serde_yaml::Deserializer::from_str(text)).err()?;
+    stopped.location().map(|at| at.line())
+}
+
+/// Fails at the end of the path.
+struct Find<'a>(&'a [&'a str]);
+
+impl<'de> DeserializeSeed<'de> for Find<'_> {
+    type Value = ();
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<(), D::Error> {
+        deserializer.deserialize_any(self)
+    }
+}
+
+impl<'de> Visitor<'de> for Find<'_> {
+    type Value = ();
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("the end of the path")
+    }
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<(), A::Error> {
+        let Some((first, rest)) = self.0.split_first() else {
+            return Err(serde::de::Error::custom("found"));
+        };
+        while let Some(key) = map.next_key::<String>()? {
+            if key == *first {
+                map.next_value_seed(Find(rest))?;
+            } else {
+                map.next_value::<IgnoredAny>()?;
+            }
+        }
+        Ok(())
+    }
+    fn visit_seq<A: serde::de::SeqAccess<'de>>(self, mut list: A) -> Result<(), A::Error> {
+        let Some(place) = self.0.first().and_then(|first| first.parse::<usize>().ok()) else {
+            return Err(serde::de::Error::custom("found"));
+        };
+        for _ in 0..place {
+            list.next_element::<IgnoredAny>()?;
+        }
+        list.next_element_seed(Find(&self.0[1..]))?;
+        while list.next_element::<IgnoredAny>()?.is_some() {}
+        Ok(())
+    }
+}

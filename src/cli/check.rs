@@ -1,0 +1,25 @@
+//! `veridem check`: everything about a case short of running it.
+
+use super::{Manner, print};
+use crate::case::Case;
+use crate::error::Error;
+use std::path::PathBuf;
+
+/// The arguments.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// The case file
+    case: PathBuf,
+}
+
+/// Checks the case and prints it resolved.
+pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
+    let (case, _) = Case::read(&arguments.case)?;
+    let resolved = case.resolved();
+    if manner.json {
+        let value: serde_json::Value = serde_yaml::from_str(&resolved).expect("a resolved case is plain data");
+        print(&format!("{value:#}\n"))
+    } else {
+        print(&resolved)
+    }
+}

@@ -1,0 +1,19 @@
+//! `veridem completions`: what the shell needs to complete our command line.
+
+use super::{CommandLine, print};
+use crate::error::Error;
+use clap::CommandFactory;
+
+/// The arguments.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// The shell
+    shell: clap_complete::Shell,
+}
+
+/// Writes the completions to standard output.
+pub fn run(arguments: &Arguments) -> Result<(), Error> {
+    let mut script = Vec::new();
+    clap_complete::generate(arguments.shell, &mut CommandLine::command(), "veridem", &mut script);
+    print(&String::from_utf8_lossy(&script))
+}

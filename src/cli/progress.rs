@@ -1,0 +1,68 @@
+//! What a user sees while a run goes.
+
+use super::Manner;
+use crate::run::Glance;
+use indicatif::{ProgressBar, ProgressStyle};
+use std::io::IsTerminal;
+use std::time::{Duration, Instant};
+
+/// How often a line is written where there is no terminal.
+const PAUSE: Duration = Duration::from_secs(5);
+
+/// A bar on a terminal, a line every few seconds elsewhere.
+pub struct Progress {
+    manner: Manner,
+    bar: Option<ProgressBar>,
+    stage: String,
+    begun: (Instant, u64),
+    written: Option<Instant>,
+}
+
+impl Progress {
+    /// Nothing is shown before the first glance.
+    pub fn new(manner: Manner) -> Self {
+        let bar = (!manner.quiet && std::io::stderr().is_terminal()).then(|| {
+            let style = if std::env::var_os("NO_COLOR").is_some() { "{bar:24}" } else { "{bar:24.cyan}" };
+            let template = format!("{{prefix:12}} {style} {{pos}}/{{len}} {{eta}} left, {{msg}}");
+            ProgressBar::no_length().with_style(ProgressStyle::with_template(&template).expect("the template is well formed"))
+        });
+        Self { manner, bar, stage: String::new(), begun: (Instant::now(), 0), written: None }
+    }
+
+    /// Shows how a run is doing.
+    pub fn show(&mut self, glance: Glance) {
+        if self.manner.quiet {
+            return;
+        }
+        if glance.stage != self.stage {
+            self.stage = glance.stage.into();
+            self.begun = (Instant::now(), glance.step);
+            if let Some(bar) = &self.bar {
+                bar.reset();
+            }
+        }
+        let (since, first) = self.begun;
+        let taken = (glance.step - first) as f64;
+        let each = since.elapsed().as_secs_f64() / taken.max(1.0);
+        let cost = 1e9 * each / glance.particles as f64;
+        let message =
+            format!("{cost:.0} ns/particle-step, ledger {:.1e}, overlap {:.3}", glance.residual, glance.overlap);
+        if let Some(bar) = &self.bar {
+            bar.set_prefix(self.stage.clone());
+            bar.set_length(glance.steps);
+            bar.set_position(glance.step);
+            bar.set_message(message);
+        } else if taken > 0.0 && self.written.is_none_or(|at| at.elapsed() >= PAUSE) {
+            self.written = Some(Instant::now());
+            let left = each * (glance.steps - glance.step) as f64;
+            eprintln!("{} {}/{}, at most {left:.0} s left, {message}", glance.stage, glance.step, glance.steps);
+        }
+    }
+
+    /// Takes the bar away.
+    pub fn finish(&self) {
+        if let Some(bar) = &self.bar {
+            bar.finish_and_clear();
+        }
+    }
+}

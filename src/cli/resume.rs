@@ -1,0 +1,38 @@
+//! `veridem resume`: goes on with a run that was stopped, as if it had not been.
+
+use super::Manner;
+use super::progress::Progress;
+use super::run::{Limits, conclude};
+use crate::case::Case;
+use crate::error::Error;
+use crate::output::{Manifest, RunFolder, Status};
+use crate::run::{Control, Glance, Run};
+use std::path::PathBuf;
+
+/// The arguments.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// The run folder
+    run: PathBuf,
+    #[command(flatten)]
+    limits: Limits,
+}
+
+/// Goes on from the latest checkpoint.
+pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
+    let control: Control = arguments.limits.control()?;
+    let folder = RunFolder::open(&arguments.run)?;
+    let (case, _) = Case::read(&folder.case())?;
+    let manifest = Manifest::read(&folder)?;
+    if manifest.status == Status::Finished {
+        return Err(Error::Usage(format!("{}: has finished; there is nothing to resume", arguments.run.display())));
+    }
+    if (&*manifest.version, &*manifest.commit) != (env!("CARGO_PKG_VERSION"), env!("VERIDEM_COMMIT")) {
+        manner.say("warning: the run was begun by another build of this program; it may not go on with the same bits");
+    }
+    let mut progress = Progress::new(manner);
+    let mut show = |glance: Glance| progress.show(glance);
+    let findings = Run::new(&case, &folder, manifest, &control, &mut show).resume();
+    progress.finish();
+    conclude(&folder, &findings?, manner)
+}

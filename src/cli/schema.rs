@@ -1,0 +1,37 @@
+//! `veridem schema`: every key of a case file, from the declarations that also read it.
+
+use super::{Manner, print};
+use crate::case::Case;
+use crate::case::section::{Field, Key};
+use crate::error::Error;
+
+/// The arguments.
+#[derive(clap::Args)]
+pub struct Arguments {}
+
+/// Lists the keys.
+pub fn run(_: &Arguments, manner: Manner) -> Result<(), Error> {
+    let keys = Case::keys();
+    if manner.json {
+        let json = serde_json::to_string_pretty(&keys).expect("keys are plain data");
+        return print(&format!("{json}\n"));
+    }
+    let mut text = String::new();
+    list(&keys, 0, &mut text);
+    print(&text)
+}
+
+fn list(keys: &[Key], depth: usize, text: &mut String) {
+    for Key { key, about, expects, default, keys } in keys {
+        let indent = "  ".repeat(depth);
+        let expects = if keys.is_empty() { format!(" Expects {expects}.") } else { String::new() };
+        let written = match default {
+            Some(default) if keys.is_empty() => format!(" {}", default.to_string().replace('"', "")),
+            None if keys.is_empty() => " ...".into(),
+            _ => String::new(),
+        };
+        let must = if default.is_none() && keys.is_empty() { " Must be given." } else { "" };
+        text.push_str(&format!("{indent}# {about}{expects}{must}\n{indent}{key}:{written}\n"));
+        list(keys, depth + 1, text);
+    }
+}

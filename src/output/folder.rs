@@ -1,0 +1,102 @@
+//! Where the parts of a run are.
+
+use super::Checkpoints;
+use crate::error::{AtPath, Error};
+use std::path::{Path, PathBuf};
+
+/// The folder of one run.
+#[derive(Clone, Debug)]
+pub struct RunFolder {
+    root: PathBuf,
+}
+
+impl RunFolder {
+    /// Makes a new folder; one that exists is only replaced when forced, and only if it is a run folder.
+    pub fn create(root: &Path, force: bool) -> Result<Self, Error> {
+        let folder = Self { root: root.into() };
+        if root.exists() {
+            if !force {
+                let what = format!("{}: exists already; use --force to replace it, or --name for another", root.display());
+                return Err(Error::Usage(what));
+            }
+            if !folder.case().exists() {
+                return Err(Error::Usage(format!("{}: is not a run folder and is not replaced", root.display())));
+            }
+            std::fs::remove_dir_all(root).at(root)?;
+        }
+        for path in [folder.frames(), folder.checkpoint_folder(), folder.figures()] {
+            std::fs::create_dir_all(&path).at(&path)?;
+        }
+        Ok(folder)
+    }
+
+    /// A folder that a run has left.
+    pub fn open(root: &Path) -> Result<Self, Error> {
+        let folder = Self { root: root.into() };
+        std::fs::metadata(folder.case()).map_err(|cause| Error::NoInput(folder.case(), cause))?;
+        Ok(folder)
+    }
+
+    /// The folder itself.
+    pub fn root(&self) -> &Path {
+        &self.root
+    }
+    /// The user's file, verbatim.
+    pub fn case(&self) -> PathBuf {
+        self.root.join("case.yaml")
+    }
+    /// The case with every default and derived value.
+    pub fn resolved(&self) -> PathBuf {
+        self.root.join("case.resolved.yaml")
+    }
+    /// Where the run comes from.
+    pub fn manifest(&self) -> PathBuf {
+        self.root.join("manifest.json")
+    }
+    /// The time series.
+    pub fn series(&self) -> PathBuf {
+        self.root.join("series.csv")
+    }
+    /// What happened, one JSON object a line.
+    pub fn events(&self) -> PathBuf {
+        self.root.join("events.jsonl")
+    }
+    /// The final quantities.
+    pub fn results(&self) -> PathBuf {
+        self.root.join("results.yaml")
+    }
+    /// The states of the particles, in files of their own.
+    pub fn frames(&self) -> PathBuf {
+        self.root.join("frames")
+    }
+    /// The pictures.
+    pub fn figures(&self) -> PathBuf {
+        self.root.join("figures")
+    }
+    /// What the user looks at first.
+    pub fn report(&self) -> PathBuf {
+        self.root.join("report.html")
+    }
+    /// The state that a simulation could not leave.
+    pub fn halted(&self) -> PathBuf {
+        self.root.join("halted.xyz")
+    }
+    fn checkpoint_folder(&self) -> PathBuf {
+        self.root.join("checkpoints")
+    }
+    /// The points from which the run can be resumed.
+    pub fn checkpoints(&self) -> Checkpoints {
+        Checkpoints::new(self.checkpoint_folder())
+    }
+
+    /// The files of a finished run that are the same whenever and wherever it was made, sorted.
+    pub fn outputs(&self) -> Result<Vec<PathBuf>, Error> {
+        let mut found = vec![self.case(), self.resolved(), self.series(), self.events(), self.results()];
+        for entry in std::fs::read_dir(self.frames()).at(&self.frames())? {
+            found.push(entry.at(&self.frames())?.path());
+        }
+        found.retain(|path| path.exists());
+        found.sort();
+        Ok(found)
+    }
+}

@@ -1,0 +1,16 @@
+//! The run folder: what a run leaves behind, and how it is written so that nothing half-written is ever mistaken for a result.
+
+mod checkpoint;
+mod files;
+mod folder;
+mod frames;
+mod manifest;
+mod series;
+
+pub use checkpoint::{Checkpoints, Kept, keep, kept};
+pub use files::{Appending, read, sha256_file, write_atomically};
+pub use folder::RunFolder;
+pub use frames::{extended_xyz, frame_name};
+pub use manifest::{Manifest, Status};
+pub use series::Finding;
+pub use series::{Cell, header, row};

@@ -1,0 +1,58 @@
+//! Rows of the time series, and final quantities.
+
+use crate::case::units::decimal;
+use serde::{Deserialize, Serialize};
+
+/// A cell of the time series.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Cell {
+    /// A measured number, written so that it can be read back exactly.
+    Number(f64),
+    /// A count.
+    Count(u64),
+    /// A name.
+    Name(String),
+    /// Not measured in this stage.
+    Nothing,
+}
+
+/// One line of a table; no cell of ours holds a comma or a quote.
+pub fn row(cells: &[Cell]) -> String {
+    let text = |cell: &Cell| match cell {
+        Cell::Number(x) => decimal(*x),
+        Cell::Count(n) => n.to_string(),
+        Cell::Name(name) => name.clone(),
+        Cell::Nothing => String::new(),
+    };
+    cells.iter().map(text).collect::<Vec<_>>().join(",")
+}
+
+/// The header: names with units, as `time [ns]`.
+pub fn header(columns: &[&str]) -> String {
+    columns.join(",")
+}
+
+/// A quantity that a run was made for.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Finding {
+    /// What it is.
+    pub name: String,
+    /// How much, or which.
+    pub value: String,
+    /// In which unit; empty for a name or a pure number.
+    pub unit: String,
+    /// What the case's material is meant to have, or the paper states; empty if nothing.
+    pub target: String,
+}
+
+impl Finding {
+    /// A number.
+    pub fn number(name: &str, value: f64, unit: &str, target: Option<f64>) -> Self {
+        let target = target.map(decimal).unwrap_or_default();
+        Self { name: name.into(), value: decimal(value), unit: unit.into(), target }
+    }
+    /// A verdict in words.
+    pub fn words(name: &str, value: impl Into<String>) -> Self {
+        Self { name: name.into(), value: value.into(), unit: String::new(), target: String::new() }
+    }
+}

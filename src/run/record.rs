@@ -1,0 +1,67 @@
+//! Writes what a run leaves behind while it goes.
+
+use crate::error::Error;
+use crate::output::{Appending, Cell, RunFolder, extended_xyz, frame_name, row, write_atomically};
+use crate::system::System;
+use serde::{Deserialize, Serialize};
+use serde_json::json;
+
+/// How much of the record belongs to a checkpoint: what is longer is cut back when the run is resumed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Extent {
+    series: u64,
+    events: u64,
+    frames: u64,
+}
+
+/// The growing files of a run folder.
+pub struct Record {
+    folder: RunFolder,
+    series: Appending,
+    events: Appending,
+    frames: u64,
+}
+
+impl Record {
+    /// Begins the record of a new run.
+    pub fn begin(folder: &RunFolder, columns: &[&str]) -> Result<Self, Error> {
+        let mut series = Appending::create(folder.series())?;
+        series.line(&columns.join(","))?;
+        Ok(Self { folder: folder.clone(), series, events: Appending::create(folder.events())?, frames: 0 })
+    }
+
+    /// Takes a record up as it was at a checkpoint.
+    pub fn resume(folder: &RunFolder, extent: Extent) -> Result<Self, Error> {
+        let series = Appending::resume(folder.series(), extent.series)?;
+        let events = Appending::resume(folder.events(), extent.events)?;
+        let outdated = (extent.frames..).map(|number| folder.frames().join(frame_name(number)));
+        for path in outdated.take_while(|path| path.exists()) {
+            std::fs::remove_file(&path).map_err(|cause| Error::Io(path, cause))?;
+        }
+        Ok(Self { folder: folder.clone(), series, events, frames: extent.frames })
+    }
+
+    /// How much there is.
+    pub fn extent(&self) -> Extent {
+        Extent { series: self.series.length(), events: self.events.length(), frames: self.frames }
+    }
+
+    /// Appends a row to the series.
+    pub fn row(&mut self, cells: &[Cell]) -> Result<(), Error> {
+        self.series.line(&row(cells))
+    }
+
+    /// Appends an event.
+    pub fn event(&mut self, stage: &str, system: &System, event: &str) -> Result<(), Error> {
+        let event = json!({ "stage": stage, "step": system.step, "time_ns": system.time, "event": event });
+        self.events.line(&event.to_string())
+    }
+
+    /// Writes the next frame.
+    pub fn frame(&mut self, stage: &str, system: &System) -> Result<(), Error> {
+        let path = self.folder.frames().join(frame_name(self.frames));
+        write_atomically(&path, extended_xyz(system, stage).as_bytes())?;
+        self.frames += 1;
+        Ok(())
+    }
+}

@@ -1,0 +1,143 @@
+//! Do the commands around a run do what they say?
+
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+use std::time::{Duration, Instant};
+
+fn case(name: &str) -> String {
+    format!("{}/tests/cases/good/{name}.yaml", env!("CARGO_MANIFEST_DIR"))
+}
+
+fn veridem(place: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_veridem")).current_dir(place).arg("--quiet").args(arguments).output().unwrap()
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).to_string()
+}
+
+#[test]
+fn the_schema_lists_every_key_and_what_it_lists_can_be_read_as_a_case() {
+    let place = tempfile::tempdir().unwrap();
+    let listed = text(&veridem(place.path(), &["schema"]).stdout);
+    let keys = |text: &str| text.lines().filter(|line| !line.trim_start().starts_with('#')).count();
+    let json: serde_json::Value = serde_json::from_slice(&veridem(place.path(), &["schema", "--json"]).stdout).unwrap();
+    fn count(keys: &serde_json::Value) -> usize {
+        keys.as_array().map_or(0, |keys| keys.iter().map(|key| 1 + count(&key["keys"])).sum())
+    }
+    assert_eq!(keys(&listed), count(&json));
+    assert!(listed.contains("# Young's modulus E. Expects a pressure such as `73 GPa`. Must be given.\n      young_modulus: ...\n"));
+    assert!(listed.contains("# Seed of every random stream. Expects a whole number.\nseed: 1\n"));
+}
+
+#[test]
+fn a_sweep_runs_every_combination_once_and_sums_up() {
+    let place = tempfile::tempdir().unwrap();
+    let keys = ["sample.hcp.diameter=0.6 d_c,1.2 d_c", "model.wear.poisson_ratio=0..0.25:2"];
+    let sweep = || veridem(place.path(), &["sweep", &case("patch-hcp"), keys[0], keys[1], "--out", "swept"]);
+    let first = sweep();
+    assert!(first.status.success(), "{}", text(&first.stderr));
+    let rows: Vec<Vec<String>> = text(&first.stdout).lines().map(|l| l.split(',').map(str::to_string).collect()).collect();
+    assert_eq!(rows[0][..4], ["sample.hcp.diameter", "model.wear.poisson_ratio", "status", "Young's modulus [MPa]"]);
+    let points: Vec<&[String]> = rows[1..].iter().map(|row| &row[..3]).collect();
+    let point = |d, nu| [d, nu, "finished"];
+    assert_eq!(points, [point("0.6 d_c", "0"), point("0.6 d_c", "0.25"), point("1.2 d_c", "0"), point("1.2 d_c", "0.25")]);
+    assert_eq!(std::fs::read_to_string(place.path().join("swept/summary.csv")).unwrap(), text(&first.stdout));
+
+    let series = place.path().join("swept/diameter=0.6d_c,poisson_ratio=0/series.csv");
+    let made = series.metadata().unwrap().modified().unwrap();
+    assert_eq!(text(&sweep().stdout), text(&first.stdout));
+    assert_eq!(series.metadata().unwrap().modified().unwrap(), made, "a finished run is not made again");
+}
+
+#[test]
+fn a_sweep_over_a_wrong_key_or_value_is_refused_before_anything_runs() {
+    let place = tempfile::tempdir().unwrap();
+    let refused = |key: &str| {
+        let output = veridem(place.path(), &["sweep", &case("patch-hcp"), key]);
+        assert!(!place.path().join("run").exists());
+        (output.status.code(), text(&output.stderr))
+    };
+    let (code, message) = refused("model.wear.poisson=0.1,0.2");
+    assert_eq!(code, Some(65));
+    assert!(message.contains("model.wear: unknown key `poisson`, expected one of `young_modulus`, `poisson_ratio`"), "{message}");
+    let (code, message) = refused("model.wear.poisson_ratio=0.2,0.3");
+    assert_eq!(code, Some(65));
+    assert!(message.contains("model.wear.poisson_ratio: found `0.3`, expected more than -1 and at most 1/4"), "{message}");
+    assert_eq!(refused("seed=1..x"), (Some(2), "`seed=1..x`: a range without `:COUNT` goes over whole numbers\n".into()));
+    assert_eq!(refused("title.x=1"), (Some(2), "`title.x`: there is no such key\n".into()));
+}
+
+#[test]
+fn inspect_finds_what_differs_between_two_runs() {
+    let place = tempfile::tempdir().unwrap();
+    for (name, threads) in [("one", "1"), ("two", "2")] {
+        let run = veridem(place.path(), &["run", &case("junction"), "--name", name, "--threads", threads]);
+        assert!(run.status.success(), "{}", text(&run.stderr));
+    }
+    let same = veridem(place.path(), &["inspect", "--diff", "run/one", "run/two"]);
+    assert_eq!((same.status.code(), &*text(&same.stdout)), (Some(0), "identical\n"));
+
+    let series = place.path().join("run/two/series.csv");
+    let changed = std::fs::read_to_string(&series).unwrap().replacen(",24,24,18,", ",24,24,18.5,", 1);
+    std::fs::write(&series, changed).unwrap();
+    let differ = veridem(place.path(), &["inspect", "--diff", "run/one", "run/two"]);
+    assert_eq!(differ.status.code(), Some(4));
+    assert_eq!(text(&differ.stdout), "side z [nm]: differs from row 1 on, by up to 5e-1 of 1.85e1\n");
+    assert_eq!(text(&differ.stderr), "run/one and run/two differ\n");
+
+    let summary = text(&veridem(place.path(), &["inspect", "run/one"]).stdout);
+    assert!(summary.starts_with("A small junction, coarse and short\nFinished, "), "{summary}");
+    assert!(summary.contains("\nfate of the junction"), "{summary}");
+}
+
+#[test]
+fn json_goes_to_standard_output_and_messages_to_standard_error() {
+    let place = tempfile::tempdir().unwrap();
+    let run = Command::new(env!("CARGO_BIN_EXE_veridem"))
+        .current_dir(place.path())
+        .args(["run", "--json", &case("patch-hcp")])
+        .output()
+        .unwrap();
+    let json: serde_json::Value = serde_json::from_slice(&run.stdout).unwrap();
+    assert_eq!(json["results"][0]["name"], "Young's modulus");
+    assert!(text(&run.stderr).ends_with("finished: run/patch-hcp/report.html\n"));
+    let manifest: serde_json::Value =
+        serde_json::from_slice(&std::fs::read(place.path().join("run/patch-hcp/manifest.json")).unwrap()).unwrap();
+    assert_eq!(manifest["status"], "finished");
+    assert_eq!(manifest["inputs"].as_object().unwrap().len(), 1);
+    assert!(manifest["outputs"].as_object().unwrap().contains_key("series.csv"));
+}
+
+#[test]
+fn a_signal_stops_a_run_at_a_checkpoint() {
+    let place = tempfile::tempdir().unwrap();
+    let long = std::fs::read_to_string(case("junction")).unwrap().replace("duration: 600 steps", "duration: 1 ns");
+    std::fs::write(place.path().join("long.yaml"), long).unwrap();
+    let mut run = Command::new(env!("CARGO_BIN_EXE_veridem"))
+        .current_dir(place.path())
+        .args(["--quiet", "run", "long.yaml"])
+        .stderr(Stdio::piped())
+        .stdout(Stdio::null())
+        .spawn()
+        .unwrap();
+    let series = place.path().join("run/long/series.csv");
+    let begun = Instant::now();
+    while !series.exists() && begun.elapsed() < Duration::from_secs(60) {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    assert!(Command::new("kill").args(["-TERM", &run.id().to_string()]).status().unwrap().success());
+    assert_eq!(run.wait().unwrap().code(), Some(75));
+    let manifest = std::fs::read_to_string(place.path().join("run/long/manifest.json")).unwrap();
+    assert!(manifest.contains("\"status\": \"stopped\""));
+    let resumed = veridem(place.path(), &["resume", "run/long", "--stop-after-steps", "10"]);
+    assert_eq!(text(&resumed.stderr), "stopped; go on with `veridem resume run/long`\n");
+}
+
+#[test]
+fn completions_know_the_subcommands() {
+    let script = text(&veridem(Path::new("."), &["completions", "bash"]).stdout);
+    for command in ["run", "resume", "check", "sweep", "inspect", "schema", "completions"] {
+        assert!(script.contains(&format!("veridem__subcmd__{command}")), "{command}");
+    }
+}

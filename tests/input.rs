@@ -1,0 +1,126 @@
+//! Does every wrong input get the error that helps, and every good one pass?
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn veridem_in(folder: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_veridem")).current_dir(folder).args(arguments).output().unwrap()
+}
+
+fn cases(kind: &str) -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases").join(kind);
+    let mut found: Vec<PathBuf> = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    found.sort();
+    assert!(!found.is_empty());
+    found
+}
+
+/// What stands at the end of a bad case, after `# expected:`.
+fn expected(text: &str) -> String {
+    let (_, lines) = text.split_once("# expected:\n").expect("a bad case ends with its error");
+    lines.lines().map(|line| format!("{}\n", line.strip_prefix("# ").unwrap())).collect()
+}
+
+#[test]
+fn every_bad_case_gets_the_error_written_in_it() {
+    for case in cases("bad") {
+        let folder = case.parent().unwrap();
+        let name = case.file_name().unwrap().to_str().unwrap();
+        for command in ["check", "run"] {
+            let output = veridem_in(folder, &[command, name]);
+            assert_eq!(String::from_utf8_lossy(&output.stderr), expected(&std::fs::read_to_string(&case).unwrap()), "{name}");
+            assert_eq!(output.status.code(), Some(65), "{name}");
+            assert!(output.stdout.is_empty(), "{name}");
+        }
+        assert!(!folder.join("run").exists(), "{name}: nothing is written for a bad case");
+    }
+}
+
+#[test]
+fn every_good_case_passes_and_is_resolved_with_its_time_step() {
+    for case in cases("good") {
+        let output = veridem_in(case.parent().unwrap(), &["check", case.to_str().unwrap()]);
+        assert_eq!(String::from_utf8_lossy(&output.stderr), "", "{}", case.display());
+        let resolved: serde_yaml::Value = serde_yaml::from_slice(&output.stdout).unwrap();
+        let limit = resolved["derived"]["largest stable time step"].as_str().unwrap();
+        assert!(limit.ends_with(" fs"), "{limit}");
+    }
+}
+
+#[test]
+fn what_cannot_be_read_is_named() {
+    let place = tempfile::tempdir().unwrap();
+    let check = |name: &str| veridem_in(place.path(), &["check", name]);
+    let missing = check("missing.yaml");
+    assert_eq!(missing.status.code(), Some(66));
+    let text = String::from_utf8_lossy(&missing.stderr).to_string();
+    assert_eq!(text, "missing.yaml: cannot be read: No such file or directory (os error 2)\n");
+
+    std::fs::write(place.path().join("latin.yaml"), b"title: \xe4\n").unwrap();
+    let unreadable = check("latin.yaml");
+    assert_eq!(unreadable.status.code(), Some(66));
+    let text = String::from_utf8_lossy(&unreadable.stderr).to_string();
+    assert_eq!(text, "latin.yaml: cannot be read: stream did not contain valid UTF-8\n");
+
+    let folder = check(".");
+    assert_eq!(folder.status.code(), Some(66));
+    assert_eq!(String::from_utf8_lossy(&folder.stderr), ".: cannot be read: Is a directory (os error 21)\n");
+}
+
+#[test]
+fn a_wrong_command_line_ends_with_two() {
+    let here = Path::new(".");
+    for arguments in [&["walk"][..], &["run"], &["run", "a.yaml", "--threads", "0"], &["inspect"], &["sweep", "a.yaml"]] {
+        assert_eq!(veridem_in(here, arguments).status.code(), Some(2), "{arguments:?}");
+    }
+}
+
+#[test]
+fn a_saved_sample_is_used_only_for_the_case_it_was_made_for() {
+    let place = tempfile::tempdir().unwrap();
+    let good = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases/good/junction.yaml")).unwrap();
+    let write = |name: &str, text: String| std::fs::write(place.path().join(name), text).unwrap();
+    let with = |line: &str| good.replace("    largest:", &format!("    {line}\n    largest:"));
+    write("make.yaml", with("save: silica.sample"));
+    write("use.yaml", with("load: silica.sample"));
+    write("other.yaml", with("load: silica.sample").replace("largest: 4.5 nm", "largest: 4.6 nm"));
+    let run = |name: &str| veridem_in(place.path(), &["--quiet", "run", name]);
+
+    let early = run("use.yaml");
+    assert_eq!(early.status.code(), Some(66));
+    let text = String::from_utf8_lossy(&early.stderr).to_string();
+    assert_eq!(text, "silica.sample: cannot be read: No such file or directory (os error 2)\n");
+    assert!(run("make.yaml").status.success());
+    assert!(run("use.yaml").status.success());
+    let results = |name: &str| std::fs::read_to_string(place.path().join("run").join(name).join("results.yaml")).unwrap();
+    let fate = |name: &str| results(name).split_once("fate").unwrap().1.to_string();
+    assert_eq!(fate("make"), fate("use"));
+    let other = run("other.yaml");
+    assert_eq!(other.status.code(), Some(65));
+    let text = String::from_utf8_lossy(&other.stderr).to_string();
+    assert_eq!(text, "silica.sample: was made with another model, sample or seed\n");
+}
+
+/// A limit on the size of files stands for a full disk: writing fails in the same way, at a place that can be chosen.
+#[test]
+fn a_full_disk_is_named_and_leaves_the_last_checkpoint_valid() {
+    let place = tempfile::tempdir().unwrap();
+    let case = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases/good/junction.yaml");
+    let run = |arguments: &[&str]| veridem_in(place.path(), &[&["--quiet", "run", case.to_str().unwrap()], arguments].concat());
+    assert_eq!(run(&["--name", "probe", "--stop-after-steps", "170"]).status.code(), Some(75));
+    let first = place.path().join("run/probe/checkpoints/000000000170.checkpoint");
+    // In units of 1024 bytes: the first checkpoint fits, the second, which holds the sample too, does not.
+    let blocks = first.metadata().unwrap().len() / 1024 + 1;
+    let veridem = env!("CARGO_BIN_EXE_veridem");
+    let script = format!("trap '' XFSZ; ulimit -f {blocks}; exec {veridem} --quiet run {}", case.display());
+    let full = Command::new("bash").current_dir(place.path()).args(["-c", &script]).output().unwrap();
+    let text = String::from_utf8_lossy(&full.stderr).to_string();
+    assert_eq!(text, "run/junction/checkpoints/000000000415.checkpoint: File too large (os error 27)\n");
+    assert_eq!(full.status.code(), Some(74));
+
+    let resumed = veridem_in(place.path(), &["--quiet", "resume", "run/junction"]);
+    assert!(resumed.status.success(), "{}", String::from_utf8_lossy(&resumed.stderr));
+    assert!(run(&["--name", "whole"]).status.success());
+    let same = veridem_in(place.path(), &["inspect", "--diff", "run/junction", "run/whole"]);
+    assert_eq!(String::from_utf8_lossy(&same.stdout), "identical\n");
+}

@@ -1,0 +1,116 @@
+//! Is a run that was stopped and resumed the same, byte for byte, as one that was not?
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn veridem(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_veridem")).arg("--quiet").args(arguments).output().unwrap()
+}
+
+fn case(name: &str) -> String {
+    format!("{}/tests/cases/good/{name}.yaml", env!("CARGO_MANIFEST_DIR"))
+}
+
+/// Every file of a run folder but the manifest, which tells the runs' histories.
+fn files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
+    let mut found = BTreeMap::new();
+    let mut folders = vec![folder.to_path_buf()];
+    while let Some(next) = folders.pop() {
+        for entry in std::fs::read_dir(&next).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.file_name().unwrap() != "manifest.json" {
+                found.insert(path.strip_prefix(folder).unwrap().to_path_buf(), std::fs::read(&path).unwrap());
+            }
+        }
+    }
+    found
+}
+
+fn assert_same(a: &Path, b: &Path, when: &str) {
+    let (a, b) = (files(a), files(b));
+    assert_eq!(a.keys().collect::<Vec<_>>(), b.keys().collect::<Vec<_>>(), "{when}");
+    for (path, bytes) in &a {
+        assert!(*bytes == b[path], "{} differs: {when}", path.display());
+    }
+}
+
+/// Runs a case without a break, and again with a stop after each of the given numbers of steps.
+fn survives_stops(name: &str, stops: &[u64]) {
+    let place = tempfile::tempdir().unwrap();
+    let out = place.path().display().to_string();
+    assert!(veridem(&["run", &case(name), "--out", &out, "--name", "whole"]).status.success());
+    let whole = place.path().join("whole");
+    for stop in stops {
+        let parts = place.path().join("parts").display().to_string();
+        let arguments = ["run", &case(name), "--out", &out, "--name", "parts", "--force", "--stop-after-steps"];
+        let stopped = veridem(&[&arguments[..], &[&stop.to_string()]].concat());
+        assert_eq!(stopped.status.code(), Some(75), "{}", String::from_utf8_lossy(&stopped.stderr));
+        assert_eq!(String::from_utf8_lossy(&stopped.stderr), format!("stopped; go on with `veridem resume {parts}`\n"));
+        let again = veridem(&["resume", &parts, "--stop-after-steps", "7"]);
+        assert_eq!(again.status.code(), Some(75), "{}", String::from_utf8_lossy(&again.stderr));
+        let resumed = veridem(&["resume", &parts]);
+        assert!(resumed.status.success(), "{}", String::from_utf8_lossy(&resumed.stderr));
+        assert_same(&whole, Path::new(&parts), &format!("stopped after {stop} steps"));
+    }
+}
+
+#[test]
+fn a_junction_goes_on_with_the_same_bits_wherever_it_is_stopped() {
+    // In each stage, at the first step of a stage, at and beside a checkpoint, near the end.
+    survives_stops("junction", &[0, 1, 200, 201, 230, 414, 415, 416, 830]);
+}
+
+#[test]
+fn patch_tests_go_on_with_the_same_bits_wherever_they_are_stopped() {
+    survives_stops("patch-hcp", &[130, 299, 300, 700]);
+}
+
+#[test]
+fn a_run_stopped_by_time_can_be_resumed() {
+    let place = tempfile::tempdir().unwrap();
+    let out = place.path().display().to_string();
+    let stopped = veridem(&["run", &case("junction"), "--out", &out, "--max-time", "0"]);
+    assert_eq!(stopped.status.code(), Some(75));
+    let resumed = veridem(&["resume", &place.path().join("junction").display().to_string()]);
+    assert!(resumed.status.success(), "{}", String::from_utf8_lossy(&resumed.stderr));
+}
+
+#[test]
+fn a_killed_run_goes_on_from_its_last_checkpoint() {
+    let place = tempfile::tempdir().unwrap();
+    let out = place.path().display().to_string();
+    for name in ["whole", "killed"] {
+        assert!(veridem(&["run", &case("junction"), "--out", &out, "--name", name]).status.success());
+    }
+    let (whole, killed) = (place.path().join("whole"), place.path().join("killed"));
+    // As if the process had vanished some time after its last checkpoint.
+    std::fs::remove_file(killed.join("results.yaml")).unwrap();
+    let manifest = std::fs::read_to_string(killed.join("manifest.json")).unwrap();
+    std::fs::write(killed.join("manifest.json"), manifest.replacen("finished", "running", 1)).unwrap();
+    let series = killed.join("series.csv");
+    let half_a_row = std::fs::read_to_string(&series).unwrap() + "shearing,99";
+    std::fs::write(&series, half_a_row).unwrap();
+    let resumed = veridem(&["resume", &killed.display().to_string()]);
+    assert!(resumed.status.success(), "{}", String::from_utf8_lossy(&resumed.stderr));
+    assert_same(&whole, &killed, "killed");
+}
+
+#[test]
+fn a_finished_run_is_not_resumed_and_not_overwritten() {
+    let place = tempfile::tempdir().unwrap();
+    let out = place.path().display().to_string();
+    let root = place.path().join("patch-hcp").display().to_string();
+    assert!(veridem(&["run", &case("patch-hcp"), "--out", &out]).status.success());
+    let again = veridem(&["run", &case("patch-hcp"), "--out", &out]);
+    assert_eq!(again.status.code(), Some(2));
+    assert_eq!(
+        String::from_utf8_lossy(&again.stderr),
+        format!("{root}: exists already; use --force to replace it, or --name for another\n")
+    );
+    let resumed = veridem(&["resume", &root]);
+    assert_eq!(resumed.status.code(), Some(2));
+    assert_eq!(String::from_utf8_lossy(&resumed.stderr), format!("{root}: has finished; there is nothing to resume\n"));
+}
