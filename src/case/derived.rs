@@ -7,12 +7,13 @@ use crate::spec::wear::eq06_critical_time_step::critical_time_step;
 use crate::spec::wear::eq18_critical_diameter::critical_diameter;
 use crate::spec::wear::eq19_minimum_diameter::minimum_diameter;
 use crate::spec::wear::eq21_critical_damping::critical_damping;
+use crate::spec::wear::eq22_critical_length::{critical_length, shear_modulus};
 use crate::spec::{PairModel, wear};
 use serde_yaml::{Mapping, Value};
 
 impl Material {
     /// The material in engine units.
-    pub fn spec(&self) -> wear::Material<f64> {
+    pub fn spec(&self) -> wear::Material {
         wear::Material {
             young_modulus: self.young_modulus.value,
             poisson_ratio: self.poisson_ratio,
@@ -155,7 +156,8 @@ impl Case {
     fn derived(&self) -> Mapping {
         let (scales, material) = (Scales::of(self), self.material().spec());
         let Critical { dt, damping, limit } = Critical::of_case(self);
-        let wear::Material { surface_energy, tensile_strength, .. } = material;
+        let wear::Material { young_modulus, poisson_ratio, tensile_strength, shear_strength, surface_energy, .. } = material;
+        let d_star = critical_length(surface_energy, shear_modulus(young_modulus, poisson_ratio), shear_strength);
         let r = 0.5 * scales.d_0;
         let mass = |d: f64| sphere_mass(self.material().density.value, 0.5 * d);
         let law = self.material().law(wear::Interaction::Full);
@@ -164,6 +166,7 @@ impl Case {
         let mut rows = vec![
             ("critical diameter d_c", in_unit(scales.d_c, "nm")),
             ("least diameter d_min", in_unit(minimum_diameter(surface_energy, tensile_strength), "nm")),
+            ("critical junction d*", in_unit(d_star, "nm")),
             ("most frequent diameter d_0", in_unit(scales.d_0, "nm")),
             ("smallest diameter d_s", in_unit(scales.d_s, "nm")),
             ("largest diameter d_l", in_unit(scales.d_l, "nm")),
