@@ -1,0 +1,46 @@
+"""What a whole process costs."""
+
+import os
+import subprocess
+import time
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+HOME = ROOT / "target" / "peers"
+PARTICLE_STEPS = 12_000_000  # of one measurement: a few seconds
+
+
+def run(command, threads):
+    """User CPU seconds, wall-clock seconds, and largest memory in kB."""
+    environment = os.environ | {"OMP_NUM_THREADS": str(threads), "LD_LIBRARY_PATH": str(HOME / "lib")}
+    begin = time.perf_counter()
+    process = subprocess.Popen([str(word) for word in command], env=environment)
+    _, status, usage = os.wait4(process.pid, 0)
+    if status != 0:
+        raise SystemExit(f"failed: {command}")
+    return usage.ru_utime, time.perf_counter() - begin, usage.ru_maxrss
+
+
+def per_particle_step(command, threads, cells):
+    """CPU and wall-clock seconds per particle and step, from the difference of a long and a short run."""
+    particles = count(cells)
+    long = max(PARTICLE_STEPS // particles, 20)
+    short = long // 10
+    (cpu_a, wall_a, _), (cpu_b, wall_b, _) = run(command(cells, short), threads), run(command(cells, long), threads)
+    return [(b - a) / (particles * (long - short)) for a, b in ((cpu_a, cpu_b), (wall_a, wall_b))]
+
+
+def count(cells):
+    """Spheres in a crystal of orthogonal hexagonal cells."""
+    return 4 * cells[0] * cells[1] * cells[2]
+
+
+def engine(threads):
+    """The command that makes the engine advance a crystal by a number of steps."""
+    binary = ROOT / "target" / "release" / "examples" / "hcp_steps"
+    return lambda cells, steps: [binary, *cells, steps, threads]
+
+
+def build_engine():
+    """Compiles that command."""
+    subprocess.run(["cargo", "build", "--release", "--example", "hcp_steps"], check=True, cwd=ROOT)
