@@ -1,0 +1,45 @@
+//! A whole step of the engine, per instruction set and number of threads, and building its neighbour list.
+
+#[path = "peers/crystal.rs"]
+mod crystal;
+
+use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
+use std::time::Duration;
+use veridem::forces::Instructions;
+
+const CRYSTALS: [[usize; 3]; 2] = [[18, 12, 7], [29, 17, 26]];
+
+fn step(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("step");
+    for cells in CRYSTALS {
+        let particles = 4 * cells.iter().product::<usize>();
+        group.throughput(Throughput::Elements(particles as u64));
+        for threads in [1, 2] {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a thread pool");
+            for instructions in Instructions::available() {
+                let mut simulation = pool.install(|| crystal::simulation(cells, instructions)).expect("a stable crystal");
+                let name = format!("{particles} spheres, {threads} threads, {instructions:?}");
+                group.bench_function(name, |b| pool.install(|| b.iter(|| simulation.step().expect("a stable crystal"))));
+            }
+        }
+    }
+    group.finish();
+}
+
+fn list(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("build the crystal and its neighbour list");
+    for cells in CRYSTALS {
+        let particles = 4 * cells.iter().product::<usize>();
+        group.throughput(Throughput::Elements(particles as u64));
+        let build = || crystal::simulation(cells, Instructions::best()).expect("a stable crystal");
+        group.bench_function(format!("{particles} spheres"), |b| b.iter_batched(|| (), |()| build(), BatchSize::PerIteration));
+    }
+    group.finish();
+}
+
+criterion_group! {
+    name = all;
+    config = Criterion::default().sample_size(20).warm_up_time(Duration::from_secs(1)).measurement_time(Duration::from_secs(3));
+    targets = step, list
+}
+criterion_main!(all);

@@ -1,0 +1,51 @@
+//! The crystal that all measurements share: touching silica spheres under the wear law, twelve neighbours each.
+
+use veridem::build::hcp;
+use veridem::forces::Instructions;
+use veridem::simulation::{Settings, Simulation};
+use veridem::spec::wear::law::{Interaction, Material, Wear};
+use veridem::system::{Halt, System};
+
+/// Diameter of the spheres, nm.
+const DIAMETER: f64 = 6.0;
+
+/// Silica, in MPa and mJ/m².
+fn silica() -> Wear {
+    let material = Material {
+        young_modulus: 73e3,
+        poisson_ratio: 0.17,
+        tensile_strength: 16e3,
+        shear_strength: 11e3,
+        surface_energy: 1500.0,
+        restitution: 0.95,
+        scaling: 0.5,
+    };
+    Wear { material, interaction: Interaction::Full }
+}
+
+/// Spheres at 0.99 of a diameter from each other, moving a little.
+fn crystal(cells: [usize; 3]) -> System {
+    let mut system = hcp(DIAMETER, cells, 2.2e-3);
+    let mut noise = (1..).map(|k: u64| (k.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 11) as f64 / (1u64 << 53) as f64 - 0.5);
+    for side in &mut system.domain.sides {
+        *side *= 0.99;
+    }
+    for (x, v) in system.particles.x.iter_mut().zip(&mut system.particles.v) {
+        *x = *x * 0.99;
+        v.0.fill_with(|| 1e-3 * noise.next().unwrap_or(0.0));
+    }
+    system
+}
+
+/// The crystal of so many orthogonal cells of four spheres, ready to run.
+pub fn simulation(cells: [usize; 3], instructions: Instructions) -> Result<Simulation<Wear>, Halt> {
+    let settings = Settings {
+        dt: 1e-4,
+        damping: 0.0,
+        skin: 0.1 * DIAMETER,
+        max_overlap: f64::INFINITY,
+        relax_box: None,
+        instructions,
+    };
+    Simulation::new(silica(), crystal(cells), settings)
+}

@@ -1,0 +1,20 @@
+//! Advances a periodic HCP crystal: what `lammps.py` sets against LAMMPS.
+//!
+//!     cargo run --release --example hcp_steps -- CELLS_X CELLS_Y CELLS_Z STEPS THREADS
+
+mod crystal;
+
+use veridem::forces::Instructions;
+use veridem::system::Halt;
+
+fn main() -> Result<(), Halt> {
+    let numbers: Vec<usize> = std::env::args().skip(1).map(|word| word.parse().expect("whole numbers")).collect();
+    let [x, y, z, steps, threads] = numbers[..] else { panic!("expected CELLS_X CELLS_Y CELLS_Z STEPS THREADS") };
+    rayon::ThreadPoolBuilder::new().num_threads(threads).build_global().expect("the first thread pool");
+    let mut simulation = crystal::simulation([x, y, z], Instructions::best())?;
+    assert_eq!(simulation.pairs().count(), 24 * x * y * z, "every sphere has twelve neighbours");
+    for _ in 0..steps {
+        simulation.step()?;
+    }
+    Ok(())
+}
