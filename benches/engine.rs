@@ -17,9 +17,11 @@ fn step(criterion: &mut Criterion) {
         for threads in [1, 2] {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a thread pool");
             for instructions in Instructions::available() {
-                let mut simulation = pool.install(|| crystal::simulation(cells, instructions)).expect("a stable crystal");
+                let mut simulation =
+                    pool.install(|| crystal::simulation(cells, instructions)).expect("a stable crystal");
                 let name = format!("{particles} spheres, {threads} threads, {instructions:?}");
-                group.bench_function(name, |b| pool.install(|| b.iter(|| simulation.step().expect("a stable crystal"))));
+                group
+                    .bench_function(name, |b| pool.install(|| b.iter(|| simulation.step().expect("a stable crystal"))));
             }
         }
     }
@@ -32,7 +34,9 @@ fn list(criterion: &mut Criterion) {
         let particles = 4 * cells.iter().product::<usize>();
         group.throughput(Throughput::Elements(particles as u64));
         let build = || crystal::simulation(cells, Instructions::best()).expect("a stable crystal");
-        group.bench_function(format!("{particles} spheres"), |b| b.iter_batched(|| (), |()| build(), BatchSize::PerIteration));
+        group.bench_function(format!("{particles} spheres"), |b| {
+            b.iter_batched(|| (), |()| build(), BatchSize::PerIteration)
+        });
     }
     group.finish();
 }

@@ -26,7 +26,8 @@ fn silica() -> Wear {
 /// Spheres at 0.99 of a diameter from each other, moving a little.
 fn crystal(cells: [usize; 3]) -> System {
     let mut system = hcp(DIAMETER, cells, 2.2e-3);
-    let mut noise = (1..).map(|k: u64| (k.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 11) as f64 / (1u64 << 53) as f64 - 0.5);
+    let mut noise =
+        (1..).map(|k: u64| (k.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 11) as f64 / (1u64 << 53) as f64 - 0.5);
     for side in &mut system.domain.sides {
         *side *= 0.99;
     }

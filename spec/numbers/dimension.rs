@@ -199,7 +199,7 @@ impl BitAnd for Compared {
 impl BitOr for Compared {
     type Output = Self;
     fn bitor(self, other: Self) -> Self {
-        self & other
+        self.bitand(other)
     }
 }
 impl Not for Compared {

@@ -259,6 +259,9 @@ mod laws {
         }
     }
 
+    /// One function over three numbers.
+    type Function = (fn(Interval) -> Interval, fn(f64) -> f64, fn(Reference) -> Reference);
+
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(2000))]
 
@@ -274,7 +277,7 @@ mod laws {
         #[test]
         fn it_contains_every_transcendental_function(a in intervals(30.0), s in 0.0..=1.0) {
             let x = one_of(a, s);
-            let functions: [(fn(Interval) -> Interval, fn(f64) -> f64, fn(Reference) -> Reference); 5] = [
+            let functions: [Function; 5] = [
                 (Real::exp, Real::exp, Real::exp),
                 (Real::sin, Real::sin, Real::sin),
                 (Real::cos, Real::cos, Real::cos),
