@@ -87,7 +87,7 @@ pub fn number_and_unit(text: &str) -> Option<(&str, &str)> {
     let text = text.trim();
     text.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)).then_some(())?;
     let ends = text.char_indices().map(|(at, _)| at).chain([text.len()]);
-    let end = ends.filter(|&end| text[..end].parse::<f64>().is_ok_and(f64::is_finite)).last()?;
+    let end = ends.rev().find(|&end| text[..end].parse::<f64>().is_ok_and(f64::is_finite))?;
     Some((&text[..end], text[end..].trim()))
 }
 

@@ -52,7 +52,7 @@ mod tests {
             let n = 24;
             let links: Vec<(usize, usize)> = pairs.iter().map(|&(i, j)| (usize::from(i) % n, usize::from(j) % n)).collect();
             let mut reach = vec![vec![false; n]; n];
-            for i in 0..n { reach[i][i] = true; }
+            for (i, from_i) in reach.iter_mut().enumerate() { from_i[i] = true; }
             for &(i, j) in &links { reach[i][j] = true; reach[j][i] = true; }
             for k in 0..n { for i in 0..n { for j in 0..n { reach[i][j] |= reach[i][k] && reach[k][j]; } } }
             let mut clusters = Clusters::new(n, links);

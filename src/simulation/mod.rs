@@ -206,8 +206,9 @@ impl<M: PairModel> Simulation<M> {
         let strain =
             (0..3).map(|a| (self.system.domain.sides[a] / self.listed.sides[a] - 1.0).abs()).fold(0.0, f64::max);
         let deformed = strain * (self.model.range(largest, largest) + self.settings.skin);
-        // Written so that a NaN is stale too.
-        !(moved.approach() + deformed < self.settings.skin)
+        #[expect(clippy::neg_cmp_op_on_partial_ord, reason = "a NaN is stale too")]
+        let stale = !(moved.approach() + deformed < self.settings.skin);
+        stale
     }
 
     fn list_neighbours(&mut self) -> Result<(), Halt> {

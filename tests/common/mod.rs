@@ -1,5 +1,7 @@
 //! Small systems for the tests of the engine.
 
+#![allow(dead_code, reason = "every test is a program that uses its own part")]
+
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 use veridem::forces::Instructions;
