@@ -68,7 +68,7 @@ proptest! {
             let c = Contact::new(
                 vector(&|gap| of(gap).0), vector(&|gap| of(gap).1), vector(&|gap| of(gap).2), vector(&|_| omega), Lanes([45.0; 8]), Lanes([35.0; 8]),
             );
-            let lanes = law.pair(&c, &Parameters::from_fn(|n| Lanes([k.get(n); 8])), vector(&|_| spring), Lanes([0.1; 8]));
+            let lanes = law.pair(&c, &Parameters::from_fn(|n| Lanes([*k.at(n); 8])), vector(&|_| spring), Lanes([0.1; 8]));
             for (lane, &gap) in gaps.iter().enumerate() {
                 let (x, v, omega_i) = of(gap);
                 let one = law.pair(&Contact::new(x, v, omega_i, omega, 45.0, 35.0), &k, spring, 0.1);
