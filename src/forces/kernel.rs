@@ -11,8 +11,8 @@ type Row = Lanes<LANES>;
 /// Rows that are gathered before they are evaluated: what is stored number by number is then ready to be read row by row.
 const BATCH: usize = 8;
 
-/// Force (pN) and torque (pN nm) on a sphere, end to end; the last two are always zero, so that a load is one vector.
-pub type Load = [f64; LANES];
+/// Force (pN) and torque (pN nm) on a sphere, end to end.
+pub type Load = [f64; 6];
 
 /// Sums over pairs.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,7 +48,8 @@ impl Totals {
 /// What a core needs to work on a block: the spheres (position, velocity, angular velocity, radius) and their loads.
 pub struct Bench {
     spheres: Box<[[f64; 10]; CAPACITY]>,
-    loads: Box<[Load; CAPACITY]>,
+    /// Padded with two zeros, so that a load is one vector.
+    loads: Box<[[f64; LANES]; CAPACITY]>,
 }
 
 impl Default for Bench {
@@ -95,7 +96,8 @@ pub fn evaluate<M: PairModel>(
         bench.lay_out(block, particles, domain);
         let totals = dispatch(model, instructions, &mut block.pairs, bench, max_overlap, dt);
         loads.clear();
-        loads.extend_from_slice(&bench.loads[..block.own.len() + block.halo.len()]);
+        let members = &bench.loads[..block.own.len() + block.halo.len()];
+        loads.extend(members.iter().map(|&[x, y, z, a, b, c, ..]| [x, y, z, a, b, c]));
         totals
     })
 }
@@ -153,7 +155,7 @@ macro_rules! pair_loop {
 
             $(#[target_feature(enable = $features)])?
             #[inline(never)]
-            fn scatter(loads: &mut [Load; CAPACITY], i: &[u16; LANES], j: &[u16; LANES], given: &Given) {
+            fn scatter(loads: &mut [[f64; LANES]; CAPACITY], i: &[u16; LANES], j: &[u16; LANES], given: &Given) {
                 super::scatter(loads, i, j, given);
             }
 
@@ -247,7 +249,7 @@ fn act<M: PairModel>(
 
 /// Adds forces and torques to the loads on the spheres, one after the other.
 #[inline(always)]
-fn scatter(loads: &mut [Load; CAPACITY], i: &[u16; LANES], j: &[u16; LANES], given: &Given) {
+fn scatter(loads: &mut [[f64; LANES]; CAPACITY], i: &[u16; LANES], j: &[u16; LANES], given: &Given) {
     let [x, y, z, a, b, c, d, e, f] = given.map(|row| row.0);
     let zero = [0.0; LANES];
     let on_i = transposed([x, y, z, a, b, c, zero, zero]);

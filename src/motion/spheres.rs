@@ -3,6 +3,7 @@
 use crate::forces::{Block, Load};
 use crate::spec::wear::def_sphere::moment_of_inertia;
 use crate::spec::wear::eq01_symplectic_euler::symplectic_euler;
+use crate::spec::wear::eq21_critical_damping::global_damping;
 use crate::spec::{PairModel, Vec3};
 use crate::system::{Particles, Wall};
 
@@ -25,8 +26,8 @@ pub struct Spheres<'a> {
     pub mass: &'a [f64],
     /// Walls they belong to.
     pub wall: &'a [u32],
-    /// Centres when the neighbour list was built, moved with the box since.
-    pub reference: &'a mut [Vec3<f64>],
+    /// Centres when the neighbour list was built.
+    pub listed: &'a [Vec3<f64>],
 }
 
 impl<'a> Spheres<'a> {
@@ -38,7 +39,7 @@ impl<'a> Spheres<'a> {
         let (radius, other_radius) = self.radius.split_at(count);
         let (mass, other_mass) = self.mass.split_at(count);
         let (wall, other_wall) = self.wall.split_at(count);
-        let (reference, other_reference) = self.reference.split_at_mut(count);
+        let (listed, other_listed) = self.listed.split_at(count);
         let rest = Self {
             x: other_x,
             v: other_v,
@@ -46,9 +47,9 @@ impl<'a> Spheres<'a> {
             radius: other_radius,
             mass: other_mass,
             wall: other_wall,
-            reference: other_reference,
+            listed: other_listed,
         };
-        (Self { x, v, w, radius, mass, wall, reference }, rest)
+        (Self { x, v, w, radius, mass, wall, listed }, rest)
     }
 }
 
@@ -62,6 +63,8 @@ pub struct Step<'a> {
     pub walls: &'a [Wall],
     /// Factors by which the box grows.
     pub growth: [f64; 3],
+    /// Factors by which it will have grown since the neighbour list was built.
+    pub stretch: [f64; 3],
 }
 
 /// What happened to the spheres of a block in one step.
@@ -136,8 +139,8 @@ pub fn advance<M: PairModel>(
         let (m, x, v, w) = (spheres.mass[p], spheres.x[p], spheres.v[p], spheres.w[p]);
         let (x, v, w) = if spheres.wall[p] == 0 {
             let i = moment_of_inertia(m, spheres.radius[p]);
-            let [fx, fy, fz, tx, ty, tz, ..] = load;
-            let (force, torque) = (Vec3([fx, fy, fz]) + v * -damping, Vec3([tx, ty, tz]));
+            let [fx, fy, fz, tx, ty, tz] = load;
+            let (force, torque) = (Vec3([fx, fy, fz]) + global_damping(damping, v), Vec3([tx, ty, tz]));
             let (after, x, spin) = symplectic_euler(x, v, w, force, torque, m, i, dt);
             moved.kinetic += 0.5 * (m * after.dot(after) + i * spin.dot(spin));
             moved.drag += damping * v.dot(v) * dt;
@@ -151,12 +154,12 @@ pub fn advance<M: PairModel>(
             (x + v * dt, v, Vec3::zero())
         };
         let x = Vec3(std::array::from_fn(|a| x.0[a] * step.growth[a]));
-        let reference = Vec3(std::array::from_fn(|a| spheres.reference[p].0[a] * step.growth[a]));
+        let listed = Vec3(std::array::from_fn(|a| spheres.listed[p].0[a] * step.stretch[a]));
         for a in 0..3 {
-            moved.least[a] = moved.least[a].min(x.0[a] - reference.0[a]);
-            moved.most[a] = moved.most[a].max(x.0[a] - reference.0[a]);
+            moved.least[a] = moved.least[a].min(x.0[a] - listed.0[a]);
+            moved.most[a] = moved.most[a].max(x.0[a] - listed.0[a]);
         }
-        (spheres.x[p], spheres.v[p], spheres.w[p], spheres.reference[p]) = (x, v, w, reference);
+        (spheres.x[p], spheres.v[p], spheres.w[p]) = (x, v, w);
     }
     moved
 }

@@ -28,21 +28,18 @@ pub fn drive(walls: &mut [Wall], forces: &[Vec3<f64>], dt: f64) -> WallWork {
     let mut work = WallWork::default();
     for (wall, &force) in walls.iter_mut().zip(forces) {
         wall.force = force;
+        let mut total = Vec3::zero();
         for a in 0..3 {
-            let v = wall.velocity.0[a];
             match wall.motion[a] {
-                Motion::Velocity(prescribed) => {
-                    wall.velocity.0[a] = prescribed;
-                    work.prescribed -= force.0[a] * v * dt;
-                }
+                Motion::Velocity(v) => work.prescribed -= force.0[a] * v * dt,
                 Motion::Load(load) => {
-                    let total = force.0[a] + load;
-                    wall.velocity.0[a] += kick(Vec3::zero(), Vec3::new(total, 0.0, 0.0), wall.mass, dt).0[0];
-                    work.load += load * v * dt;
-                    work.scheme += 0.5 * total * total / wall.mass * dt * dt;
+                    total.0[a] = force.0[a] + load;
+                    work.load += load * wall.velocity.0[a] * dt;
                 }
             }
         }
+        wall.velocity = kick(wall.velocity, total, wall.mass, dt);
+        work.scheme += 0.5 * total.dot(total) / wall.mass * dt * dt;
         work.kinetic += kinetic_energy(wall);
     }
     work

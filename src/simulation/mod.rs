@@ -40,9 +40,7 @@ pub struct Simulation<M: PairModel> {
     system: System,
     blocks: Vec<Block<M>>,
     loads: Vec<Vec<Load>>,
-    /// Where the spheres were when the neighbour list was built, moved with the box since.
-    reference: Vec<Vec3<f64>>,
-    /// The same as the list saw it: the list is a function of these alone.
+    /// What the neighbour list was built from, and is a function of.
     listed: Listed,
     /// Rates of strain of the sides, 1/ns.
     box_rate: [f64; 3],
@@ -67,7 +65,6 @@ impl<M: PairModel> Simulation<M> {
             settings,
             blocks: Vec::new(),
             loads: Vec::new(),
-            reference: Vec::new(),
             listed,
             box_rate: [0.0; 3],
             momentum_flux: [0.0; 3],
@@ -119,6 +116,7 @@ impl<M: PairModel> Simulation<M> {
             .blocks
             .par_iter_mut()
             .zip(&mut self.loads)
+            .with_max_len(1)
             .map(|(block, loads)| {
                 forces::evaluate(model, instructions, block, (particles, domain), max_overlap, dt, loads)
             })
@@ -156,7 +154,8 @@ impl<M: PairModel> Simulation<M> {
     }
 
     fn advance(&mut self, growth: [f64; 3], dt: f64, damping: f64) -> Moved {
-        let step = motion::Step { dt, damping, walls: &self.system.walls, growth };
+        let stretch = std::array::from_fn(|a| self.system.domain.sides[a] / self.listed.sides[a] * growth[a]);
+        let step = motion::Step { dt, damping, walls: &self.system.walls, growth, stretch };
         let (particles, loads) = (&mut self.system.particles, &self.loads);
         let mut spheres = Spheres {
             x: &mut particles.x,
@@ -165,7 +164,7 @@ impl<M: PairModel> Simulation<M> {
             radius: &particles.radius,
             mass: &particles.mass,
             wall: &particles.wall,
-            reference: &mut self.reference,
+            listed: &self.listed.x,
         };
         let mut parts = Vec::with_capacity(self.blocks.len());
         for block in &self.blocks {
@@ -178,6 +177,7 @@ impl<M: PairModel> Simulation<M> {
             .par_iter()
             .zip(parts)
             .enumerate()
+            .with_max_len(1)
             .map(|(number, (block, part))| motion::advance(block, number, loads, part, &step))
             .collect();
         moved.into_iter().fold(Moved::default(), Moved::and)
@@ -216,7 +216,6 @@ impl<M: PairModel> Simulation<M> {
         let order = forces::spatial_order(&self.system.particles.x, &self.system.domain, self.mean_diameter());
         self.system.particles = self.system.particles.pick(&order);
         self.listed = Listed { x: self.system.particles.x.clone(), sides: self.system.domain.sides };
-        self.reference = self.listed.x.clone();
         self.relist(&springs)
     }
 

@@ -5,7 +5,7 @@
 
 use super::{Ledger, Listed, Settings, Simulation};
 use crate::forces::Springs;
-use crate::spec::{Flat, PairModel, Vec3};
+use crate::spec::{Flat, PairModel};
 use crate::system::{Halt, System};
 use serde::{Deserialize, Serialize};
 
@@ -13,7 +13,6 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Snapshot {
     system: System,
-    reference: Vec<Vec3<f64>>,
     listed: Listed,
     /// Springs of all pairs, in the order of the list.
     memory: Vec<f64>,
@@ -42,7 +41,6 @@ impl<M: PairModel> Simulation<M> {
         Snapshot {
             memory: memory.collect(),
             system: self.system.clone(),
-            reference: self.reference.clone(),
             listed: self.listed.clone(),
             box_rate: self.box_rate,
             momentum_flux: self.momentum_flux,
@@ -53,10 +51,10 @@ impl<M: PairModel> Simulation<M> {
 
     /// Takes a simulation up where a snapshot left it.
     pub fn resume(model: M, settings: Settings, snapshot: Snapshot) -> Result<Self, Halt> {
-        let Snapshot { system, reference, listed, memory, box_rate, momentum_flux, stress, ledger } = snapshot;
+        let Snapshot { system, listed, memory, box_rate, momentum_flux, stress, ledger } = snapshot;
         let (blocks, loads) = (Vec::new(), Vec::new());
         let mut simulation =
-            Self { model, settings, blocks, loads, reference, listed, box_rate, momentum_flux, stress, ledger, system };
+            Self { model, settings, blocks, loads, listed, box_rate, momentum_flux, stress, ledger, system };
         simulation.relist(&Springs::default())?;
         let mut numbers = memory.into_iter();
         for block in &mut simulation.blocks {
