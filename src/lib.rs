@@ -11,8 +11,8 @@ pub mod golden;
 pub mod motion;
 pub mod observe;
 pub mod output;
-pub mod run;
 pub mod reproduce;
+pub mod run;
 pub mod simulation;
 pub mod system;
 

@@ -26,7 +26,9 @@ fn the_schema_lists_every_key_and_what_it_lists_can_be_read_as_a_case() {
         keys.as_array().map_or(0, |keys| keys.iter().map(|key| 1 + count(&key["keys"])).sum())
     }
     assert_eq!(keys(&listed), count(&json));
-    assert!(listed.contains("# Young's modulus E. Expects a pressure such as `73 GPa`. Must be given.\n      young_modulus: ...\n"));
+    assert!(listed.contains(
+        "# Young's modulus E. Expects a pressure such as `73 GPa`. Must be given.\n      young_modulus: ...\n"
+    ));
     assert!(listed.contains("# Seed of every random stream. Expects a whole number.\nseed: 1\n"));
 }
 
@@ -37,11 +39,15 @@ fn a_sweep_runs_every_combination_once_and_sums_up() {
     let sweep = || veridem(place.path(), &["sweep", &case("patch-hcp"), keys[0], keys[1], "--out", "swept"]);
     let first = sweep();
     assert!(first.status.success(), "{}", text(&first.stderr));
-    let rows: Vec<Vec<String>> = text(&first.stdout).lines().map(|l| l.split(',').map(str::to_string).collect()).collect();
+    let rows: Vec<Vec<String>> =
+        text(&first.stdout).lines().map(|l| l.split(',').map(str::to_string).collect()).collect();
     assert_eq!(rows[0][..4], ["sample.hcp.diameter", "model.wear.poisson_ratio", "status", "Young's modulus [MPa]"]);
     let points: Vec<&[String]> = rows[1..].iter().map(|row| &row[..3]).collect();
     let point = |d, nu| [d, nu, "finished"];
-    assert_eq!(points, [point("0.6 d_c", "0"), point("0.6 d_c", "0.25"), point("1.2 d_c", "0"), point("1.2 d_c", "0.25")]);
+    assert_eq!(
+        points,
+        [point("0.6 d_c", "0"), point("0.6 d_c", "0.25"), point("1.2 d_c", "0"), point("1.2 d_c", "0.25")]
+    );
     assert_eq!(std::fs::read_to_string(place.path().join("swept/summary.csv")).unwrap(), text(&first.stdout));
 
     let series = place.path().join("swept/diameter=0.6d_c,poisson_ratio=0/series.csv");
@@ -60,11 +66,20 @@ fn a_sweep_over_a_wrong_key_or_value_is_refused_before_anything_runs() {
     };
     let (code, message) = refused("model.wear.poisson=0.1,0.2");
     assert_eq!(code, Some(65));
-    assert!(message.contains("model.wear: unknown key `poisson`, expected one of `young_modulus`, `poisson_ratio`"), "{message}");
+    assert!(
+        message.contains("model.wear: unknown key `poisson`, expected one of `young_modulus`, `poisson_ratio`"),
+        "{message}"
+    );
     let (code, message) = refused("model.wear.poisson_ratio=0.2,0.3");
     assert_eq!(code, Some(65));
-    assert!(message.contains("model.wear.poisson_ratio: found `0.3`, expected more than -1 and at most 1/4"), "{message}");
-    assert_eq!(refused("seed=1..x"), (Some(2), "`seed=1..x`: a range without `:COUNT` goes over whole numbers\n".into()));
+    assert!(
+        message.contains("model.wear.poisson_ratio: found `0.3`, expected more than -1 and at most 1/4"),
+        "{message}"
+    );
+    assert_eq!(
+        refused("seed=1..x"),
+        (Some(2), "`seed=1..x`: a range without `:COUNT` goes over whole numbers\n".into())
+    );
     assert_eq!(refused("title.x=1"), (Some(2), "`title.x`: there is no such key\n".into()));
 }
 

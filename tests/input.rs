@@ -28,7 +28,11 @@ fn every_bad_case_gets_the_error_written_in_it() {
         let name = case.file_name().unwrap().to_str().unwrap();
         for command in ["check", "run"] {
             let output = veridem_in(folder, &[command, name]);
-            assert_eq!(String::from_utf8_lossy(&output.stderr), expected(&std::fs::read_to_string(&case).unwrap()), "{name}");
+            assert_eq!(
+                String::from_utf8_lossy(&output.stderr),
+                expected(&std::fs::read_to_string(&case).unwrap()),
+                "{name}"
+            );
             assert_eq!(output.status.code(), Some(65), "{name}");
             assert!(output.stdout.is_empty(), "{name}");
         }
@@ -70,7 +74,8 @@ fn what_cannot_be_read_is_named() {
 #[test]
 fn a_wrong_command_line_ends_with_two() {
     let here = Path::new(".");
-    for arguments in [&["walk"][..], &["run"], &["run", "a.yaml", "--threads", "0"], &["inspect"], &["sweep", "a.yaml"]] {
+    for arguments in [&["walk"][..], &["run"], &["run", "a.yaml", "--threads", "0"], &["inspect"], &["sweep", "a.yaml"]]
+    {
         assert_eq!(veridem_in(here, arguments).status.code(), Some(2), "{arguments:?}");
     }
 }
@@ -78,7 +83,8 @@ fn a_wrong_command_line_ends_with_two() {
 #[test]
 fn a_saved_sample_is_used_only_for_the_case_it_was_made_for() {
     let place = tempfile::tempdir().unwrap();
-    let good = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases/good/junction.yaml")).unwrap();
+    let good =
+        std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases/good/junction.yaml")).unwrap();
     let write = |name: &str, text: String| std::fs::write(place.path().join(name), text).unwrap();
     let with = |line: &str| good.replace("    largest:", &format!("    {line}\n    largest:"));
     write("make.yaml", with("save: silica.sample"));
@@ -92,7 +98,8 @@ fn a_saved_sample_is_used_only_for_the_case_it_was_made_for() {
     assert_eq!(text, "silica.sample: cannot be read: No such file or directory (os error 2)\n");
     assert!(run("make.yaml").status.success());
     assert!(run("use.yaml").status.success());
-    let results = |name: &str| std::fs::read_to_string(place.path().join("run").join(name).join("results.yaml")).unwrap();
+    let results =
+        |name: &str| std::fs::read_to_string(place.path().join("run").join(name).join("results.yaml")).unwrap();
     let fate = |name: &str| results(name).split_once("fate").unwrap().1.to_string();
     assert_eq!(fate("make"), fate("use"));
     let other = run("other.yaml");
@@ -106,7 +113,9 @@ fn a_saved_sample_is_used_only_for_the_case_it_was_made_for() {
 fn a_full_disk_is_named_and_leaves_the_last_checkpoint_valid() {
     let place = tempfile::tempdir().unwrap();
     let case = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases/good/junction.yaml");
-    let run = |arguments: &[&str]| veridem_in(place.path(), &[&["--quiet", "run", case.to_str().unwrap()], arguments].concat());
+    let run = |arguments: &[&str]| {
+        veridem_in(place.path(), &[&["--quiet", "run", case.to_str().unwrap()], arguments].concat())
+    };
     assert_eq!(run(&["--name", "probe", "--stop-after-steps", "170"]).status.code(), Some(75));
     let first = place.path().join("run/probe/checkpoints/000000000170.checkpoint");
     // In units of 1024 bytes: the first checkpoint fits, the second, which holds the sample too, does not.

@@ -93,11 +93,7 @@ impl Critical {
     /// For two equal spheres of radius `r` and mass `m`.
     pub fn of(law: &wear::Wear, r: f64, m: f64) -> Self {
         let k_n = law.coefficients(r, r, m, m).k_n;
-        Self {
-            dt: critical_time_step(m, k_n),
-            damping: critical_damping(k_n, m),
-            limit: law.critical_time_step(r, m),
-        }
+        Self { dt: critical_time_step(m, k_n), damping: critical_damping(k_n, m), limit: law.critical_time_step(r, m) }
     }
 
     /// Of the smallest sphere of a case, before masses are rescaled.
@@ -156,7 +152,8 @@ impl Case {
     fn derived(&self) -> Mapping {
         let (scales, material) = (Scales::of(self), self.material().spec());
         let Critical { dt, damping, limit } = Critical::of_case(self);
-        let wear::Material { young_modulus, poisson_ratio, tensile_strength, shear_strength, surface_energy, .. } = material;
+        let wear::Material { young_modulus, poisson_ratio, tensile_strength, shear_strength, surface_energy, .. } =
+            material;
         let d_star = critical_length(surface_energy, shear_modulus(young_modulus, poisson_ratio), shear_strength);
         let r = 0.5 * scales.d_0;
         let mass = |d: f64| sphere_mass(self.material().density.value, 0.5 * d);
@@ -188,7 +185,10 @@ impl Case {
             .into_iter()
             .map(|(key, step)| {
                 let value = step.value(dt);
-                (key.into(), format!("{} = {} of the largest stable step", in_unit(value, "fs"), rounded(value / limit)))
+                (
+                    key.into(),
+                    format!("{} = {} of the largest stable step", in_unit(value, "fs"), rounded(value / limit)),
+                )
             })
             .collect();
         let text = |(key, value): (String, String)| (Value::String(key), Value::String(value));

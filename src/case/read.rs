@@ -21,7 +21,8 @@ impl Case {
         if found.is_empty() {
             return Ok(case);
         }
-        let locate = |(key, what): (String, String)| Problem { file: file.into(), line: line_of(text, &key), key, what };
+        let locate =
+            |(key, what): (String, String)| Problem { file: file.into(), line: line_of(text, &key), key, what };
         Err(Error::Input(found.into_iter().map(locate).collect()))
     }
 }
@@ -30,7 +31,8 @@ impl Case {
 fn problem(file: &Path, error: &serde_yaml::Error) -> Problem {
     let message = error.to_string();
     let location = error.location();
-    let place = location.as_ref().map(|at| format!(" at line {} column {}", at.line(), at.column())).unwrap_or_default();
+    let place =
+        location.as_ref().map(|at| format!(" at line {} column {}", at.line(), at.column())).unwrap_or_default();
     let message = message.replacen(&place, "", 1);
     let is_path = |c: char| c.is_ascii_alphanumeric() || "_.[]".contains(c);
     let (key, what) = match message.split_once(": ") {

@@ -67,8 +67,20 @@ fn sample(case: &Case, found: &mut Found) {
     if found.is_empty() {
         let Scales { d_0, d_s, d_l, size, .. } = Scales::of(case);
         let nm = |d: f64| in_unit(d, "nm");
-        expect(found, d_s <= d_0, &at("smallest"), &a.smallest, &format!("at most the most frequent diameter, {}", nm(d_0)));
-        expect(found, d_l >= d_0, &at("largest"), &a.largest, &format!("at least the most frequent diameter, {}", nm(d_0)));
+        expect(
+            found,
+            d_s <= d_0,
+            &at("smallest"),
+            &a.smallest,
+            &format!("at most the most frequent diameter, {}", nm(d_0)),
+        );
+        expect(
+            found,
+            d_l >= d_0,
+            &at("largest"),
+            &a.largest,
+            &format!("at least the most frequent diameter, {}", nm(d_0)),
+        );
         for (axis, side) in size.into_iter().enumerate() {
             let least = format!("at least twice the largest diameter, {}", nm(2.0 * d_l));
             expect(found, side >= 2.0 * d_l, &at(&format!("size[{axis}]")), &a.size[axis], &least);
@@ -83,7 +95,13 @@ fn experiment(case: &Case, found: &mut Found) {
         Experiment::Patch(patch) => {
             let key = "experiment.patch.walls";
             expect(found, walls > 0.0, key, &patch.walls, "more than zero");
-            expect(found, 2.0 * walls < height, key, &patch.walls, &format!("less than half the box, {}", nm(0.5 * height)));
+            expect(
+                found,
+                2.0 * walls < height,
+                key,
+                &patch.walls,
+                &format!("less than half the box, {}", nm(0.5 * height)),
+            );
             if patch.compression.is_none() && patch.tension.is_none() && patch.shear.is_none() {
                 let what = "expected at least one of the keys `compression`, `tension`, `shear`";
                 found.push(("experiment.patch".into(), what.into()));
@@ -92,7 +110,13 @@ fn experiment(case: &Case, found: &mut Found) {
                 let Some(Deformation { strain_per_step, strain, .. }) = test else { continue };
                 let at = |key: &str| format!("experiment.patch.{name}.{key}");
                 let small = *strain_per_step > 0.0 && *strain_per_step < 1e-2;
-                expect(found, small, &at("strain_per_step"), decimal(*strain_per_step), "more than 0 and less than 0.01");
+                expect(
+                    found,
+                    small,
+                    &at("strain_per_step"),
+                    decimal(*strain_per_step),
+                    "more than 0 and less than 0.01",
+                );
                 expect(found, *strain > 0.0, &at("strain"), decimal(*strain), "more than zero");
             }
             if let Some(test) = &patch.compression {

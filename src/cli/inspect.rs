@@ -51,7 +51,8 @@ fn summarise(root: &Path, manner: Manner) -> Result<(), Error> {
         let summary = json!({ "title": case.title, "manifest": manifest, "state": state, "results": findings });
         return print(&format!("{summary:#}\n"));
     }
-    let mut text = format!("{}\n{:?}, {} rows, commit {}\n\n", case.title, manifest.status, series.rows.len(), manifest.commit);
+    let mut text =
+        format!("{}\n{:?}, {} rows, commit {}\n\n", case.title, manifest.status, series.rows.len(), manifest.commit);
     for (column, cell) in state {
         text.push_str(&format!("{column:36}  {cell}\n"));
     }
@@ -125,7 +126,12 @@ fn differences(a: &Series, b: &Series) -> Vec<Difference> {
         let number = |cell: &str| cell.parse::<f64>().unwrap_or(f64::NAN);
         let sizes = |f: &dyn Fn(f64, f64) -> f64| pairs().map(|(x, y)| f(number(x), number(y))).fold(0.0, f64::max);
         let largest = sizes(&|x, y| (x - y).abs());
-        found.push(Difference { column: column.clone(), row: row + 1, largest, scale: sizes(&|x, y| x.abs().max(y.abs())) });
+        found.push(Difference {
+            column: column.clone(),
+            row: row + 1,
+            largest,
+            scale: sizes(&|x, y| x.abs().max(y.abs())),
+        });
     }
     found
 }

@@ -24,7 +24,8 @@ impl Progress {
         let bar = (!manner.quiet && std::io::stderr().is_terminal()).then(|| {
             let style = if std::env::var_os("NO_COLOR").is_some() { "{bar:24}" } else { "{bar:24.cyan}" };
             let template = format!("{{prefix:12}} {style} {{pos}}/{{len}} {{eta}} left, {{msg}}");
-            ProgressBar::no_length().with_style(ProgressStyle::with_template(&template).expect("the template is well formed"))
+            ProgressBar::no_length()
+                .with_style(ProgressStyle::with_template(&template).expect("the template is well formed"))
         });
         Self { manner, bar, stage: String::new(), begun: (Instant::now(), 0), written: None }
     }

@@ -82,7 +82,8 @@ fn axis(argument: &str) -> Result<Axis, Error> {
     let (range, unit) = rest.split_once(' ').map_or((rest, String::new()), |(range, unit)| (range, format!(" {unit}")));
     let values = match range.split_once(':') {
         None => {
-            let whole = |text: &str| text.parse::<i64>().map_err(|_| wrong("a range without `:COUNT` goes over whole numbers"));
+            let whole =
+                |text: &str| text.parse::<i64>().map_err(|_| wrong("a range without `:COUNT` goes over whole numbers"));
             (whole(first)?..=whole(range)?).map(|n| format!("{n}{unit}")).collect()
         }
         Some((last, count)) => {
@@ -113,7 +114,11 @@ fn points(file: &Path, text: &str, axes: &[Axis]) -> Result<Vec<Point>, Error> {
                 parts.insert(0, format!("{short}={}", value.replace([' ', '/'], "")));
             }
             let text = serde_yaml::to_string(&case).expect("a case is plain data");
-            let place = file.with_file_name(format!("{} with {}", file.file_name().unwrap_or_default().display(), parts.join(" ")));
+            let place = file.with_file_name(format!(
+                "{} with {}",
+                file.file_name().unwrap_or_default().display(),
+                parts.join(" ")
+            ));
             Case::parse(&place, &text)?;
             Ok(Point { name: parts.join(","), values, text })
         })
@@ -126,7 +131,9 @@ fn set(case: &mut Value, key: &str, value: &str) -> Result<(), Error> {
     for part in key.split(['.', '[']) {
         place = match part.strip_suffix(']').map(str::parse::<usize>) {
             Some(Ok(number)) => place.get_mut(number),
-            _ => place.as_mapping_mut().map(|section| section.entry(part.into()).or_insert(Value::Mapping(Default::default()))),
+            _ => place
+                .as_mapping_mut()
+                .map(|section| section.entry(part.into()).or_insert(Value::Mapping(Default::default()))),
         }
         .ok_or_else(|| Error::Usage(format!("`{key}`: there is no such key")))?;
     }
@@ -182,12 +189,15 @@ fn summary(axes: &[Axis], points: &[Point], out: &Path) -> Result<String, Error>
         }
         rows.push((point, status, found));
     }
-    let headed = |(name, unit): &(String, String)| if unit.is_empty() { name.clone() } else { format!("{name} [{unit}]") };
+    let headed =
+        |(name, unit): &(String, String)| if unit.is_empty() { name.clone() } else { format!("{name} [{unit}]") };
     let head = axes.iter().map(|axis| axis.key.clone()).chain(["status".into()]).chain(names.iter().map(headed));
     let mut table = csv::Writer::from_writer(Vec::new());
     table.write_record(head).expect("memory can always grow");
     for (point, status, found) in rows {
-        let value = |(name, _): &(String, String)| found.iter().find(|f| f.name == *name).map_or(String::new(), |f| f.value.clone());
+        let value = |(name, _): &(String, String)| {
+            found.iter().find(|f| f.name == *name).map_or(String::new(), |f| f.value.clone())
+        };
         let cells = point.values.iter().cloned().chain([status]).chain(names.iter().map(value));
         table.write_record(cells).expect("memory can always grow");
     }

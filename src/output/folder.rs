@@ -16,7 +16,8 @@ impl RunFolder {
         let folder = Self { root: root.into() };
         if root.exists() {
             if !force {
-                let what = format!("{}: exists already; use --force to replace it, or --name for another", root.display());
+                let what =
+                    format!("{}: exists already; use --force to replace it, or --name for another", root.display());
                 return Err(Error::Usage(what));
             }
             if !folder.case().exists() {

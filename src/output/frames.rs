@@ -43,7 +43,8 @@ mod tests {
         let mut particles = Particles::default();
         particles.push(Vec3([-0.5, 1.0, 2.0]), 0.25, 3.0, 2);
         particles.push(Vec3([1.5, 4.5, 2.0]), 0.5, 4.0, 1);
-        let mut system = System::new(particles.pick(&[1, 0]), Domain { sides: [2.0, 4.0, 6.0], periodic: [true, false, true] });
+        let mut system =
+            System::new(particles.pick(&[1, 0]), Domain { sides: [2.0, 4.0, 6.0], periodic: [true, false, true] });
         system.time = 0.5;
         assert_eq!(
             extended_xyz(&system, "shear"),

@@ -170,10 +170,19 @@ impl<'a> Run<'a> {
 
     /// Random spheres overlap without limit until they have been pushed apart.
     fn max_overlap(&self, stage: &Stage) -> f64 {
-        if stage.interaction == crate::spec::wear::Interaction::Repulsive { f64::INFINITY } else { self.case.limits.overlap }
+        if stage.interaction == crate::spec::wear::Interaction::Repulsive {
+            f64::INFINITY
+        } else {
+            self.case.limits.overlap
+        }
     }
 
-    fn go_on(&mut self, mut course: Course, initial: Option<System>, resumed: Option<Current>) -> Result<Vec<Finding>, Error> {
+    fn go_on(
+        &mut self,
+        mut course: Course,
+        initial: Option<System>,
+        resumed: Option<Current>,
+    ) -> Result<Vec<Finding>, Error> {
         let first = resumed.as_ref().map_or(0, |current| current.number);
         let (mut before, mut resumed) = (initial, resumed);
         for number in first..self.plan.stages().count() {
@@ -195,7 +204,13 @@ impl<'a> Run<'a> {
         Ok(course.findings)
     }
 
-    fn begin(&mut self, stage: &Stage, number: usize, before: Option<System>, course: &mut Course) -> Result<Current, Error> {
+    fn begin(
+        &mut self,
+        stage: &Stage,
+        number: usize,
+        before: Option<System>,
+        course: &mut Course,
+    ) -> Result<Current, Error> {
         if self.plan.starts_from_sample(number) && course.sample.is_none() {
             let sample = before.clone().expect("the first stage that needs a sample comes after its preparation");
             self.plan.keep_sample(&sample)?;

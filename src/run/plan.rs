@@ -37,7 +37,8 @@ impl Plan {
         let experiments = match &case.experiment {
             Experiment::Junction(junction) => vec![stages::junction(junction, scales.d_0, modulus)],
             Experiment::Patch(patch) => {
-                let compression = patch.compression.as_ref().map(|test| stages::compression(test, scales.walls, modulus));
+                let compression =
+                    patch.compression.as_ref().map(|test| stages::compression(test, scales.walls, modulus));
                 let tension = patch.tension.as_ref().map(|test| stages::tension(test, scales.walls));
                 let shear = patch.shear.as_ref().map(|test| stages::shear(test, scales.walls));
                 [compression, tension, shear].into_iter().flatten().collect()

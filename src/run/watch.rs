@@ -116,7 +116,8 @@ impl Watch {
     pub fn look(&mut self, simulation: &Simulation<Wear>) -> Vec<Cell> {
         let system = simulation.system();
         let nothing = |columns: usize| vec![Cell::Nothing; columns];
-        let (mut relaxation, mut test, mut junction) = (nothing(RELAXATION.len()), nothing(TEST.len()), nothing(JUNCTION.len()));
+        let (mut relaxation, mut test, mut junction) =
+            (nothing(RELAXATION.len()), nothing(TEST.len()), nothing(JUNCTION.len()));
         match self {
             Self::Relaxation => relaxation = vec![Cell::Number(packing::volume_fraction(system))],
             Self::Test(watch) => test = watch.look(simulation, &links(simulation)),
@@ -155,7 +156,10 @@ impl Test {
             self.peak = [strain, stress];
         }
         // Past the peak for good: strained half as much again, and less than half the stress left.
-        self.failed = self.kind != Kind::Compression && strain > 0.01 && strain > 1.5 * self.peak[0] && stress < 0.5 * self.peak[1];
+        self.failed = self.kind != Kind::Compression
+            && strain > 0.01
+            && strain > 1.5 * self.peak[0]
+            && stress < 0.5 * self.peak[1];
         let lateral = reading.stress[0].0[0];
         [reading.strain.0[1], reading.strain.0[0], normal, lateral, shear, self.peak[1]].map(Cell::Number).into()
     }
@@ -168,7 +172,12 @@ impl Test {
                     return vec![Finding::words("elasticity", "the sample did not keep its shape")];
                 };
                 vec![
-                    Finding::number("Young's modulus", elasticity.young_modulus, "MPa", Some(material.young_modulus.value)),
+                    Finding::number(
+                        "Young's modulus",
+                        elasticity.young_modulus,
+                        "MPa",
+                        Some(material.young_modulus.value),
+                    ),
                     Finding::number("Poisson's ratio", elasticity.poisson_ratio, "", Some(material.poisson_ratio)),
                     Finding::number("stiffness C11", elasticity.c_11, "MPa", None),
                     Finding::number("stiffness C12", elasticity.c_12, "MPa", None),
