@@ -19,6 +19,8 @@ use crate::{Real, equation};
 /// | `volume` | $V$ | m^3 | > 0 | volume of the box |
 /// | → `phi` | $\phi$ | 1 | | volume fraction |
 ///
+/// Rounding: at most 1 ULP.
+///
 /// # Laws
 ///
 /// * `of_close_packed_spheres_is_0_74`
@@ -39,6 +41,8 @@ pub fn volume_fraction<R: Real>(sum_d3: R, volume: R) -> R {
 /// | `volume` | $V$ | m^3 | > 0 | volume of the system |
 /// | `sum_m` | $\sum m$ | kg | > 0 | mass of all particles |
 /// | → `alpha` | $\alpha$ | 1 | | factor of the masses |
+///
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///

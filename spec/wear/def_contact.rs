@@ -103,6 +103,8 @@ impl<R: Real> Parameters<R> {
 /// | → `torque_j` | $\mathbf{T}_j$ | N m (3) | | torque on j about its centre |
 /// | → `xi_next` | $\boldsymbol{\xi}$ | m (3) | | tangential spring now |
 ///
+/// Rounding: at most 2 ULP.
+///
 /// # Laws
 ///
 /// * `swapping_i_and_j_reverses_the_force`

@@ -16,6 +16,8 @@ use crate::{Real, equation};
 /// | → `nu` | $\nu$ | 1 | | Poisson's ratio |
 /// | → `e` | $E$ | Pa | | Young's modulus |
 ///
+/// Rounding: at most 1 ULP.
+///
 /// # Laws
 ///
 /// * `hooke_s_law_gives_the_coefficients_back`

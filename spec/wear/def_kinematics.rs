@@ -26,6 +26,8 @@ use crate::{Contact, Real, Vec3, equation};
 /// | → `n` | $\mathbf{n}_N$ | 1 (3) | | normal, from j to i |
 /// | → `v_n` | $v_N$ | m/s | | rate of the separation |
 ///
+/// Rounding: at most 1.5 ULP.
+///
 /// # Laws
 ///
 /// * `the_normal_velocity_is_the_rate_of_the_separation`
@@ -58,6 +60,8 @@ pub fn separation<R: Real>(x_i: Vec3<R>, x_j: Vec3<R>, v_i: Vec3<R>, v_j: Vec3<R
 /// | `r_i` | $r_i$ | m | > 0 | radius of i |
 /// | `r_j` | $r_j$ | m | > 0 | radius of j |
 /// | → `v_t` | $\mathbf{v}_T$ | m/s (3) | | sliding velocity |
+///
+/// Rounding: at most 4 ULP.
 ///
 /// # Laws
 ///
@@ -96,6 +100,8 @@ pub fn sliding_velocity<R: Real>(
 /// | `delta_n` | $\delta_N$ | m | any | separation of the surfaces, negative for an overlap |
 /// | → `arm` | $a$ | m | | moment arm |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `the_arms_add_up_to_the_distance_of_the_centres_which_the_radii_do_not`
@@ -121,6 +127,8 @@ pub fn moment_arm<R: Real>(r: R, delta_n: R) -> R {
 /// | `force_t` | $\mathbf{F}_T$ | N (3) | any | force on i in the contact plane |
 /// | `n` | $\mathbf{n}_N$ | 1 (3) | unit | normal, from j to i |
 /// | → `torque` | $\mathbf{T}$ | N m (3) | | torque on the particle about its centre |
+///
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///

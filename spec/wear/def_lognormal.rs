@@ -15,7 +15,7 @@ use crate::{Real, equation};
 /// of Table 6 hold the particles it counts. With $u = e^{\sigma^2} - 1$ the two conditions leave
 /// $u (1 + u)^3 = (0.2 (d_l - d_s) / d_0)^2$, which Newton's method solves from above, where it converges monotonically: ten steps are
 /// more than enough for any number. $\ln(1 + u)$ is evaluated as $u \ln w / (w - 1)$ with $w = 1 + u$ rounded, which
-/// loses nothing for small `u`.
+/// loses nothing for small `u`; where `w` is one, it is `u`.
 ///
 /// A logarithm takes a number: the diameters here are numbers, multiples of any one unit of length.
 ///
@@ -26,6 +26,8 @@ use crate::{Real, equation};
 /// | `d_l` | $d_l$ | 1 | > 0 | largest diameter, above the smallest |
 /// | → `mu` | $\mu$ | 1 | | mean of the logarithm |
 /// | → `sigma` | $\sigma$ | 1 | | standard deviation of the logarithm |
+///
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///
@@ -41,7 +43,7 @@ pub fn lognormal<R: Real>(d_0: R, d_s: R, d_l: R) -> (R, R) {
         u = u - (u * w * w * w - target) / (w * w * (w + three * u));
     }
     let w = one + u;
-    let variance = u * w.ln() / (w - one);
+    let variance = R::select(w.gt(one), u * w.ln() / (w - one), u);
     (d_0.ln() + variance, variance.sqrt())
 }
 
@@ -66,6 +68,8 @@ pub fn lognormal<R: Real>(d_0: R, d_s: R, d_l: R) -> (R, R) {
 /// | → `mean` | $\langle d \rangle$ | m | | mean diameter |
 /// | → `std` | $\sqrt{\langle d^2 \rangle - \langle d \rangle^2}$ | m | | standard deviation of the diameters |
 /// | → `m3` | $\langle d^3 \rangle$ | m^3 | | mean cube of the diameters |
+///
+/// Rounding: at most 500 ULP.
 ///
 /// # Laws
 ///

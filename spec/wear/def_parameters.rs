@@ -42,6 +42,8 @@ use crate::{Real, equation};
 /// | → `c_n` | $c_N$ | kg/s | | normal damping factor |
 /// | → `c_t` | $c_T$ | kg/s | | tangential damping factor |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `swapping_the_particles_changes_nothing`

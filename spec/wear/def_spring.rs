@@ -24,6 +24,8 @@ use crate::{Real, Vec3, equation};
 /// | `dt` | $\Delta t$ | s | > 0 | time step |
 /// | → `xi_next` | $\boldsymbol{\xi}$ | m (3) | | spring now, before it slips |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `a_spring_stays_in_the_contact_plane`
@@ -45,6 +47,8 @@ pub fn stretched_spring<R: Real>(xi: Vec3<R>, n: Vec3<R>, v_t: Vec3<R>, dt: R) -
 /// | `k_t` | $k_T$ | N/m | >= 0 | tangential stiffness |
 /// | `xi` | $\boldsymbol{\xi}$ | m (3) | any | spring |
 /// | → `u_t` | $U_T$ | J | | energy |
+///
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///

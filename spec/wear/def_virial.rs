@@ -21,6 +21,8 @@ use crate::{Real, Tensor, Vec3, equation};
 /// | `f` | $\mathbf{f}$ | N (3) | any | force of j on i |
 /// | → `sigma` | $\sigma_{ab}$ | Pa (9) | | stress |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `swapping_the_particles_changes_nothing`
@@ -47,6 +49,8 @@ pub fn pair_stress<R: Real>(volume: R, r: Vec3<R>, f: Vec3<R>) -> Tensor<R> {
 /// | `m` | $m$ | kg | > 0 | mass |
 /// | `v` | $\mathbf{v}$ | m/s (3) | any | velocity relative to the mean motion |
 /// | → `sigma` | $\sigma_{ab}$ | Pa (9) | | stress |
+///
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///

@@ -25,7 +25,7 @@ use crate::{Real, Vec3, equation};
 /// | `f_t` | $F_T$ | N | >= 0 | tangential force |
 /// | `c_t` | $c_T$ | kg/s | >= 0 | tangential damping factor |
 /// | `v_t` | $v_T$ | m/s | any | sliding velocity |
-/// | `n_t` | $\mathbf{n}_T$ | 1 (3) | unit | direction of sliding |
+/// | `n_t` | $\mathbf{n}_T$ | 1 (3) | any | direction of sliding, of length one or, for a pair at rest, zero |
 /// | → `force` | $\mathbf{F}$ | N (3) | | force on i |
 ///
 /// Rounding: at most 0.5 ULP.

@@ -22,6 +22,8 @@ use crate::{Real, equation, piecewise};
 /// | `s` | $s$ | 1 | >= 0 | scaling parameter |
 /// | → `sigma_mn_matched` | $\sigma'_{m,N}$ | Pa | | tensile strength matched |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `is_the_largest_force_on_the_cross_section_only_if_large_particles_break_while_elastic`

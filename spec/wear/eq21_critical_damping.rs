@@ -20,6 +20,8 @@ use crate::{Real, Vec3, equation};
 /// | `m` | $m$ | kg | > 0 | mass of either particle |
 /// | → `c_c` | $c_c$ | kg/s | | critical damping |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `a_dashpot_of_less_lets_the_pair_overshoot_and_of_more_does_not`
@@ -44,6 +46,8 @@ pub fn critical_damping<R: Real>(k_n: R, m: R) -> R {
 /// | `m` | $m$ | kg | > 0 | mass of either particle |
 /// | → `c_g` | $c_g$ | kg/s | | critical coefficient of the drag |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `a_drag_of_less_lets_the_pair_overshoot_and_of_more_does_not`
@@ -59,11 +63,17 @@ pub fn critical_drag<R: Real>(k_n: R, m: R) -> R {
 /// \mathbf{F} = -c \mathbf{v}
 /// ```
 ///
+/// # Reading
+///
+/// As printed.
+///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `c` | $c$ | kg/s | >= 0 | coefficient of the drag |
 /// | `v` | $\mathbf{v}$ | m/s (3) | any | velocity |
 /// | → `force` | $\mathbf{F}$ | N (3) | | force on the particle |
+///
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///

@@ -20,6 +20,8 @@ use crate::{Real, equation};
 /// | `sigma_mt` | $\sigma_{m,T}$ | Pa | > 0 | shear strength |
 /// | → `d_star` | $d^*$ | m | | critical length scale |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `of_silica_lies_between_the_two_junctions`
@@ -35,11 +37,17 @@ pub fn critical_length<R: Real>(gamma: R, g: R, sigma_mt: R) -> R {
 /// G = \frac{E}{2 (1 + \nu)}
 /// ```
 ///
+/// # Reading
+///
+/// As printed.
+///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `e` | $E$ | Pa | > 0 | Young's modulus |
 /// | `nu` | $\nu$ | 1 | (-1, 1/2) | Poisson's ratio |
 /// | → `g` | $G$ | Pa | | shear modulus |
+///
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///
@@ -64,6 +72,8 @@ pub fn shear_modulus<R: Real>(e: R, nu: R) -> R {
 /// | `e` | $E$ | Pa | > 0 | Young's modulus |
 /// | `rho` | $\rho$ | kg/m^3 | > 0 | density |
 /// | → `c` | $c$ | m/s | | velocity of the wave |
+///
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///

@@ -1,6 +1,6 @@
 //! The index of the specification: from every equation to all that depends on it.
 
-use super::vectors::folder;
+use super::vectors::file_of;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use veridem_spec::document::Document;
@@ -23,7 +23,7 @@ pub fn index(root: &Path, equations: &[(Equation, Document)]) -> std::io::Result
     for (equation, document) in equations {
         let numbers = equation.covers.join(", ");
         let laws: Vec<String> = document.laws.iter().map(|law| format!("`{law}`")).collect();
-        let golden = folder(Path::new("golden"), equation);
+        let golden = file_of(Path::new("golden"), equation);
         let users: Vec<String> = sources
             .iter()
             .filter(|(path, source)| !path.ends_with(equation.file) && mentions(source, equation.function))
@@ -50,8 +50,9 @@ fn collect(folder: &Path, sources: &mut Vec<(PathBuf, String)>) -> std::io::Resu
         } else if path.extension().is_some_and(|extension| extension == "rs") {
             // a use in a test is no use of the engine
             let source = std::fs::read_to_string(&path)?;
-            let code = source.split("#[cfg(test)]\nmod").next().unwrap_or_default().to_string();
-            sources.push((path, code));
+            let is_test = |at: usize| source[at..].lines().nth(1).is_some_and(|line| line.contains("mod "));
+            let end = source.match_indices("#[cfg(test)]\n").map(|(at, _)| at).find(|at| is_test(*at));
+            sources.push((path, source[..end.unwrap_or(source.len())].to_string()));
         }
     }
     Ok(())

@@ -11,7 +11,7 @@ mod vectors;
 pub use index::{INDEX, index};
 pub use rounding::{Rounding, error, measure};
 pub use sample::{Sample, samples};
-pub use vectors::{File, Vector, check, folder, read, regenerate};
+pub use vectors::{File, Vector, check, file_of, read, regenerate};
 
 use veridem_spec::document::Document;
 use veridem_spec::equation::Equation;

@@ -111,14 +111,14 @@ fn unlay<T>(quantities: &[Quantity], numbers: &[T], write: impl Fn(&T) -> Value)
 }
 
 /// Where the vectors of an equation are, below the folder `golden`.
-pub fn folder(golden: &Path, equation: &Equation) -> PathBuf {
+pub fn file_of(golden: &Path, equation: &Equation) -> PathBuf {
     let (paper, name) = equation.id.split_once('-').unwrap_or(("", equation.id));
     golden.join(paper).join(format!("{name}.json"))
 }
 
 /// Reads the vectors of an equation.
 pub fn read(golden: &Path, equation: &Equation) -> Result<File, String> {
-    let path = folder(golden, equation);
+    let path = file_of(golden, equation);
     let text = std::fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
     serde_json::from_str(&text).map_err(|error| format!("{}: {error}", path.display()))
 }
@@ -188,7 +188,7 @@ pub fn regenerate(golden: &Path, equation: &Equation, document: &Document) -> st
         changes.push(format!("{}: input no longer sampled {}", equation.id, compact(&old.inputs)));
     }
     vectors.extend(independent);
-    let path = folder(golden, equation);
+    let path = file_of(golden, equation);
     std::fs::create_dir_all(path.parent().unwrap_or(golden))?;
     std::fs::write(&path, render(equation, &vectors))?;
     Ok(changes)
