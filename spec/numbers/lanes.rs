@@ -3,8 +3,6 @@
 //! Plain arrays and element-wise loops. The compiler turns them into whatever vector instructions it is allowed to use;
 //! because no operation is fused or reordered, every lane has the bits of the same calculation in `f64`.
 
-#![expect(clippy::needless_range_loop, reason = "one index for several arrays is what the compiler vectorises best")]
-
 use crate::Real;
 use num_traits::{One, Zero};
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};

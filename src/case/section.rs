@@ -193,6 +193,7 @@ macro_rules! choice {
     }) => {
         $(#[doc = $about])*
         #[derive(Clone, Debug, PartialEq)]
+        #[allow(clippy::large_enum_variant, reason = "a case is one value")]
         pub enum $name { $($(#[doc = $doc])* $variant($type),)* }
 
         impl serde::Serialize for $name {

@@ -137,6 +137,6 @@ fn differences(a: &Series, b: &Series) -> Vec<Difference> {
 }
 
 fn last_frame(folder: &RunFolder) -> Result<Option<Vec<u8>>, Error> {
-    let frames = folder.outputs()?.into_iter().filter(|path| path.starts_with(folder.frames()));
-    frames.last().map(|path| read(&path)).transpose()
+    let mut frames = folder.outputs()?.into_iter().filter(|path| path.starts_with(folder.frames()));
+    frames.next_back().map(|path| read(&path)).transpose()
 }

@@ -250,14 +250,14 @@ impl<'a> Run<'a> {
             let step = current.simulation.system().step;
             let progress = if current.watch.ended() { Progress::Done } else { stage.progress(&current.simulation) };
             let last = progress != Progress::Going;
-            if last || step % series == 0 {
+            if last || step.is_multiple_of(series) {
                 look(stage, current, course)?;
                 self.show(stage, current);
             }
-            if last || step % frames == 0 {
+            if last || step.is_multiple_of(frames) {
                 course.record.frame(stage.name, current.simulation.system())?;
             }
-            if matches!(stage.setup, Setup::Junction(_)) && step % third == 0 && !last {
+            if matches!(stage.setup, Setup::Junction(_)) && step.is_multiple_of(third) && !last {
                 self.picture(stage, current.simulation.system(), &format!("after {} of 3 parts", step / third))?;
             }
             match progress {
@@ -269,7 +269,7 @@ impl<'a> Run<'a> {
                     return Err(Error::Verification(what));
                 }
             }
-            if step % checkpoints == 0 {
+            if step.is_multiple_of(checkpoints) {
                 course.record.event(stage.name, current.simulation.system(), "checkpoint")?;
                 self.folder.checkpoints().keep(course.steps, &state(current, course))?;
             }
