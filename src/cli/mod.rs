@@ -7,6 +7,7 @@ mod eq;
 mod golden;
 mod inspect;
 mod progress;
+mod reproduce;
 mod resume;
 mod run;
 mod schema;
@@ -46,6 +47,8 @@ enum Command {
     Check(check::Arguments),
     /// Run a case for many values of its keys, on all cores
     Sweep(sweep::Arguments),
+    /// Compute a paper's claims
+    Reproduce(reproduce::Arguments),
     /// Summarise a run, or compare two
     Inspect(inspect::Arguments),
     /// List, show and evaluate the equations
@@ -93,6 +96,7 @@ pub fn main() -> ExitCode {
         Command::Run(arguments) => run::run(&arguments, manner),
         Command::Resume(arguments) => resume::run(&arguments, manner),
         Command::Check(arguments) => check::run(&arguments, manner),
+        Command::Reproduce(arguments) => reproduce::run(&arguments, manner),
         Command::Sweep(arguments) => sweep::run(&arguments, manner, command_line.threads),
         Command::Inspect(arguments) => inspect::run(&arguments, manner),
         Command::Eq(arguments) => eq::run(&arguments, manner),

@@ -112,38 +112,45 @@ fn by_id(system: &System) -> Vec<[f64; 3]> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Fate {
-    /// The bodies have come closer than half the junction's height: it was squeezed flat between them.
+    /// The bodies came closer than [`FLAT`] of the junction's height: it was squeezed between them.
     Flattened,
-    /// A third body turns rigidly between the bodies and holds them apart.
+    /// A third body turned by [`ROLLED`] between the bodies as a rolling one does, and held them apart meanwhile.
     Rolls,
-    /// The bodies slide apart without touching each other and nothing turns between them: the junction was cut.
+    /// Neither, and at the end nothing joins the bodies: the junction was cut.
     Cut,
-    /// None of these: the junction still links the bodies and deforms.
+    /// Neither, and the junction still joins the bodies.
     Attached,
 }
 
-/// A junction that keeps its volume and loses half of its height has spread to twice its section.
-const FLAT: f64 = 0.5;
-/// Halfway between a round body in simple shear, which turns by 1/2 of sliding over height and whose motion is by 1/2 a
-/// rotation, and a rolling one, for which both are 1.
-const ROLLING: f64 = 0.75;
+/// A junction that keeps its volume and loses a third of its height has spread to one and a half times its section. One
+/// that rolls lifts the bodies instead: rolled into a ball, a cylinder twice as wide as high is 1.8 times as high.
+pub const FLAT: f64 = 2.0 / 3.0;
+/// Turns after which a body has rolled: by a quarter, the faces that were torn off the two bodies stand upright.
+pub const ROLLED: f64 = 0.25;
+/// The least rotation, times height over sliding, that is rolling: halfway between 1/2, by which simple shear turns a
+/// round body, and 1 for one that rolls.
+pub const ROLLING: f64 = 0.75;
+/// Sliding over which the separation is averaged, in heights: the bodies vibrate.
+const SMOOTHING: f64 = 0.5;
 
 impl Fate {
-    /// The verdict on the last third of the sliding, when the beginning is forgotten.
+    /// The verdict: whichever of flattening and rolling came first.
     pub fn of(rows: &[Row], height: f64) -> Self {
-        let Some(last) = rows.last() else { return Self::Attached };
-        let late: Vec<&Row> = rows.iter().filter(|row| 3.0 * row.slid >= 2.0 * last.slid).collect();
-        let mean = |f: &dyn Fn(&Row) -> f64| late.iter().map(|row| f(row)).sum::<f64>() / late.len() as f64;
-        if mean(&|row| row.separation) < FLAT * height {
-            return Self::Flattened;
+        let (mut slid, mut swept) = (0.0, 0.0);
+        for (k, row) in rows.iter().enumerate() {
+            slid += row.window;
+            swept += row.rolled * row.third_height;
+            let recent = rows[..=k].iter().rev().take_while(|past| row.slid - past.slid < SMOOTHING * height);
+            let (sum, count) = recent.fold((0.0, 0.0), |(sum, count), past| (sum + past.separation, count + 1.0));
+            if sum < FLAT * height * count {
+                return Self::Flattened;
+            }
+            if row.turns >= ROLLED && swept >= ROLLING * slid {
+                return Self::Rolls;
+            }
         }
-        // Sliding that the rotation accounts for: a rolling body of that height turns by sliding over height.
-        let rolling = mean(&|row| row.rolled * row.third_height) / mean(&|row| row.window);
-        if rolling > ROLLING && mean(&|row| row.rigidity) > ROLLING {
-            return Self::Rolls;
-        }
-        let linked = |row: &Row| row.links_direct + row.links_to_bottom.min(row.links_to_top) > 0;
-        if late.iter().any(|row| linked(row)) { Self::Attached } else { Self::Cut }
+        let joined = |row: &Row| row.links_direct + row.links_to_bottom.min(row.links_to_top) > 0;
+        if rows.last().is_none_or(joined) { Self::Attached } else { Self::Cut }
     }
 }
 
@@ -171,26 +178,35 @@ mod tests {
         }
     }
 
-    fn fate(separation: f64, rolled: f64, rigidity: f64, links: usize) -> Fate {
-        let mut rows: Vec<Row> = (1..=60).map(|k| row(f64::from(k), 10.0, 0.0, 0.0, 9)).collect();
-        rows[35..].fill(row(0.0, separation, rolled, rigidity, links));
-        for (k, row) in rows.iter_mut().enumerate() {
-            row.slid = (k + 1) as f64;
+    /// Sixty windows of 1 nm, from the eleventh on with the given separation and rotation; the junction is 10 nm high.
+    fn fate(separation: f64, rolled: f64, links: usize) -> Fate {
+        let mut rows: Vec<Row> = Vec::new();
+        for k in 1..=60 {
+            let (separation, rolled) = if k > 10 { (separation, rolled) } else { (10.0, 0.0) };
+            let turns = rows.last().map_or(0.0, |row| row.turns) + rolled / std::f64::consts::TAU;
+            rows.push(Row { turns, ..row(f64::from(k), separation, rolled, 0.9, links) });
         }
         Fate::of(&rows, 10.0)
     }
 
     #[test]
-    fn the_verdict_follows_the_measures_of_the_last_third() {
-        assert_eq!(fate(4.9, 0.0, 0.0, 9), Fate::Flattened);
-        assert_eq!(fate(12.0, 0.8 / 12.0, 0.9, 9), Fate::Rolls);
-        assert_eq!(fate(12.0, 0.5 / 12.0, 0.5, 9), Fate::Attached);
-        assert_eq!(fate(10.0, 0.0, 0.0, 0), Fate::Cut);
+    fn the_verdict_is_what_came_first() {
+        assert_eq!(fate(6.0, 0.0, 9), Fate::Flattened);
+        assert_eq!(fate(6.0, 1.0 / 12.0, 9), Fate::Flattened);
+        assert_eq!(fate(12.0, 1.0 / 12.0, 9), Fate::Rolls);
+        assert_eq!(fate(8.0, 0.0, 9), Fate::Attached);
+        assert_eq!(fate(8.0, 0.0, 0), Fate::Cut);
     }
 
     #[test]
-    fn a_round_body_in_simple_shear_does_not_roll() {
-        assert_eq!(fate(12.0, 0.5 / 12.0, 0.9, 9), Fate::Attached);
-        assert_eq!(fate(12.0, 1.0 / 12.0, 0.5, 9), Fate::Attached);
+    fn a_round_body_in_simple_shear_does_not_roll_however_far_it_turns() {
+        assert_eq!(fate(12.0, 0.5 / 12.0, 9), Fate::Attached);
+    }
+
+    #[test]
+    fn a_vibration_is_no_flattening() {
+        let mut rows: Vec<Row> = (1..=20).map(|k| row(f64::from(k), 10.0, 0.0, 0.0, 9)).collect();
+        rows[12].separation = 5.0;
+        assert_eq!(Fate::of(&rows, 10.0), Fate::Attached);
     }
 }
