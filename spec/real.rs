@@ -34,6 +34,8 @@ pub trait Real:
     fn sin(self) -> Self;
     /// Cosine of an angle in radians.
     fn cos(self) -> Self;
+    /// The angle in radians, from zero to pi, with this cosine.
+    fn acos(self) -> Self;
     /// Hyperbolic tangent.
     fn tanh(self) -> Self;
     /// Largest integer not above the number.
@@ -115,6 +117,10 @@ macro_rules! native {
                 $suffix::cos(self)
             }
             #[inline]
+            fn acos(self) -> Self {
+                $suffix::acos(self)
+            }
+            #[inline]
             fn tanh(self) -> Self {
                 $suffix::tanh(self)
             }
@@ -139,10 +145,10 @@ macro_rules! native {
 }
 
 mod double {
-    pub use libm::{cos, exp, floor, log, sin, tanh};
+    pub use libm::{acos, cos, exp, floor, log, sin, tanh};
 }
 mod single {
-    pub use libm::{cosf as cos, expf as exp, floorf as floor, logf as log, sinf as sin, tanhf as tanh};
+    pub use libm::{acosf as acos, cosf as cos, expf as exp, floorf as floor, logf as log, sinf as sin, tanhf as tanh};
 }
 native!(f64, double);
 native!(f32, single);

@@ -127,6 +127,9 @@ impl Real for Dimension {
     fn cos(self) -> Self {
         self.dimensionless("cosine")
     }
+    fn acos(self) -> Self {
+        self.dimensionless("inverse cosine")
+    }
     fn tanh(self) -> Self {
         self.dimensionless("hyperbolic tangent")
     }
@@ -249,7 +252,7 @@ mod laws {
 
     #[test]
     fn functions_want_pure_numbers() {
-        for f in [Real::exp, Real::ln, Real::sin, Real::cos, Real::tanh, Real::floor] {
+        for f in [Real::exp, Real::ln, Real::sin, Real::cos, Real::acos, Real::tanh, Real::floor] {
             wrong(f(LENGTH));
             assert_eq!(f(LENGTH / LENGTH), DIMENSIONLESS);
             assert_eq!(f(Dimension::zero()), DIMENSIONLESS);

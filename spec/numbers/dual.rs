@@ -55,6 +55,9 @@ impl Real for Dual {
     fn cos(self) -> Self {
         self.chain(Real::cos(self.value), -Real::sin(self.value))
     }
+    fn acos(self) -> Self {
+        self.chain(Real::acos(self.value), -1.0 / ((1.0 - self.value) * (1.0 + self.value)).sqrt())
+    }
     fn tanh(self) -> Self {
         let value = Real::tanh(self.value);
         self.chain(value, (1.0 - value) * (1.0 + value))
@@ -125,7 +128,7 @@ mod laws {
 
     /// Every operation once, smooth for positive arguments.
     fn composite<R: Real>(x: R, y: R) -> R {
-        let waves = (x * y).sin() + (x - y).cos() * (x / y).tanh();
+        let waves = (x * y).sin() + (x - y).cos() * (x / y).tanh() + (x / (x + y)).acos();
         waves * (-x).exp() + (x + y).ln() / (x.squared() + R::one()).sqrt() + x.max(y) * x.floor()
     }
 

@@ -121,6 +121,10 @@ impl Real for Interval {
     fn cos(self) -> Self {
         self.wave(Real::cos, 0.0)
     }
+    fn acos(self) -> Self {
+        let wide = Self::outwards(Real::acos(self.hi.min(1.0)), Real::acos(self.lo.max(-1.0)), MARGIN);
+        Self { lo: wide.lo.max(0.0), ..wide }
+    }
     fn tanh(self) -> Self {
         let wide = self.increasing(Real::tanh);
         Self { lo: wide.lo.max(-1.0), hi: wide.hi.min(1.0) }
@@ -277,11 +281,12 @@ mod laws {
         #[test]
         fn it_contains_every_transcendental_function(a in intervals(30.0), s in 0.0..=1.0) {
             let x = one_of(a, s);
-            let functions: [Function; 5] = [
+            let functions: [Function; 6] = [
                 (Real::exp, Real::exp, Real::exp),
                 (Real::sin, Real::sin, Real::sin),
                 (Real::cos, Real::cos, Real::cos),
                 (Real::tanh, Real::tanh, Real::tanh),
+                (|x| x.tanh().acos(), |x| Real::acos(Real::tanh(x)), |x| x.tanh().acos()),
                 (|x| x.squared().ln(), |x| Real::ln(x.squared()), |x| x.squared().ln()),
             ];
             for (bounds, double, exact) in functions {

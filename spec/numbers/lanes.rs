@@ -85,6 +85,10 @@ impl<const N: usize> Real for Lanes<N> {
         self.map(Real::cos)
     }
     #[inline]
+    fn acos(self) -> Self {
+        self.map(Real::acos)
+    }
+    #[inline]
     fn tanh(self) -> Self {
         self.map(Real::tanh)
     }

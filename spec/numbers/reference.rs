@@ -158,6 +158,9 @@ impl Real for Reference {
     fn cos(self) -> Self {
         self.apply(|x, c| x.cos(BITS, NEAREST, c))
     }
+    fn acos(self) -> Self {
+        self.apply(|x, c| x.acos(BITS, NEAREST, c))
+    }
     fn tanh(self) -> Self {
         self.apply(|x, c| x.tanh(BITS, NEAREST, c))
     }
@@ -253,6 +256,7 @@ mod laws {
                 ulps(Real::ln(x.abs()), a.abs().ln()),
             ];
             prop_assert!(errors.iter().all(|error| *error <= 1.0), "{errors:?}");
+            prop_assert!(ulps(Real::acos(x / 20.0), Reference::exact(x / 20.0).acos()) <= 1.0);
             prop_assert!(ulps(Real::tanh(x), a.tanh()) <= 2.0);
             prop_assert!(ulps(x.abs(), square.sqrt()) == 0.0);
             prop_assert_eq!(a.floor().to_f64(), x.floor());
