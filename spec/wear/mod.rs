@@ -17,6 +17,16 @@
 //! * Eq. 6 is not stable itself, and not the tightest limit, see [`def_stable_step`].
 //! * Eqs. 12 and 13 hold for weak damping, the latter for spheres that cannot turn, see [`def_restitution`].
 //! * Eq. 21 is critical for a dashpot, not for the drag it is used for.
+//!
+//! And in the appendix:
+//!
+//! * A.2 needs A.1 divided by the masses before the subtraction, see [`a01_pair_motion`].
+//! * A.17 and A.18 must be strict: the limit itself is unstable, see [`a17_stability`].
+//! * A.31 holds only if the force reaches its peak, see [`a31_fracture_energy`].
+//! * A.37 is the damped frequency, not the natural one, see [`a37_frequency`].
+//! * A.40 lacks a minus sign and A.41 is upside down, see [`a39_impact_end`].
+//! * A.43 to A.47 hold for weak damping, see [`a42_restitution`] and [`a45_damping`].
+//! * A.50 to A.56 take the polar angle for a latitude, see [`a50_pair_strain`].
 
 pub mod a01_pair_motion;
 pub mod a04_time_step;
@@ -37,6 +47,9 @@ pub mod a39_impact_end;
 pub mod a42_restitution;
 pub mod a45_damping;
 pub mod a49_rescaled_separation;
+pub mod a50_pair_strain;
+pub mod a56_body_energy;
+pub mod a60_elastic_constants;
 #[cfg(test)]
 mod amplification;
 pub mod def_box;
@@ -51,6 +64,7 @@ pub mod def_sphere;
 pub mod def_spring;
 pub mod def_stable_step;
 pub mod def_virial;
+pub mod def_zero_force_end;
 pub mod eq01_symplectic_euler;
 pub mod eq02_pair_force;
 pub mod eq03_normal_force;
@@ -134,8 +148,12 @@ pub fn equations() -> Vec<Equation> {
         a37_frequency::equations(),
         a39_impact_end::equations(),
         a42_restitution::equations(),
+        def_zero_force_end::equations(),
         a45_damping::equations(),
         a49_rescaled_separation::equations(),
+        a50_pair_strain::equations(),
+        a56_body_energy::equations(),
+        a60_elastic_constants::equations(),
     ]
     .into_iter()
     .flatten()
