@@ -19,8 +19,10 @@ use crate::{Real, equation};
 /// | `r` | $r$ | m | > 0 | radius |
 /// | `epsilon_x` | $\varepsilon_x$ | 1 | any | strain along x |
 /// | `phi` | $\phi$ | rad | any | azimuth of the neighbour |
-/// | `theta` | $\theta$ | rad | [-1.5707963267948966, 1.5707963267948966] | latitude of the neighbour |
+/// | `theta` | $\theta$ | rad | [-pi/2, pi/2] | latitude of the neighbour |
 /// | → `delta_x` | $\delta_x$ | m | | separation along x |
+///
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///
@@ -45,8 +47,10 @@ pub fn separation_x<R: Real>(r: R, epsilon_x: R, phi: R, theta: R) -> R {
 /// |---|---|---|---|---|
 /// | `r` | $r$ | m | > 0 | radius |
 /// | `epsilon_z` | $\varepsilon_z$ | 1 | any | strain along z |
-/// | `theta` | $\theta$ | rad | [-1.5707963267948966, 1.5707963267948966] | latitude of the neighbour |
+/// | `theta` | $\theta$ | rad | [-pi/2, pi/2] | latitude of the neighbour |
 /// | → `delta_z` | $\delta_z$ | m | | separation along z |
+///
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///
@@ -72,8 +76,10 @@ pub fn separation_z<R: Real>(r: R, epsilon_z: R, theta: R) -> R {
 /// | `delta_x` | $\delta_x$ | m | any | separation along x |
 /// | `delta_z` | $\delta_z$ | m | any | separation along z |
 /// | `phi` | $\phi$ | rad | any | azimuth of the neighbour |
-/// | `theta` | $\theta$ | rad | [-1.5707963267948966, 1.5707963267948966] | latitude of the neighbour |
+/// | `theta` | $\theta$ | rad | [-pi/2, pi/2] | latitude of the neighbour |
 /// | → `delta_r` | $\delta_r$ | m | | radial separation |
+///
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///
@@ -99,8 +105,10 @@ pub fn separation_radial<R: Real>(delta_x: R, delta_z: R, phi: R, theta: R) -> R
 /// | `delta_x` | $\delta_x$ | m | any | separation along x |
 /// | `delta_z` | $\delta_z$ | m | any | separation along z |
 /// | `phi` | $\phi$ | rad | any | azimuth of the neighbour |
-/// | `theta` | $\theta$ | rad | [-1.5707963267948966, 1.5707963267948966] | latitude of the neighbour |
+/// | `theta` | $\theta$ | rad | [-pi/2, pi/2] | latitude of the neighbour |
 /// | → `delta_theta` | $\delta_\theta$ | m | | separation along the meridian |
+///
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///
@@ -126,6 +134,8 @@ pub fn separation_meridional<R: Real>(delta_x: R, delta_z: R, phi: R, theta: R) 
 /// | `delta_x` | $\delta_x$ | m | any | separation along x |
 /// | `phi` | $\phi$ | rad | any | azimuth of the neighbour |
 /// | → `delta_phi` | $\delta_\phi$ | m | | separation along the parallel |
+///
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///
@@ -153,6 +163,8 @@ pub fn separation_zonal<R: Real>(delta_x: R, phi: R) -> R {
 /// | `delta_theta` | $\delta_\theta$ | m | any | separation along the meridian |
 /// | `delta_phi` | $\delta_\phi$ | m | any | separation along the parallel |
 /// | → `u_pair` | $U_{\text{pair}}$ | J | | energy of the pair |
+///
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///

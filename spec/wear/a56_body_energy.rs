@@ -28,6 +28,8 @@ use crate::{Real, equation};
 /// | `epsilon_z` | $\varepsilon_z$ | 1 | any | strain along z |
 /// | → `u` | $U$ | J | | energy with neighbours all around |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `is_the_integral_over_all_directions`
@@ -56,6 +58,8 @@ pub fn surrounded_energy<R: Real>(r: R, k_n: R, k_t: R, epsilon_x: R, epsilon_z:
 /// | `u` | $U$ | J | >= 0 | energy with neighbours all around |
 /// | → `u_prime` | $U'$ | J | | energy with twelve neighbours |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `twelve_times_the_mean_of_half_a_pair`
@@ -79,6 +83,8 @@ pub fn close_packed_energy<R: Real>(u: R) -> R {
 /// |---|---|---|---|---|
 /// | `r` | $r$ | m | > 0 | radius |
 /// | → `v` | $V$ | m^3 | | volume of the body per particle |
+///
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///
@@ -107,6 +113,8 @@ pub fn close_packed_volume<R: Real>(r: R) -> R {
 /// | `epsilon_x` | $\varepsilon_x$ | 1 | any | strain along x |
 /// | `epsilon_z` | $\varepsilon_z$ | 1 | any | strain along z |
 /// | → `sigma_x` | $\sigma_x$ | Pa | | stress along x |
+///
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///

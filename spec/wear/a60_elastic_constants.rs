@@ -23,6 +23,8 @@ use crate::{Real, equation};
 /// | `k_t` | $k_T$ | N/m | >= 0 | tangential stiffness |
 /// | → `c_11` | $C_{11}$ | Pa | | elastic constant |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `the_energy_has_these_second_derivatives`
@@ -48,6 +50,8 @@ pub fn constant_11<R: Real>(r: R, k_n: R, k_t: R) -> R {
 /// | `k_n` | $k_N$ | N/m | >= 0 | normal stiffness |
 /// | `k_t` | $k_T$ | N/m | >= 0 | tangential stiffness |
 /// | → `c_12` | $C_{12}$ | Pa | | elastic constant |
+///
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///
@@ -76,6 +80,8 @@ pub fn constant_12<R: Real>(r: R, k_n: R, k_t: R) -> R {
 /// | `nu` | $\nu$ | 1 | (-1, 1/2) | Poisson's ratio |
 /// | → `k_n` | $k_N$ | N/m | | normal stiffness |
 ///
+/// Rounding: at most 0.5 ULP.
+///
 /// # Laws
 ///
 /// * `the_stiffnesses_reproduce_the_wanted_constants`
@@ -102,6 +108,8 @@ pub fn normal_stiffness_of_body<R: Real>(e: R, r: R, nu: R) -> R {
 /// | `r` | $r$ | m | > 0 | radius |
 /// | `nu` | $\nu$ | 1 | (-1, 1/4] | Poisson's ratio |
 /// | → `k_t` | $k_T$ | N/m | | tangential stiffness |
+///
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///

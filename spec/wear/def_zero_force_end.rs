@@ -21,6 +21,8 @@ use crate::{Real, equation};
 /// | `zeta` | $\zeta$ | 1 | [0, 1) | damping ratio |
 /// | → `t_f` | $t_f$ | s | | duration of the impact |
 ///
+/// Rounding: at most 1 ULP.
+///
 /// # Laws
 ///
 /// * `the_force_vanishes_then_and_not_before`
@@ -44,6 +46,8 @@ pub fn zero_force_duration<R: Real>(omega: R, zeta: R) -> R {
 /// |---|---|---|---|---|
 /// | `zeta` | $\zeta$ | 1 | [0, 1) | damping ratio |
 /// | → `eta` | $\eta$ | 1 | | restitution coefficient |
+///
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

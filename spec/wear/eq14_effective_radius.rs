@@ -11,7 +11,7 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// As printed.
+/// As printed, and again in Eq. A.66: a choice.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

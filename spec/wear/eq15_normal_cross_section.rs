@@ -11,7 +11,7 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// As printed.
+/// As printed; Eq. A.64 derives it for equal radii.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

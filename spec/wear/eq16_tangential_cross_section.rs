@@ -12,6 +12,7 @@ use crate::{Real, equation};
 /// # Reading
 ///
 /// Negative above a Poisson's ratio of 1/4: the model ends there, as the paper says.
+/// Eq. A.65 derives it for equal radii.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
