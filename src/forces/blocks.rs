@@ -82,7 +82,7 @@ pub fn partition<M: PairModel>(
         first[p + 1] += first[p];
     }
     // Enough blocks to keep the cores busy, large enough for their halos to be small.
-    let size = (n / 16).clamp(64, 512);
+    let size = (n / 16).clamp(64, 1024);
     let mut cut = Vec::new();
     for start in (0..n).step_by(size) {
         cut_to_fit(start..(start + size).min(n), particles, pairs, &first, &mut cut)?;
