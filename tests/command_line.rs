@@ -17,7 +17,7 @@ fn text(bytes: &[u8]) -> String {
 }
 
 #[test]
-fn the_schema_lists_every_key_and_what_it_lists_can_be_read_as_a_case() {
+fn the_schema_lists_every_key_with_its_meaning_and_default() {
     let place = tempfile::tempdir().unwrap();
     let listed = text(&veridem(place.path(), &["schema"]).stdout);
     let keys = |text: &str| text.lines().filter(|line| !line.trim_start().starts_with('#')).count();
@@ -27,7 +27,7 @@ fn the_schema_lists_every_key_and_what_it_lists_can_be_read_as_a_case() {
     }
     assert_eq!(keys(&listed), count(&json));
     assert!(listed.contains(
-        "# Young's modulus E. Expects a pressure such as `73 GPa`. Must be given.\n      young_modulus: ...\n"
+        "# Young's modulus E. Expects a pressure such as `73 GPa`. Must be given.\n    young_modulus: ...\n"
     ));
     assert!(listed.contains("# Seed of every random stream. Expects a whole number.\nseed: 1\n"));
 }
@@ -122,6 +122,26 @@ fn json_goes_to_standard_output_and_messages_to_standard_error() {
     assert_eq!(manifest["status"], "finished");
     assert_eq!(manifest["inputs"].as_object().unwrap().len(), 1);
     assert!(manifest["outputs"].as_object().unwrap().contains_key("series.csv"));
+}
+
+#[test]
+fn a_simulation_that_leaves_its_domain_says_where_and_keeps_the_state() {
+    let place = tempfile::tempdir().unwrap();
+    let strict = std::fs::read_to_string(case("junction")).unwrap() + "limits:\n  overlap: 0.01\n";
+    std::fs::write(place.path().join("strict.yaml"), strict).unwrap();
+    let halted = veridem(place.path(), &["run", "strict.yaml"]);
+    assert_eq!(halted.status.code(), Some(5));
+    let message = text(&halted.stderr);
+    assert!(message.starts_with("halted at step 0 (t = 0.01"), "{message}");
+    assert!(
+        message.ends_with("of the sum of their radii (limit 0.01); the state is in run/strict/halted.xyz\n"),
+        "{message}"
+    );
+    let folder = place.path().join("run/strict");
+    assert!(std::fs::read_to_string(folder.join("halted.xyz")).unwrap().contains("stage=cohesion"));
+    assert!(std::fs::read_to_string(folder.join("events.jsonl")).unwrap().ends_with("(limit 0.01)\"}\n"));
+    assert!(std::fs::read_to_string(folder.join("manifest.json")).unwrap().contains("\"status\": \"halted\""));
+    assert_eq!(veridem(place.path(), &["resume", "run/strict"]).status.code(), Some(5), "the last checkpoint is valid");
 }
 
 #[test]

@@ -56,7 +56,10 @@ fn every_equation_shows_its_number_its_formula_and_its_reading() {
 /// The functions in the module `laws` of a file: name, whether a test, whether inside `proptest!`.
 fn laws_of(source: &str) -> Vec<(String, bool, bool)> {
     let Some((_, module)) = source.split_once("\n#[cfg(test)]\n") else { return vec![] };
-    assert!(module.lines().next().is_some_and(|line| line.ends_with("mod laws {")), "laws are all that is for tests only");
+    assert!(
+        module.lines().next().is_some_and(|line| line.ends_with("mod laws {")),
+        "laws are all that is for tests only"
+    );
     let (mut attributes, mut out, mut in_proptest) = (vec![], vec![], false);
     for line in module.lines() {
         match line.trim() {

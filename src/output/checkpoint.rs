@@ -80,12 +80,16 @@ impl Checkpoints {
     pub fn keep<T: Serialize>(&self, steps: u64, state: &T) -> Result<(), Error> {
         keep(&self.path(&format!("{steps:012}")), Kept::Checkpoint, state)?;
         let due = self.due()?;
-        let outdated = &due[..due.len().saturating_sub(2)];
-        let stopped = self.path(STOPPED);
-        for path in outdated.iter().chain(stopped.exists().then_some(&stopped)) {
+        for path in &due[..due.len().saturating_sub(2)] {
             std::fs::remove_file(path).at(path)?;
         }
-        Ok(())
+        self.forget_stopped()
+    }
+
+    /// Forgets where the run was stopped: it has gone on beyond that.
+    pub fn forget_stopped(&self) -> Result<(), Error> {
+        let stopped = self.path(STOPPED);
+        if stopped.exists() { std::fs::remove_file(&stopped).at(&stopped) } else { Ok(()) }
     }
 
     /// Keeps the state that a run is stopped in.

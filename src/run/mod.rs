@@ -201,6 +201,7 @@ impl<'a> Run<'a> {
         let results = serde_yaml::to_string(&course.findings).expect("findings are plain data");
         write_atomically(&self.folder.results(), results.as_bytes())?;
         report(self.case, self.folder, &course.findings)?;
+        self.folder.checkpoints().forget_stopped()?;
         Ok(course.findings)
     }
 
@@ -220,7 +221,7 @@ impl<'a> Run<'a> {
         let material = self.case.material().spec();
         let begun = stage.begin(from, &material, self.max_overlap(stage));
         let simulation = begun.map_err(|halt| Error::Halted(halt, None))?;
-        let watch = Watch::begin(stage, self.case, self.plan.scales().d_0, &simulation);
+        let watch = Watch::begin(stage, self.case, &simulation);
         let mut current = Current { number, simulation, watch, glance: (0.0, 0.0) };
         course.record.event(stage.name, current.simulation.system(), "begin")?;
         course.record.frame(stage.name, current.simulation.system())?;

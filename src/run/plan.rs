@@ -47,11 +47,6 @@ impl Plan {
         Self { case: case.clone(), scales, preparation, experiments }
     }
 
-    /// The scales of the case.
-    pub fn scales(&self) -> &Scales {
-        &self.scales
-    }
-
     /// All stages in order.
     pub fn stages(&self) -> impl Iterator<Item = &Stage> {
         self.preparation.iter().chain(&self.experiments)

@@ -51,6 +51,9 @@ pub struct Sheared {
     rows: u64,
 }
 
+/// Sliding after which the third body is looked for again, nm, unless rows of the series are farther apart.
+const WINDOW: f64 = 1.0;
+
 /// Columns of all observers; a stage fills its own.
 const RELAXATION: [&str; 1] = ["volume fraction"];
 const TEST: [&str; 6] = [
@@ -84,7 +87,7 @@ pub fn columns() -> Vec<&'static str> {
 
 impl Watch {
     /// Begins to watch a stage.
-    pub fn begin(stage: &Stage, case: &Case, d_0: f64, simulation: &Simulation<Wear>) -> Self {
+    pub fn begin(stage: &Stage, case: &Case, simulation: &Simulation<Wear>) -> Self {
         let system = simulation.system();
         match &stage.setup {
             Setup::None => Self::Relaxation,
@@ -98,7 +101,7 @@ impl Watch {
                 Self::Test(Test { kind, gauge, peak: [0.0; 2], failed: false })
             }
             Setup::Junction(junction) => {
-                let window = d_0.max(junction.velocity.abs() * case.output.series.value(simulation.settings().dt));
+                let window = WINDOW.max(junction.velocity.abs() * case.output.series.value(simulation.settings().dt));
                 Self::Junction(Sheared {
                     witness: Witness::new(system, junction.height),
                     height: junction.height,
@@ -209,7 +212,7 @@ impl Sheared {
         self.rows += 1;
         let mut cells: Vec<Cell> = [slid, separation, -wall[0], wall[1]].map(Cell::Number).into();
         if slid.abs() >= self.next {
-            self.next = slid.abs() + self.window;
+            self.next += self.window;
             let row = self.witness.look(system, &links(simulation));
             cells.extend([Cell::Count(row.third_size as u64), Cell::Count(row.third_from_junction as u64)]);
             cells.extend([row.third_mass, row.third_height, row.turns, row.rigidity].map(Cell::Number));
