@@ -140,3 +140,38 @@ pub fn shear_junction(
     })?;
     Ok(witness.expect("a stage takes at least one step"))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::build::hcp;
+    use crate::reproduce::patch_material;
+
+    #[test]
+    fn a_lattice_without_poisson_effect_has_the_modulus_of_its_target() {
+        let measured =
+            elasticity(&hcp(180.0, [6, 4, 2], 1.0), 180.0, &patch_material(0.0, 0.5), 6000).unwrap().unwrap();
+        // Beyond linear order the load of 0.01 E turns the bonds: a deviation of its square.
+        assert!((measured.young_modulus - 1.0).abs() < 1e-3, "{measured:?}");
+        assert!(measured.poisson_ratio.abs() < 2e-3, "{measured:?}");
+        assert!((measured.strain + 0.01).abs() < 1e-4, "{measured:?}");
+    }
+
+    #[test]
+    fn a_random_sample_comes_to_rest_without_stress_at_the_density_of_the_material() {
+        let relaxed = relax(Sizes::around(180.0), [900.0; 3], &patch_material(0.15, 0.0), 2.0, 1).unwrap();
+        assert!(relaxed.residual < 1e-14, "{relaxed:?}");
+        assert!(relaxed.volume_fraction > FILL && relaxed.volume_fraction < 0.85, "{}", relaxed.volume_fraction);
+        let total: f64 = relaxed.system.particles.mass.iter().sum();
+        assert!((total / relaxed.system.domain.volume() / 2.0 - 1.0).abs() < 1e-12);
+        assert!(relaxed.system.particles.v.iter().all(|v| v.norm() == 0.0));
+    }
+
+    #[test]
+    fn a_stretched_lattice_breaks_near_its_target_strength() {
+        let measured =
+            strength(&hcp(180.0, [6, 4, 2], 1.0), 180.0, &patch_material(0.0, 0.0), Pull::Tension, 0.5).unwrap();
+        assert!((measured.peak / 0.2 - 1.0).abs() < 0.15, "{}", measured.peak);
+        assert!(measured.curve[measured.curve.len() - 1].1 < 0.5 * measured.peak);
+    }
+}

@@ -115,7 +115,7 @@ pub fn silica() -> Material {
 }
 
 /// The density of silica, ag/nm^3.
-pub const SILICA_DENSITY: f64 = 2.2;
+pub const SILICA_DENSITY: f64 = 2.2e-3;
 
 /// `|a / b - 1| <= tolerance`; false for a NaN.
 pub(crate) fn near(a: f64, b: f64, tolerance: f64) -> bool {
@@ -140,6 +140,16 @@ mod tests {
     fn the_slope_of_a_power_law_is_its_exponent() {
         let points: Vec<(f64, f64)> = (1..6).map(|k| (f64::from(k), 3.0 / f64::from(k).sqrt())).collect();
         assert!((log_slope(&points) + 0.5).abs() < 1e-14);
+    }
+
+    #[test]
+    fn silica_in_engine_units_has_the_wave_velocity_and_critical_diameter_of_the_paper() {
+        use crate::spec::wear::eq18_critical_diameter::critical_diameter;
+        use crate::spec::wear::eq22_critical_length::wave_velocity;
+        let material = silica();
+        assert!(near(wave_velocity(material.young_modulus, SILICA_DENSITY), 5760.4, 1e-4));
+        let d_c = critical_diameter(material.surface_energy, material.young_modulus, material.tensile_strength);
+        assert!(near(d_c, 1.7109, 1e-4));
     }
 
     #[test]
