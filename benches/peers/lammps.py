@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Compares the engine with LAMMPS, whole process against whole process, in alternating pairs.
 
-    python3 benches/peers/lammps.py [--pairs N] [--lammps-only]
+    python3 benches/peers/lammps.py [--pairs N] [--threads N ...] [--lammps-only]
 
 Both advance the same periodic HCP crystals of touching spheres: twelve neighbours each, listed once, no rebuild. LAMMPS runs
 gran/hooke/history, the engine the cohesive law of the wear paper. Every figure is the difference of a long and a short run, so that
@@ -55,6 +55,7 @@ def contestants(binary, threads, with_engine):
 def main():
     arguments = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     arguments.add_argument("--pairs", type=int, default=5, help="how often each program is measured (default 5)")
+    arguments.add_argument("--threads", type=int, nargs="+", default=[1, 2], help="numbers of threads (default 1 2)")
     arguments.add_argument("--lammps-only", action="store_true", help="leave the engine out")
     options = arguments.parse_args()
     binary = install()
@@ -64,7 +65,7 @@ def main():
     print(f"ns per particle and step: medians of {options.pairs}, programs taking turns. Ratio: to veridem, median over the turns.\n")
     print("| particles | threads | program | CPU | wall | ratio of CPU | ratio of wall |\n|---|---|---|---|---|---|---|")
     for cells in CRYSTALS:
-        for threads in (1, 2):
+        for threads in options.threads:
             programs = contestants(binary, threads, not options.lammps_only)
             samples = {name: [] for name in programs}
             for _ in range(options.pairs):
