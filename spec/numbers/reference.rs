@@ -94,7 +94,7 @@ impl Reference {
         let size = libm::ldexp(rounded as f64, exponent - kept as i32);
         if negative { -size } else { size }
     }
-    /// Decimal with [`DIGITS`] significant digits, as `-1.234e-9`.
+    /// Decimal with `DIGITS` significant digits, as `-1.234e-9`.
     pub fn to_decimal(self) -> String {
         if let Self::Zero = self {
             return "0.0".into();

@@ -19,10 +19,10 @@ use crate::{Real, equation};
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `h` | $\hat{\Delta t}$ | 1 | >= 0 | scaled time step |
-/// | → `re_1` | $\mathrm{Re}\,\lambda_1$ | 1 | | real part of the eigenvalue with the plus sign |
-/// | → `im_1` | $\mathrm{Im}\,\lambda_1$ | 1 | | its imaginary part |
-/// | → `re_2` | $\mathrm{Re}\,\lambda_2$ | 1 | | real part of the eigenvalue with the minus sign |
-/// | → `im_2` | $\mathrm{Im}\,\lambda_2$ | 1 | | its imaginary part |
+/// | → `re_1` | $\operatorname{Re} \lambda_1$ | 1 | | real part of the eigenvalue with the plus sign |
+/// | → `im_1` | $\operatorname{Im} \lambda_1$ | 1 | | its imaginary part |
+/// | → `re_2` | $\operatorname{Re} \lambda_2$ | 1 | | real part of the eigenvalue with the minus sign |
+/// | → `im_2` | $\operatorname{Im} \lambda_2$ | 1 | | its imaginary part |
 ///
 /// Rounding: at most 1 ULP.
 ///

@@ -12,7 +12,7 @@ use crate::{Real, equation};
 /// # Reading
 ///
 /// Erratum: the paper calls $\theta$ the polar angle, but every formula from here to A.56 takes it for the latitude, which is
-/// zero on the equator. The neighbour lies at $2r\,(\cos\phi \cos\theta, \sin\phi \cos\theta, \sin\theta)$.
+/// zero on the equator. The neighbour lies at $2r (\cos\phi \cos\theta, \sin\phi \cos\theta, \sin\theta)$.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

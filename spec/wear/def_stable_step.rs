@@ -65,7 +65,7 @@ pub fn sliding_limit<R: Real>(nu: R) -> (R, R) {
 /// # Reading
 ///
 /// The general limit of Eq. 1, of which the two above are fractions: with $m = m_{\mathrm{eff}}$ it is
-/// $\Delta t_c (\sqrt{1 + \zeta^2} - \zeta)$, with $2/7 \, m_{\mathrm{eff}}$ and the tangential spring it is the limit of sliding.
+/// $\Delta t_c (\sqrt{1 + \zeta^2} - \zeta)$, with $\tfrac{2}{7} m_{\mathrm{eff}}$ and the tangential spring it is the limit of sliding.
 /// Written so that a missing spring or dashpot needs no exception.
 ///
 /// | name | symbol | unit | domain | meaning |
