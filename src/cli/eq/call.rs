@@ -52,17 +52,20 @@ impl Registry {
 }
 
 impl Entry {
-    /// The argument of a name: that of the table or the paper's symbol, in any case and without underscores.
+    /// The argument of a name: that of the table, or the only one of that name or symbol in any case and without underscores.
     pub fn argument(&self, name: &str) -> Result<&Quantity, String> {
         let quantities = &self.document.arguments;
-        let by_symbol = || {
-            let mut all = quantities.iter().filter(|q| plain_symbol(&q.symbol) == plain(name));
+        let only = |alike: &dyn Fn(&Quantity) -> bool| {
+            let mut all = quantities.iter().filter(|q| alike(q));
             all.next().filter(|_| all.next().is_none())
         };
-        quantities.iter().find(|q| plain(&q.name) == plain(name)).or_else(by_symbol).ok_or_else(|| {
-            let names = quantities.iter().map(|q| q.name.as_str());
-            format!("{} has no argument `{name}`, {}", self.equation.id, nearest(name, names))
-        })
+        only(&|q| q.name == name)
+            .or_else(|| only(&|q| plain(&q.name) == plain(name)))
+            .or_else(|| only(&|q| plain_symbol(&q.symbol) == plain(name)))
+            .ok_or_else(|| {
+                let names = quantities.iter().map(|q| q.name.as_str());
+                format!("{} has no argument `{name}`, {}", self.equation.id, nearest(name, names))
+            })
     }
 
     /// Evaluates the equation with arguments in SI, in any order.
@@ -165,14 +168,19 @@ mod tests {
     use std::collections::BTreeSet;
 
     #[test]
-    fn generous_names_are_unambiguous() {
+    fn ids_are_unambiguous_and_names_in_a_table_mean_their_row() {
         let registry = Registry::new();
         let ids: BTreeSet<String> = registry.0.iter().map(|entry| plain_id(entry.equation.id)).collect();
         assert_eq!(ids.len(), registry.0.len());
         for entry in &registry.0 {
-            let names: BTreeSet<String> = entry.document.arguments.iter().map(|q| plain(&q.name)).collect();
-            assert_eq!(names.len(), entry.document.arguments.len(), "{}", entry.equation.id);
+            for quantity in &entry.document.arguments {
+                assert_eq!(entry.argument(&quantity.name).map(|q| &q.name), Ok(&quantity.name));
+            }
         }
+        // `xi` is the spring, `X_I` could be the position of i, too
+        let contact = registry.find("wear-contact").unwrap();
+        assert_eq!(contact.argument("xi").map(|q| q.meaning.as_str()), Ok("tangential spring before"));
+        assert!(contact.argument("X_I").is_err());
     }
 
     #[test]
