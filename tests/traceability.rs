@@ -111,18 +111,21 @@ fn a_law_that_would_not_run_is_noticed() {
 }
 
 #[test]
-fn no_equation_is_claimed_twice() {
+fn every_number_of_the_paper_is_carried_by_exactly_one_equation() {
+    let main_text = (1..=22).map(|number| number.to_string());
+    let appendix = (1..=66).map(|number| format!("A{number}"));
+    let printed: BTreeSet<String> = main_text.chain(appendix).collect();
     let equations = veridem_spec::equations();
-    let ids: BTreeSet<&str> = equations.iter().map(|e| e.id).collect();
-    assert_eq!(ids.len(), equations.len(), "an id twice");
-    let mut numbers = BTreeSet::new();
+    let mut carried = BTreeSet::new();
     for equation in &equations {
-        let (paper, name) = equation.id.split_once('-').expect("paper and number");
         for number in equation.covers {
-            assert!(numbers.insert((paper, *number)), "{paper} Eq. {number} twice");
-            assert_eq!(*number, name, "the id is the number");
+            assert_eq!(equation.id, format!("wear-{number}"), "the id says the number");
+            assert!(carried.insert(number.to_string()), "Eq. {number} is carried twice");
         }
     }
+    assert_eq!(carried, printed);
+    let ids: BTreeSet<&str> = equations.iter().map(|equation| equation.id).collect();
+    assert_eq!(ids.len(), equations.len(), "an id twice");
 }
 
 #[test]
