@@ -159,20 +159,23 @@ fn strengths(extent: Extent, chapter: &mut Chapter) -> Result<(), Halt> {
                 (low - slope).abs() < 0.1 && (high - slope).abs() < 0.1,
             ));
         }
-        let above = ratios.iter().filter(|nu| **nu > 0.0).flat_map(|&nu| [ratio(nu, 0.0), ratio(nu, 0.5)].concat());
-        let (low, high) = range(above.collect());
+        // Below the critical diameter the paper finds the shear strength under its target: that is the next claim.
+        let first = usize::from(pull == Pull::Shear);
+        let scaled = ratios.iter().filter(|nu| **nu > 0.0).flat_map(|&nu| [ratio(nu, 0.0), ratio(nu, 0.5)]);
+        let (low, high) = range(scaled.flat_map(|over| over[first..].to_vec()).collect());
         chapter.claims.push(Claim::new(
             figure,
-            format!("{name} strength of the lattice is above the target for nu > 0 (every diameter and s)"),
+            format!("{name} strength of the lattice is above the target for nu > 0, from {} d_c on", sizes[first]),
             "above",
             format!("{low:.2} to {high:.2} of the target"),
             low > 1.0,
         ));
         if pull == Pull::Shear {
-            let (low, high) = range(ratios.iter().flat_map(|&nu| ratio(nu, 0.0)[..1].to_vec()).collect());
+            let small = ratios.iter().filter(|nu| **nu > 0.0).map(|&nu| ratio(nu, 0.0)[0]);
+            let (low, high) = range(small.collect());
             chapter.claims.push(Claim::new(
                 figure,
-                "shear strength below the target for d_0 < d_c (0.6 d_c)",
+                "shear strength below the target for d_0 < d_c (0.6 d_c, nu > 0)",
                 "below",
                 format!("{low:.2} to {high:.2} of the target"),
                 high < 1.0,
