@@ -167,7 +167,8 @@ impl Stage {
         system
     }
 
-    /// Runs it from beginning to end; `watch` sees the simulation after every step and may end it early by saying so.
+    /// Runs it from beginning to end; `watch` sees the simulation at the beginning and after every step, and may end it early
+    /// by saying so.
     pub fn run(
         &self,
         system: System,
@@ -177,7 +178,6 @@ impl Stage {
     ) -> Result<(System, Progress), Halt> {
         let mut simulation = self.begin(system, material, max_overlap)?;
         loop {
-            simulation.step()?;
             let progress = match watch(&simulation) {
                 Progress::Going => self.progress(&simulation),
                 early => early,
@@ -185,6 +185,7 @@ impl Stage {
             if progress != Progress::Going {
                 return Ok((self.end(simulation), progress));
             }
+            simulation.step()?;
         }
     }
 }

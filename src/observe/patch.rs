@@ -47,10 +47,13 @@ impl Gauge {
     }
 
     /// Young's modulus and Poisson's ratio from a small confined compression along y: the stress that came with the load over the strain
-    /// fitted to the displacements of all spheres between the walls.
+    /// fitted to the displacements of the spheres between the walls.
     pub fn elasticity(&self, system: &System, links: &[Link]) -> Option<Elasticity> {
         let p = &system.particles;
-        let free: Vec<usize> = (0..p.len()).filter(|&i| p.wall[i] == 0).collect();
+        // Next to a rigid wall the deformation is not homogeneous: spheres nearer to one than it is thick are left out.
+        let margin = self.slab.low;
+        let inner = self.slab.low + margin..self.slab.high - margin;
+        let free: Vec<usize> = (0..p.len()).filter(|&i| inner.contains(&self.before[p.id[i] as usize].0[1])).collect();
         let before: Vec<_> = free.iter().map(|&i| self.before[p.id[i] as usize]).collect();
         let after: Vec<_> = free.iter().map(|&i| p.x[i]).collect();
         let strain = displacement_gradient(&before, &after)?[1].0[1];

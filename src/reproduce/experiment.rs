@@ -131,14 +131,14 @@ pub fn shear_junction(
             every = (window / (junction.velocity * simulation.settings().dt)).round().max(1.0) as u64;
             Witness::new(system, junction.height)
         });
-        if system.step % every == 0 {
+        if system.step > 0 && system.step % every == 0 {
             let links = links(simulation);
             witness.look(system, &links);
             see(simulation, &links, witness);
         }
         Progress::Going
     })?;
-    Ok(witness.expect("a stage takes at least one step"))
+    Ok(witness.expect("a stage is seen at its beginning"))
 }
 
 #[cfg(test)]
@@ -150,7 +150,7 @@ mod tests {
     #[test]
     fn a_lattice_without_poisson_effect_has_the_modulus_of_its_target() {
         let measured =
-            elasticity(&hcp(180.0, [6, 4, 2], 1.0), 180.0, &patch_material(0.0, 0.5), 20_000).unwrap().unwrap();
+            elasticity(&hcp(180.0, [4, 7, 2], 1.0), 180.0, &patch_material(0.0, 0.5), 20_000).unwrap().unwrap();
         // Beyond linear order the load of 0.01 E turns the bonds: a deviation of its square.
         assert!((measured.young_modulus - 1.0).abs() < 1e-3, "{measured:?}");
         assert!(measured.poisson_ratio.abs() < 2e-3, "{measured:?}");
