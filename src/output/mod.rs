@@ -12,5 +12,4 @@ pub use files::{Appending, read, sha256_file, write_atomically};
 pub use folder::RunFolder;
 pub use frames::{extended_xyz, frame_name};
 pub use manifest::{Manifest, Status};
-pub use series::Finding;
-pub use series::{Cell, header, row};
+pub use series::{Cell, Finding, row};

@@ -27,11 +27,6 @@ pub fn row(cells: &[Cell]) -> String {
     cells.iter().map(text).collect::<Vec<_>>().join(",")
 }
 
-/// The header: names with units, as `time [ns]`.
-pub fn header(columns: &[&str]) -> String {
-    columns.join(",")
-}
-
 /// A quantity that a run was made for.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Finding {

@@ -4,6 +4,7 @@ mod control;
 mod plan;
 mod record;
 mod report;
+mod row;
 mod watch;
 
 pub use control::Control;
@@ -13,7 +14,7 @@ pub use report::{Series, report};
 use crate::build::protocol::{Progress, Setup, Stage};
 use crate::case::{Case, InSteps};
 use crate::error::Error;
-use crate::output::{Cell, Finding, Manifest, RunFolder, Status, extended_xyz, write_atomically};
+use crate::output::{Finding, Manifest, RunFolder, Status, extended_xyz, write_atomically};
 use crate::simulation::{Settings, Simulation, Snapshot};
 use crate::spec::wear::Wear;
 use crate::system::System;
@@ -53,32 +54,6 @@ pub struct Glance<'a> {
     /// Largest overlap over the sum of the radii.
     pub overlap: f64,
 }
-
-const COLUMNS: [&str; 23] = [
-    "stage",
-    "step",
-    "time [ns]",
-    "kinetic energy [zJ]",
-    "normal energy [zJ]",
-    "tangential energy [zJ]",
-    "lost to normal damping [zJ]",
-    "lost to tangential damping [zJ]",
-    "lost to slip [zJ]",
-    "lost to drag [zJ]",
-    "work of walls [zJ]",
-    "work of loads [zJ]",
-    "work of box [zJ]",
-    "discrete residual [zJ]",
-    "physical residual [zJ]",
-    "relative residual",
-    "largest overlap",
-    "stress xx [MPa]",
-    "stress yy [MPa]",
-    "stress zz [MPa]",
-    "side x [nm]",
-    "side y [nm]",
-    "side z [nm]",
-];
 
 /// A run in its folder.
 pub struct Run<'a> {
@@ -123,8 +98,7 @@ impl<'a> Run<'a> {
     /// Begins at the beginning.
     pub fn start(&mut self, initial: System) -> Result<Vec<Finding>, Error> {
         self.manifest.write(self.folder)?;
-        let columns = [&COLUMNS[..], &watch::columns()].concat();
-        let record = Record::begin(self.folder, &columns)?;
+        let record = Record::begin(self.folder, &row::columns())?;
         let course = Course { record, sample: None, findings: Vec::new(), steps: 0 };
         self.conclude(|run| run.go_on(course, Some(initial), None))
     }
@@ -321,31 +295,7 @@ fn state(current: &Current, course: &Course) -> State {
 
 /// Measures, and appends a row to the series.
 fn look(stage: &Stage, current: &mut Current, course: &mut Course) -> Result<(), Error> {
-    let simulation = &current.simulation;
-    let (system, ledger) = (simulation.system(), simulation.ledger());
-    let residual = ledger.physical_residual() / ledger.turnover().max(f64::MIN_POSITIVE);
-    let overlap = simulation.largest_overlap().map_or(0.0, |(_, ratio)| ratio);
-    let numbers = [
-        system.time,
-        ledger.kinetic,
-        ledger.normal,
-        ledger.tangential,
-        ledger.lost_normal,
-        ledger.lost_tangential,
-        ledger.lost_slip,
-        ledger.lost_drag,
-        ledger.work_walls,
-        ledger.work_loads,
-        ledger.work_box,
-        ledger.discrete_residual(),
-        ledger.physical_residual(),
-        residual,
-        overlap,
-    ];
-    let numbers = numbers.into_iter().chain(simulation.stress()).chain(system.domain.sides);
-    let mut cells = vec![Cell::Name(stage.name.into()), Cell::Count(system.step)];
-    cells.extend(numbers.map(Cell::Number));
-    cells.extend(current.watch.look(simulation));
-    current.glance = (residual, overlap);
+    let (cells, glance) = row::measure(stage.name, &current.simulation, &mut current.watch);
+    current.glance = glance;
     course.record.row(&cells)
 }

@@ -1,0 +1,66 @@
+//! What every row of the series holds, whatever the stage.
+
+use super::watch::{self, Watch};
+use crate::output::Cell;
+use crate::simulation::Simulation;
+use crate::spec::wear::Wear;
+
+const COLUMNS: [&str; 23] = [
+    "stage",
+    "step",
+    "time [ns]",
+    "kinetic energy [zJ]",
+    "normal energy [zJ]",
+    "tangential energy [zJ]",
+    "lost to normal damping [zJ]",
+    "lost to tangential damping [zJ]",
+    "lost to slip [zJ]",
+    "lost to drag [zJ]",
+    "work of walls [zJ]",
+    "work of loads [zJ]",
+    "work of box [zJ]",
+    "discrete residual [zJ]",
+    "physical residual [zJ]",
+    "relative residual",
+    "largest overlap",
+    "stress xx [MPa]",
+    "stress yy [MPa]",
+    "stress zz [MPa]",
+    "side x [nm]",
+    "side y [nm]",
+    "side z [nm]",
+];
+
+/// The columns of the series.
+pub fn columns() -> Vec<&'static str> {
+    [&COLUMNS[..], &watch::columns()].concat()
+}
+
+/// A row, and what of it those who wait want to see: the relative residual of the ledger and the largest overlap.
+pub fn measure(stage: &str, simulation: &Simulation<Wear>, watch: &mut Watch) -> (Vec<Cell>, (f64, f64)) {
+    let (system, ledger) = (simulation.system(), simulation.ledger());
+    let residual = ledger.physical_residual() / ledger.turnover().max(f64::MIN_POSITIVE);
+    let overlap = simulation.largest_overlap().map_or(0.0, |(_, ratio)| ratio);
+    let numbers = [
+        system.time,
+        ledger.kinetic,
+        ledger.normal,
+        ledger.tangential,
+        ledger.lost_normal,
+        ledger.lost_tangential,
+        ledger.lost_slip,
+        ledger.lost_drag,
+        ledger.work_walls,
+        ledger.work_loads,
+        ledger.work_box,
+        ledger.discrete_residual(),
+        ledger.physical_residual(),
+        residual,
+        overlap,
+    ];
+    let numbers = numbers.into_iter().chain(simulation.stress()).chain(system.domain.sides);
+    let mut cells = vec![Cell::Name(stage.into()), Cell::Count(system.step)];
+    cells.extend(numbers.map(Cell::Number));
+    cells.extend(watch.look(simulation));
+    (cells, (residual, overlap))
+}
