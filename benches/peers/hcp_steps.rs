@@ -10,7 +10,8 @@ use veridem::system::Halt;
 fn main() -> Result<(), Halt> {
     let numbers: Vec<usize> = std::env::args().skip(1).map(|word| word.parse().expect("whole numbers")).collect();
     let [x, y, z, steps, threads] = numbers[..] else { panic!("expected CELLS_X CELLS_Y CELLS_Z STEPS THREADS") };
-    rayon::ThreadPoolBuilder::new().num_threads(threads).build_global().expect("the first thread pool");
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).use_current_thread();
+    pool.build_global().expect("the first thread pool");
     let mut simulation = crystal::simulation([x, y, z], Instructions::best())?;
     assert_eq!(simulation.pairs().count(), 24 * x * y * z, "every sphere has twelve neighbours");
     for _ in 0..steps {

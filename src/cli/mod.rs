@@ -88,10 +88,10 @@ pub fn main() -> ExitCode {
         std::process::exit(70);
     }));
     let manner = Manner { json: command_line.json, quiet: command_line.quiet };
-    if let Some(threads) = command_line.threads {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.into());
-        pool.build_global().expect("the thread pool is set up once, before it is used");
-    }
+    // The main thread works too: handing every step over to another one and waiting for it would cost more than a small step.
+    let threads = command_line.threads.map_or(0, usize::from);
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).use_current_thread();
+    pool.build_global().expect("the thread pool is set up once, before it is used");
     let done = match command_line.command {
         Command::Run(arguments) => run::run(&arguments, manner),
         Command::Resume(arguments) => resume::run(&arguments, manner),
