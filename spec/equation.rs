@@ -25,6 +25,16 @@ pub struct Equation {
     pub eval: Evaluate,
 }
 
+/// A paper: its room, the numbers that its equations carry in print, and the equations.
+pub struct Paper {
+    /// Name of the room; ids begin with it.
+    pub name: &'static str,
+    /// The printed numbers, such as `3` or `A17`.
+    pub numbers: Vec<String>,
+    /// The equations, in the order of the paper.
+    pub equations: fn() -> Vec<Equation>,
+}
+
 /// How many numbers each argument and each result of an equation is: 1 for a scalar, 3 for a vector, 9 for a tensor.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Shape {

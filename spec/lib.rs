@@ -17,11 +17,17 @@ pub mod vec3;
 pub mod wear;
 
 pub use contact::Contact;
+use equation::{Equation, Paper};
 pub use model::{Flat, Losses, Outcome, PairModel, Stored, Wrench};
 pub use real::{Real, piecewise};
 pub use vec3::{Tensor, Vec3};
 
+/// The papers.
+pub fn papers() -> Vec<Paper> {
+    vec![wear::paper()]
+}
+
 /// Every equation of every paper.
-pub fn equations() -> Vec<equation::Equation> {
-    wear::equations()
+pub fn equations() -> Vec<Equation> {
+    papers().into_iter().flat_map(|paper| (paper.equations)()).collect()
 }

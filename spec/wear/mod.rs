@@ -92,10 +92,17 @@ pub mod law;
 pub use def_contact::Parameters;
 pub use law::{Interaction, Material, Wear};
 
-use crate::equation::Equation;
+use crate::equation::{Equation, Paper};
+
+/// The paper: Eqs. 1 to 22 and A.1 to A.66.
+pub fn paper() -> Paper {
+    let text = (1..=22).map(|number| number.to_string());
+    let appendix = (1..=66).map(|number| format!("A{number}"));
+    Paper { name: "wear", numbers: text.chain(appendix).collect(), equations }
+}
 
 /// The equations of the paper, in its order.
-pub fn equations() -> Vec<Equation> {
+fn equations() -> Vec<Equation> {
     [
         eq01_symplectic_euler::equations(),
         eq02_pair_force::equations(),

@@ -7,6 +7,9 @@ use crate::spec::Vec3;
 use crate::system::System;
 use serde::{Deserialize, Serialize};
 
+/// Sliding after which the third body is looked for again, nm.
+pub const WINDOW: f64 = 1.0;
+
 /// One row of the record: what happened over one window of sliding.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Row {

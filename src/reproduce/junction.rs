@@ -5,7 +5,7 @@ use super::{Chapter, Claim, Extent, Figure, SILICA_DENSITY, silica};
 use crate::build::{Sizes, stages};
 use crate::case;
 use crate::figures::{Axis, Curve, Mark, Plot, snapshot};
-use crate::observe::fate::{Fate, Row};
+use crate::observe::fate::{Fate, Row, WINDOW};
 use crate::system::Halt;
 use rayon::prelude::*;
 use std::time::Instant;
@@ -25,8 +25,6 @@ struct Sheared {
 
 /// Sliding at which pictures are taken, nm.
 const PICTURES: [f64; 4] = [1.0, 15.0, 40.0, 95.0];
-/// Sliding after which the third body is looked for, nm.
-const WINDOW: f64 = 1.0;
 
 /// Figs. 9, 10, A.10 and Table 6.
 pub fn chapter(extent: Extent) -> Result<Chapter, Halt> {

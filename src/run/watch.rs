@@ -2,7 +2,7 @@
 
 use crate::build::protocol::{Setup, Stage};
 use crate::case::Case;
-use crate::observe::fate::{Fate, Witness};
+use crate::observe::fate::{Fate, WINDOW, Witness};
 use crate::observe::patch::Gauge;
 use crate::observe::{Link, links, packing, upper_wall};
 use crate::output::{Cell, Finding};
@@ -50,9 +50,6 @@ pub struct Sheared {
     friction: f64,
     rows: u64,
 }
-
-/// Sliding after which the third body is looked for again, nm, unless rows of the series are farther apart.
-const WINDOW: f64 = 1.0;
 
 /// Columns of all observers; a stage fills its own.
 const RELAXATION: [&str; 1] = ["volume fraction"];

@@ -42,6 +42,8 @@ pub struct Simulation<M: PairModel> {
     loads: Vec<Vec<Load>>,
     /// What the neighbour list was built from, and is a function of.
     listed: Listed,
+    /// Largest distance at which it lists neighbours.
+    reach: f64,
     /// Rates of strain of the sides, 1/ns.
     box_rate: [f64; 3],
     momentum_flux: [f64; 3],
@@ -66,6 +68,7 @@ impl<M: PairModel> Simulation<M> {
             blocks: Vec::new(),
             loads: Vec::new(),
             listed,
+            reach: 0.0,
             box_rate: [0.0; 3],
             momentum_flux: [0.0; 3],
             stress: [0.0; 3],
@@ -202,10 +205,9 @@ impl<M: PairModel> Simulation<M> {
 
     /// Whether spheres may have come into range that the neighbour list does not hold.
     fn stale(&self, moved: &Moved) -> bool {
-        let largest = self.system.particles.radius.iter().copied().fold(0.0, f64::max);
         let strain =
             (0..3).map(|a| (self.system.domain.sides[a] / self.listed.sides[a] - 1.0).abs()).fold(0.0, f64::max);
-        let deformed = strain * (self.model.range(largest, largest) + self.settings.skin);
+        let deformed = strain * self.reach;
         #[expect(clippy::neg_cmp_op_on_partial_ord, reason = "a NaN is stale too")]
         let stale = !(moved.approach() + deformed < self.settings.skin);
         stale
@@ -224,6 +226,8 @@ impl<M: PairModel> Simulation<M> {
         let particles = &self.system.particles;
         let domain = Domain { sides: self.listed.sides, ..self.system.domain };
         let (model, skin) = (&self.model, self.settings.skin);
+        let largest = particles.radius.iter().copied().fold(0.0, f64::max);
+        self.reach = model.range(largest, largest) + skin;
         let pairs =
             forces::neighbours(&self.listed.x, &particles.radius, &domain, |r_i, r_j| model.range(r_i, r_j) + skin);
         let pairs: Vec<_> = pairs

@@ -52,9 +52,9 @@ impl<M: PairModel> Simulation<M> {
     /// Takes a simulation up where a snapshot left it.
     pub fn resume(model: M, settings: Settings, snapshot: Snapshot) -> Result<Self, Halt> {
         let Snapshot { system, listed, memory, box_rate, momentum_flux, stress, ledger } = snapshot;
-        let (blocks, loads) = (Vec::new(), Vec::new());
+        let (blocks, loads, reach) = (Vec::new(), Vec::new(), 0.0);
         let mut simulation =
-            Self { model, settings, blocks, loads, listed, box_rate, momentum_flux, stress, ledger, system };
+            Self { model, settings, blocks, loads, listed, reach, box_rate, momentum_flux, stress, ledger, system };
         simulation.relist(&Springs::default())?;
         let mut numbers = memory.into_iter();
         for block in &mut simulation.blocks {
