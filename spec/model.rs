@@ -136,6 +136,11 @@ pub trait PairModel: Sync {
         memory: Self::Memory<R>,
         dt: R,
     ) -> Outcome<R, Self::Memory<R>, Self::Losses<R>>;
+    /// The springs that a pair takes along when neighbours are listed anew: all of them, unless a program is to be followed that
+    /// loses some.
+    fn relisted<R: Real>(&self, _c: &Contact<R>, memory: Self::Memory<R>) -> Self::Memory<R> {
+        memory
+    }
     /// The energy that a pair holds.
     fn stored<R: Real>(&self, c: &Contact<R>, k: &Self::Coefficients<R>, memory: &Self::Memory<R>) -> Self::Stored<R>;
     /// Largest stable time step of two equal spheres in contact, s.

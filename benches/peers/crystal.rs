@@ -19,6 +19,7 @@ fn silica() -> Wear {
         surface_energy: 1500.0,
         restitution: 0.95,
         scaling: 0.5,
+        forget_stretched_springs: false,
     };
     Wear { material, interaction: Interaction::Full }
 }

@@ -27,6 +27,9 @@ pub struct Material {
     pub restitution: f64,
     /// Scaling parameter $s$: how the strength falls with the size of particles beyond the critical diameter.
     pub scaling: f64,
+    /// Follows the authors' published program, in which a pair that does not touch loses its tangential spring whenever neighbours are
+    /// listed: results then depend on how often that is.
+    pub forget_stretched_springs: bool,
 }
 
 /// Which forces act: all of them, or those of a phase of the relaxation (Section 3.2).
@@ -104,6 +107,11 @@ impl PairModel for Wear {
         dt: R,
     ) -> Outcome<R, Vec3<R>, Losses<R>> {
         k.act(c, spring, dt)
+    }
+
+    fn relisted<R: Real>(&self, c: &Contact<R>, spring: Vec3<R>) -> Vec3<R> {
+        let forgotten = self.material.forget_stretched_springs;
+        if forgotten { Vec3::select(c.gap.gt(R::zero()), Vec3::zero(), spring) } else { spring }
     }
 
     #[inline(always)]

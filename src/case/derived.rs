@@ -22,6 +22,7 @@ impl Material {
             surface_energy: self.surface_energy.value,
             restitution: self.restitution,
             scaling: self.scaling,
+            forget_stretched_springs: self.forget_stretched_springs,
         }
     }
     /// The contact law, with the forces of a stage.

@@ -65,6 +65,9 @@ section! {
         density: Quantity<Density>,
         /// Exponent s by which strength falls with diameters beyond d_c: 0 keeps the strength, 1/2 the surface energy.
         scaling: f64,
+        /// Drops the tangential springs of pairs that do not touch whenever neighbours are listed, as the authors' published
+        /// program does; for comparison only.
+        forget_stretched_springs: bool = false,
     }
 }
 

@@ -43,7 +43,7 @@ macro_rules! plain_fields {
         }
     )*};
 }
-plain_fields!(f64: "a number", u64: "a whole number", String: "a text", PathBuf: "a path");
+plain_fields!(bool: "`true` or `false`", f64: "a number", u64: "a whole number", String: "a text", PathBuf: "a path");
 
 impl<K: Kind> Field for Quantity<K> {
     fn expects() -> String {

@@ -95,6 +95,7 @@ pub fn patch_material(poisson_ratio: f64, scaling: f64) -> Material {
         surface_energy: 1.5,
         restitution: 0.95,
         scaling,
+        forget_stretched_springs: false,
     }
 }
 
@@ -111,6 +112,7 @@ pub fn silica() -> Material {
         surface_energy: 1500.0,
         restitution: 0.9,
         scaling: 0.5,
+        forget_stretched_springs: false,
     }
 }
 

@@ -243,8 +243,9 @@ impl<M: PairModel> Simulation<M> {
             for (i, j, row, lane) in block.each_pair() {
                 let ((p, a), (q, b)) = (block.member(i), block.member(j));
                 let bond = forces::bond(particles, p, q, std::array::from_fn(|k| b[k] - a[k]));
-                let memory = &block.pairs.memory[row];
-                springs.add(bond, (0..M::Memory::<f64>::LEN).map(|k| memory.at(k).0[lane]));
+                let memory = Flat::from_fn(|k| block.pairs.memory[row].at(k).0[lane]);
+                let memory = self.model.relisted(&self.contact((p, a), (q, b)), memory);
+                springs.add(bond, (0..M::Memory::<f64>::LEN).map(|k| *memory.at(k)));
             }
         }
         springs.sorted()

@@ -2,6 +2,7 @@
 
 use super::{Ledger, Simulation};
 use crate::spec::{Contact, Flat, Outcome, PairModel, Vec3};
+use crate::system::{Image, Particles};
 
 /// One pair in range.
 #[derive(Clone, Copy, Debug)]
@@ -23,23 +24,27 @@ pub struct Pair<M: PairModel> {
 impl<M: PairModel> Simulation<M> {
     /// All pairs in range, in an order that depends on the particles alone.
     pub fn pairs(&self) -> impl Iterator<Item = Pair<M>> + '_ {
-        let (particles, domain) = (&self.system.particles, &self.system.domain);
         self.blocks.iter().flat_map(move |block| {
             block.each_pair().filter_map(move |(place_i, place_j, row, lane)| {
-                let ((i, image_i), (j, image_j)) = (block.member(place_i), block.member(place_j));
-                let branch = particles.x[i] + domain.shift(image_i) - (particles.x[j] + domain.shift(image_j));
-                let (r, v, w) = (&particles.radius, &particles.v, &particles.w);
-                let contact = Contact::new(branch, v[i] - v[j], w[i], w[j], r[i], r[j]);
-                if contact.distance > self.model.range(r[i], r[j]) {
+                let (end_i, end_j) = (block.member(place_i), block.member(place_j));
+                let contact = self.contact(end_i, end_j);
+                if contact.distance > self.model.range(contact.r_i, contact.r_j) {
                     return None;
                 }
                 let coefficients = Flat::from_fn(|k| block.pairs.constants(row).at(k).0[lane]);
                 let memory = Flat::from_fn(|k| block.pairs.memory[row].at(k).0[lane]);
                 let outcome = self.model.pair(&contact, &coefficients, memory, self.settings.dt);
                 let stored = self.model.stored(&contact, &coefficients, &memory);
-                Some(Pair { i, j, branch, contact, outcome, stored })
+                Some(Pair { i: end_i.0, j: end_j.0, branch: contact.n * contact.distance, contact, outcome, stored })
             })
         })
+    }
+
+    /// What two spheres, each a place and a copy, see of each other.
+    pub(super) fn contact(&self, (i, image_i): (usize, Image), (j, image_j): (usize, Image)) -> Contact<f64> {
+        let (Particles { x, v, w, radius, .. }, domain) = (&self.system.particles, &self.system.domain);
+        let branch = x[i] + domain.shift(image_i) - (x[j] + domain.shift(image_j));
+        Contact::new(branch, v[i] - v[j], w[i], w[j], radius[i], radius[j])
     }
 
     /// Where the energy went, up to now.

@@ -19,6 +19,7 @@ pub const SILICA: Material = Material {
     surface_energy: 1_500.0,
     restitution: 0.9,
     scaling: 0.5,
+    forget_stretched_springs: false,
 };
 
 /// Number drawn evenly from 0 to 1.

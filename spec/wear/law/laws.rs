@@ -19,6 +19,7 @@ fn patch(interaction: Interaction) -> Wear {
         surface_energy: 1.5,
         restitution: 0.95,
         scaling: 0.5,
+        forget_stretched_springs: false,
     };
     Wear { material, interaction }
 }
