@@ -28,7 +28,7 @@ const TERMS: i32 = 42;
 /// | → `step` | | 1 | | reading of a unit step |
 /// | → `ramp` | | s | | reading of $f = t$ |
 ///
-/// Rounding: at most 4 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

@@ -4,7 +4,7 @@ use super::def_meeting::Meeting;
 use super::def_spring::{Span, rotated_spring, stretched};
 use super::eq12_spring_force::{energy, force, turning_torque};
 use super::eq13_friction::{dynamic_friction, rubbed, static_friction};
-use crate::{Flat, Real, Vec3, Wrench, flat_struct};
+use crate::{Flat, Outcome, Real, Vec3, Wrench, flat_struct};
 
 flat_struct! {
     /// Stiffnesses and damping coefficients of the four springs of a contact.
@@ -100,15 +100,7 @@ impl<R: Copy + Send + Sync> Flat<R> for Memory<R> {
 }
 
 /// A contact after one evaluation.
-#[derive(Clone, Copy, Debug)]
-pub struct Grip<R> {
-    /// Forces and torques now.
-    pub wrench: Wrench<R>,
-    /// The springs to start the next step from.
-    pub memory: Memory<R>,
-    /// Energy lost in this step.
-    pub losses: Losses<R>,
-}
+pub type Grip<R> = Outcome<R, Memory<R>, Losses<R>>;
 
 /// One spring after a step: its force, its next length, and what dashpot and slip took.
 struct Pull<R, S> {
@@ -173,7 +165,7 @@ impl<R: Real> Springs<R> {
 
         let sliding = at.n.cross(t.force);
         let turning = turning_torque(at.n, at.a, r.force, at.r, o.force);
-        Grip {
+        Outcome {
             wrench: Wrench {
                 force: at.n * attraction + t.force,
                 torque_i: sliding * at.a_i + turning,

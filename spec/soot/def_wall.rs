@@ -47,7 +47,7 @@ use crate::{Real, Vec3, equation};
 /// | → `xi_r_next` | $\boldsymbol{\xi}_\mathrm{r}$ | m (3) | | rolling spring now |
 /// | → `xi_o_next` | $\xi_\mathrm{o}$ | m | | torsion spring now |
 ///
-/// Rounding: at most 8 ULP.
+/// Rounding: at most 2 ULP.
 ///
 /// # Laws
 ///

@@ -78,7 +78,7 @@ pub fn at_contact<R: Real>(v: Vec3<R>, omega_i: Vec3<R>, omega_j: Vec3<R>, n: Ve
 /// | `r_j` | $r_j$ | m | > 0 | radius of j |
 /// | → `v_n` | $\mathbf{v}_{ij,\mathrm{n}}$ | m/s (3) | | normal velocity |
 ///
-/// Rounding: at most 2 ULP.
+/// Rounding: at most 10 ULP.
 ///
 /// # Laws
 ///
@@ -120,7 +120,7 @@ pub fn normal_velocity<R: Real>(
 /// | `r_j` | $r_j$ | m | > 0 | radius of j |
 /// | → `v_t` | $\mathbf{v}_{ij,\mathrm{t}}$ | m/s (3) | | sliding velocity |
 ///
-/// Rounding: at most 2 ULP.
+/// Rounding: at most 11 ULP.
 ///
 /// # Laws
 ///
@@ -191,11 +191,11 @@ mod laws {
             x in vector(), v_i in vector(), v_j in vector(), omega_i in vector(), omega_j in vector(), r_i in 0.1..2.0, r_j in 0.1..2.0,
         ) {
             prop_assume!(x.norm() > 0.1);
-            let at = |f: fn(Vec3<f64>, Vec3<f64>, Vec3<f64>, Vec3<f64>, Vec3<f64>, Vec3<f64>, f64, f64) -> Vec3<f64>| {
-                f(Vec3::zero(), x, v_i, v_j, omega_i, omega_j, r_i, r_j)
-            };
-            let (normal, tangential) = (at(normal_velocity), at(tangential_velocity));
-            prop_assert!((normal + tangential - at(relative_velocity)).norm() < 1e-13);
+            let zero = Vec3::zero();
+            let normal = normal_velocity(zero, x, v_i, v_j, omega_i, omega_j, r_i, r_j);
+            let tangential = tangential_velocity(zero, x, v_i, v_j, omega_i, omega_j, r_i, r_j);
+            let both = relative_velocity(zero, x, v_i, v_j, omega_i, omega_j, r_i, r_j);
+            prop_assert!((normal + tangential - both).norm() < 1e-13);
             prop_assert!(tangential.dot(x).abs() < 1e-12 && normal.cross(x).norm() < 1e-12);
         }
     }

@@ -77,7 +77,7 @@ pub fn torsional_spin<R: Real>(x_i: Vec3<R>, x_j: Vec3<R>, omega_i: Vec3<R>, ome
 /// | `omega_j` | $\boldsymbol{\omega}_j$ | rad/s (3) | any | angular velocity of j |
 /// | → `omega_r` | $\boldsymbol{\omega}_{ij,\mathrm{r}}$ | rad/s (3) | | rolling angular velocity |
 ///
-/// Rounding: at most 2 ULP.
+/// Rounding: at most 6 ULP.
 ///
 /// # Laws
 ///
@@ -109,7 +109,7 @@ pub fn rolling_spin<R: Real>(x_i: Vec3<R>, x_j: Vec3<R>, omega_i: Vec3<R>, omega
 /// | → `rate_rolling` | $\dot{\boldsymbol{\xi}}_\mathrm{r}$ | m/s (3) | | rate of the rolling spring, in the contact plane |
 /// | → `rate_torsion` | $\dot{\boldsymbol{\xi}}_\mathrm{o}$ | m/s (3) | | rate of the torsion spring, along the normal |
 ///
-/// Rounding: at most 4 ULP.
+/// Rounding: at most 3 ULP.
 ///
 /// # Laws
 ///

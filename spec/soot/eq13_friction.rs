@@ -132,7 +132,7 @@ pub fn dynamic_friction<R: Real>(mu_d: R, f_n: R) -> R {
 /// | `xi_dot` | $\dot{\boldsymbol{\xi}}$ | m/s (3) | any | rate |
 /// | → `xi_next` | $\boldsymbol{\xi}'$ | m (3) | | spring to go on with |
 ///
-/// Rounding: at most 2 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///
@@ -176,7 +176,7 @@ fn slipped<R: Real, S: Span<R>>(k: R, eta: R, applied: S, xi_dot: S) -> S {
 /// | → `f` | $\mathbf{f}$ | N (3) | | force on i |
 /// | → `xi_next` | $\boldsymbol{\xi}'$ | m (3) | | spring to go on with |
 ///
-/// Rounding: at most 2 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

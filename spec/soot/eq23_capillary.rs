@@ -22,7 +22,7 @@ use crate::{Real, equation};
 /// | `d_cutoff` | $d_{\mathrm{cutoff}}$ | m | > 0 | distance at which half the force is left |
 /// | → `f` | $f$ | N | | attraction |
 ///
-/// Rounding: at most 2 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///
@@ -53,7 +53,7 @@ pub fn capillary_force<R: Real>(psi: R, kappa: R, d: R, d_cutoff: R) -> R {
 /// | `d_cutoff` | $d_{\mathrm{cutoff}}$ | m | > 0 | distance at which half the force is left |
 /// | → `u` | $U$ | J | | energy |
 ///
-/// Rounding: at most 2 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

@@ -22,7 +22,7 @@ use crate::{Real, equation};
 /// | `d_f` | $D_\mathrm{f}$ | 1 | > 0 | fractal dimension |
 /// | → `n` | $N$ | 1 | | number of primary particles |
 ///
-/// Rounding: at most 2 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///
@@ -50,7 +50,7 @@ pub fn fractal_number<R: Real>(k_f: R, r_g: R, r: R, d_f: R) -> R {
 /// | `d_f` | $D_\mathrm{f}$ | 1 | > 0 | fractal dimension |
 /// | → `r_g` | $R_\mathrm{g}$ | m | | radius of gyration |
 ///
-/// Rounding: at most 2 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

@@ -2,11 +2,11 @@
 
 use super::def_body_forces::Attraction;
 use super::def_frequency::neck_frequencies;
-use super::def_grip::{Friction, Grip, Memory, Springs, never};
+use super::def_grip::{Friction, Grip, Losses, Memory, Springs, never};
 use super::def_meeting::Meeting;
 use super::def_sphere::solid_inertia;
 use super::eq21_hamaker_plane::{plane_force, saturated_plane};
-use crate::{Contact, Flat, Real, Vec3, flat_struct};
+use crate::{Contact, Flat, PairModel, Real, Vec3, flat_struct};
 
 /// How a twist of a contact is resisted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -65,10 +65,20 @@ fn lifted<R: Real, A: Flat<f64>, B: Flat<R>>(numbers: &A) -> B {
     B::from_fn(|k| R::lit(*numbers.at(k)))
 }
 
-impl Soot {
+impl PairModel for Soot {
+    type Coefficients<R: Real> = Coefficients<R>;
+    type Memory<R: Real> = Memory<R>;
+    type Losses<R: Real> = Losses<R>;
+    type Stored<R: Real> = Stored<R>;
+
+    /// A pair without a neck. Its partner in a neck is told by setting [`Coefficients::bonded`] to one.
+    fn coefficients<R: Real>(&self, _: R, _: R, _: R, _: R) -> Coefficients<R> {
+        Coefficients { bonded: R::zero() }
+    }
+
     /// Two spheres at one instant: advances their springs by `dt` and says what they do. A neck acts at any distance; all else ends at the cutoff.
     #[inline(always)]
-    pub fn act<R: Real>(&self, c: &Contact<R>, k: &Coefficients<R>, memory: Memory<R>, dt: R) -> Grip<R> {
+    fn pair<R: Real>(&self, c: &Contact<R>, k: &Coefficients<R>, memory: Memory<R>, dt: R) -> Grip<R> {
         let bonded = is_bonded(k);
         let at = Meeting::of_spheres(c);
         let mut grip = self.springs(bonded).grip(&lifted(&self.friction), bonded, &at, memory, dt);
@@ -77,9 +87,8 @@ impl Soot {
         grip
     }
 
-    /// The energy that a pair holds.
     #[inline(always)]
-    pub fn stored<R: Real>(&self, c: &Contact<R>, k: &Coefficients<R>, memory: &Memory<R>) -> Stored<R> {
+    fn stored<R: Real>(&self, c: &Contact<R>, k: &Coefficients<R>, memory: &Memory<R>) -> Stored<R> {
         let bonded = is_bonded(k);
         let attraction: Attraction<R> = lifted(&self.attraction);
         let [normal, tangential, rolling, torsion] = self.springs(bonded).stored(bonded, c.gap, memory);
@@ -88,13 +97,13 @@ impl Soot {
     }
 
     /// Largest distance of centres at which two spheres without a neck act on each other, m.
-    pub fn range(&self, r_i: f64, r_j: f64) -> f64 {
+    fn range(&self, r_i: f64, r_j: f64) -> f64 {
         let reaches = self.attraction.a > 0.0 || self.attraction.psi > 0.0;
         if reaches { self.attraction.cutoff.max(r_i + r_j) } else { r_i + r_j }
     }
 
     /// Largest stable time step of two equal solid spheres in contact or with a neck, s.
-    pub fn critical_time_step(&self, r: f64, m: f64) -> f64 {
+    fn critical_time_step(&self, r: f64, m: f64) -> f64 {
         let limit = |s: &Springs<f64>| {
             let (n, t, r, o) = neck_frequencies(s.k_n, s.k_t, s.k_r, s.k_o, m, solid_inertia(m, r), r);
             // A dashpot that acts with the velocity of the step before lowers the limit: the rate of decay of each motion follows from its frequency.
@@ -109,7 +118,9 @@ impl Soot {
         };
         limit(&self.neck).min(limit(&self.contact))
     }
+}
 
+impl Soot {
     /// The springs of a neck where `bonded` is true, those of a contact elsewhere.
     #[inline(always)]
     fn springs<R: Real>(&self, bonded: R::Mask) -> Springs<R> {

@@ -44,7 +44,7 @@ proptest! {
                 for memory in [memory, Memory::zero()] {
                     let c = Contact::new(along(2.0 + gap), v, omega, -omega, 1.0, 1.0);
                     let k = Coefficients { bonded };
-                    let grip = law.act(&c, &k, memory, dt);
+                    let grip = law.pair(&c, &k, memory, dt);
                     let stored = law.stored(&c, &k, &grip.memory);
                     let vectors = [grip.wrench.force, grip.wrench.torque_i, grip.wrench.torque_j];
                     let numbers = (0..7).map(|k| *grip.memory.at(k)).chain((0..5).map(|k| *grip.losses.at(k))).chain((0..6).map(|k| *stored.at(k)));
@@ -65,10 +65,10 @@ proptest! {
         let x = Vec3(std::array::from_fn(|a| lift(&|lane| [0.6, 0.0, 0.8][a] * (2.0 + gaps[lane]))));
         let c = Contact::new(x, constant(v), constant(omega), constant(-omega), Lanes([1.0; 8]), Lanes([1.0; 8]));
         let remembered = Memory::from_fn(|k| Lanes([*memory.at(k); 8]));
-        let lanes = law.act(&c, &Coefficients { bonded: lift(&bonded) }, remembered, Lanes([0.1; 8]));
+        let lanes = law.pair(&c, &Coefficients { bonded: lift(&bonded) }, remembered, Lanes([0.1; 8]));
         for (lane, gap) in gaps.iter().enumerate() {
             let x = Vec3::new(0.6 * (2.0 + gap), 0.0, 0.8 * (2.0 + gap));
-            let one = law.act(&Contact::new(x, v, omega, -omega, 1.0, 1.0), &Coefficients { bonded: bonded(lane) }, memory, 0.1);
+            let one = law.pair(&Contact::new(x, v, omega, -omega, 1.0, 1.0), &Coefficients { bonded: bonded(lane) }, memory, 0.1);
             for a in 0..3 {
                 prop_assert_eq!(one.wrench.force.0[a].to_bits(), lanes.wrench.force.0[a].0[lane].to_bits());
                 prop_assert_eq!(one.wrench.torque_i.0[a].to_bits(), lanes.wrench.torque_i.0[a].0[lane].to_bits());
@@ -84,9 +84,9 @@ proptest! {
         for attraction in [ATTRACTION, NONE] {
             let law = law(DAMPED, attraction);
             let c = Contact::new(n * (law.range(1.0, 1.0) + beyond), v, v, v, 1.0, 1.0);
-            let grip = law.act(&c, &Coefficients { bonded: 0.0 }, memory, 0.1);
+            let grip = law.pair(&c, &Coefficients { bonded: 0.0 }, memory, 0.1);
             prop_assert_eq!((grip.wrench.force.norm(), grip.memory), (0.0, Memory::zero()));
-            let neck = law.act(&c, &Coefficients { bonded: 1.0 }, memory, 0.1);
+            let neck = law.pair(&c, &Coefficients { bonded: 1.0 }, memory, 0.1);
             prop_assert!(neck.wrench.force.norm() > 0.0);
         }
     }
