@@ -126,6 +126,10 @@ pub trait PairModel: Sync {
 
     /// The constants of a pair of given radii (m) and masses (kg).
     fn coefficients<R: Real>(&self, r_i: R, r_j: R, m_i: R, m_j: R) -> Self::Coefficients<R>;
+    /// The constants of a pair that a neck joins, where the model has necks.
+    fn joined<R: Real>(&self, constants: Self::Coefficients<R>) -> Self::Coefficients<R> {
+        constants
+    }
     /// Largest distance of centres at which two spheres of these radii act on each other, m.
     fn range(&self, r_i: f64, r_j: f64) -> f64;
     /// The pair at one instant: advances its springs by `dt` and says what they do. Beyond its range all is zero.

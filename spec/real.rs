@@ -100,7 +100,7 @@ macro_rules! native {
             fn sqrt(self) -> Self {
                 <$float>::sqrt(self)
             }
-            #[inline]
+            #[inline(always)]
             fn exp(self) -> Self {
                 $suffix::exp(self)
             }
@@ -145,7 +145,8 @@ macro_rules! native {
 }
 
 mod double {
-    pub use libm::{acos, cos, exp, floor, log, sin, tanh};
+    pub use crate::numbers::exponential::exp;
+    pub use libm::{acos, cos, floor, log, sin, tanh};
 }
 mod single {
     pub use libm::{acosf as acos, cosf as cos, expf as exp, floorf as floor, logf as log, sinf as sin, tanhf as tanh};

@@ -1,5 +1,6 @@
 //! The numbers that [`Real`](crate::Real) can be, apart from `f64` and `f32` themselves.
 
+pub(crate) mod exponential;
 mod lanes;
 
 #[cfg(feature = "verify")]

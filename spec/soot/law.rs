@@ -71,9 +71,13 @@ impl PairModel for Soot {
     type Losses<R: Real> = Losses<R>;
     type Stored<R: Real> = Stored<R>;
 
-    /// A pair without a neck. Its partner in a neck is told by setting [`Coefficients::bonded`] to one.
+    /// A pair without a neck.
     fn coefficients<R: Real>(&self, _: R, _: R, _: R, _: R) -> Coefficients<R> {
         Coefficients { bonded: R::zero() }
+    }
+
+    fn joined<R: Real>(&self, constants: Coefficients<R>) -> Coefficients<R> {
+        Coefficients { bonded: R::one(), ..constants }
     }
 
     /// Two spheres at one instant: advances their springs by `dt` and says what they do. A neck acts at any distance; all else ends at the cutoff.

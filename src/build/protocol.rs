@@ -105,8 +105,8 @@ pub fn critical_scales(system: &System, material: &Material) -> (f64, f64) {
 const SKIN: f64 = 0.1;
 
 impl Stage {
-    /// Sets a system up and puts it under the model. Steps are counted from zero, time goes on.
-    pub fn begin(&self, mut system: System, material: &Material, max_overlap: f64) -> Result<Simulation<Wear>, Halt> {
+    /// Changes a system as the stage wants it. Steps are counted from zero, time goes on.
+    pub fn set_up(&self, mut system: System, material: &Material) -> System {
         if let Setup::Junction(junction) = self.setup {
             system = junction.carve(&system);
         }
@@ -115,6 +115,12 @@ impl Stage {
             add_walls(&mut system, thickness, drive, dt);
         }
         system.step = 0;
+        system
+    }
+
+    /// Sets a system up and puts it under the model.
+    pub fn begin(&self, system: System, material: &Material, max_overlap: f64) -> Result<Simulation<Wear>, Halt> {
+        let system = self.set_up(system, material);
         let settings = self.settings(&system, material, max_overlap);
         Simulation::new(Wear { material: *material, interaction: self.interaction }, system, settings)
     }

@@ -31,10 +31,13 @@ impl Material {
     }
 }
 
+/// Papers do not mix: whatever follows is asked only of cases whose model, sample and experiment are those of the wear paper.
+pub const OF_WEAR: &str = "only cases of the wear paper have a material and its scales";
+
 impl Case {
-    /// The material.
+    /// The material of a case of the wear paper.
     pub fn material(&self) -> &Material {
-        let Model::Wear(material) = &self.model;
+        let Model::Wear(material) = &self.model else { unreachable!("{OF_WEAR}") };
         material
     }
 }
@@ -70,10 +73,12 @@ impl Scales {
                 let d_0 = diameter.value(d_c);
                 (d_0, smallest.value(d_0), largest.value(d_0), size)
             }
+            Sample::Aggregate(_) => unreachable!("{OF_WEAR}"),
         };
         let walls = match &case.experiment {
             Experiment::Patch(patch) => &patch.walls,
             Experiment::Junction(junction) => &junction.walls,
+            Experiment::Restructuring(_) => unreachable!("{OF_WEAR}"),
         };
         Self { d_c, d_0, d_s, d_l, size: std::array::from_fn(|a| size[a].value(d_0)), walls: walls.value(d_0) }
     }
@@ -109,7 +114,7 @@ impl Case {
     pub fn time_steps(&self) -> Vec<(&'static str, &InCriticalSteps)> {
         let relaxation = match &self.sample {
             Sample::Amorphous(sample) => Some(("sample.amorphous.relaxation.dt", &sample.relaxation.dt)),
-            Sample::Hcp(_) => None,
+            Sample::Hcp(_) | Sample::Aggregate(_) => None,
         };
         let experiments = match &self.experiment {
             Experiment::Patch(patch) => vec![
@@ -118,6 +123,7 @@ impl Case {
                 patch.shear.as_ref().map(|test| ("experiment.patch.shear.dt", &test.dt)),
             ],
             Experiment::Junction(junction) => vec![Some(("experiment.junction.dt", &junction.dt))],
+            Experiment::Restructuring(_) => Vec::new(),
         };
         experiments.into_iter().chain([relaxation]).flatten().collect()
     }
@@ -129,7 +135,7 @@ impl Case {
                 ("sample.amorphous.relaxation.repulsion_damping", &sample.relaxation.repulsion_damping),
                 ("sample.amorphous.relaxation.cohesion_damping", &sample.relaxation.cohesion_damping),
             ],
-            Sample::Hcp(_) => Vec::new(),
+            Sample::Hcp(_) | Sample::Aggregate(_) => Vec::new(),
         };
         let experiments = match &self.experiment {
             Experiment::Patch(patch) => vec![
@@ -138,6 +144,7 @@ impl Case {
                 patch.shear.as_ref().map(|test| ("experiment.patch.shear.damping", &test.damping)),
             ],
             Experiment::Junction(junction) => vec![Some(("experiment.junction.damping", &junction.damping))],
+            Experiment::Restructuring(_) => Vec::new(),
         };
         experiments.into_iter().flatten().chain(relaxation).collect()
     }
@@ -146,7 +153,8 @@ impl Case {
     pub fn resolved(&self) -> String {
         let mut root = serde_yaml::to_value(self).expect("a case is plain data");
         let mapping = root.as_mapping_mut().expect("a case is a mapping");
-        mapping.insert("derived".into(), Value::Mapping(self.derived()));
+        let derived = if self.soot().is_some() { self.derived_of_soot() } else { self.derived() };
+        mapping.insert("derived".into(), Value::Mapping(derived));
         serde_yaml::to_string(&root).expect("a mapping can be written")
     }
 

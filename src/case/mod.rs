@@ -5,8 +5,10 @@ pub mod quantity;
 mod read;
 pub mod schema;
 pub mod section;
+mod soot;
 pub mod units;
 mod validation;
 
-pub use derived::{Critical, Scales};
+pub use derived::{Critical, OF_WEAR, Scales};
 pub use schema::*;
+pub use soot::*;

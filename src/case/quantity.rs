@@ -42,6 +42,10 @@ kinds! {
     SurfaceEnergy: "a surface energy" [1, 0, -2] "1.5 N/m";
     Density: "a density" [1, -3, 0] "2200 kg/m^3";
     Drag: "a damping coefficient" [1, 0, -1] "1e-12 kg/s";
+    Stiffness: "a stiffness" [1, 0, -2] "1e6 N/m";
+    Energy: "an energy" [1, 2, -2] "1e-19 J";
+    Force: "a force" [1, 1, -2] "1 nN";
+    Sharpness: "an inverse length" [0, -1, 0] "0.18 1/nm";
 }
 
 macro_rules! scales {

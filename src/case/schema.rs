@@ -5,6 +5,7 @@ use super::quantity::{
     Quantity, Scaled, Step, SurfaceEnergy, Time, Velocity, YoungModulus,
 };
 use super::section::{choice, defaults, section};
+use super::soot::{Aggregate, Restructuring, Soot};
 use std::path::PathBuf;
 
 /// A length, or a multiple of the most frequent particle diameter.
@@ -43,6 +44,8 @@ choice! {
     pub enum Model {
         /// Pham-Ba & Molinari 2022: a cohesive solid.
         Wear = "wear": Material,
+        /// Demidov, Gor & Khalizov 2024: soot aggregates with necks.
+        Soot = "soot": Soot,
     }
 }
 
@@ -78,6 +81,8 @@ choice! {
         Hcp = "hcp": Hcp,
         /// A relaxed random packing of many sizes.
         Amorphous = "amorphous": Amorphous,
+        /// A fractal aggregate.
+        Aggregate = "aggregate": Aggregate,
     }
 }
 
@@ -138,6 +143,8 @@ choice! {
         Patch = "patch": Patch,
         /// A junction between two bodies is sheared, Section 4.
         Junction = "junction": Junction,
+        /// A coated aggregate collapses.
+        Restructuring = "restructuring": Restructuring,
     }
 }
 

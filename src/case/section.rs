@@ -244,4 +244,31 @@ macro_rules! choice {
         }
     };
 }
-pub(crate) use {choice, section};
+
+/// Declares a choice between words.
+macro_rules! words {
+    ($(#[doc = $about:literal])* pub enum $name:ident { $($(#[doc = $doc:literal])* $variant:ident = $word:literal,)* }) => {
+        $(#[doc = $about])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+        pub enum $name { $($(#[doc = $doc])* #[serde(rename = $word)] $variant,)* }
+
+        impl<'de> serde::Deserialize<'de> for $name {
+            fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                let word = String::deserialize(deserializer)?;
+                match &*word {
+                    $($word => Ok(Self::$variant),)*
+                    _ => Err(serde::de::Error::custom(
+                        format!("found `{word}`, expected {}", <Self as $crate::case::section::Field>::expects())
+                    )),
+                }
+            }
+        }
+
+        impl $crate::case::section::Field for $name {
+            fn expects() -> String {
+                format!("one of `{}`", [$($word),*].join("`, `"))
+            }
+        }
+    };
+}
+pub(crate) use {choice, section, words};

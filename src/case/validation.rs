@@ -1,8 +1,10 @@
 //! What a case must satisfy beyond its grammar.
 
+mod soot;
+
 use super::derived::{Critical, Scales};
 use super::units::{decimal, in_unit, rounded};
-use super::{Case, Deformation, Experiment, Sample};
+use super::{Case, Deformation, Experiment, Model, Sample};
 use std::fmt::Display;
 
 /// Key and complaint, in the order of the file.
@@ -11,15 +13,36 @@ type Found = Vec<(String, String)>;
 /// All that is wrong with a case; empty for a good one.
 pub fn problems(case: &Case) -> Found {
     let mut found = Vec::new();
-    material(case, &mut found);
-    sample(case, &mut found);
-    if found.is_empty() {
-        // Scales follow from the material and the sample: they make sense only when those do.
-        experiment(case, &mut found);
-        stepping(case, &mut found);
+    match &case.model {
+        Model::Wear(_) => wear(case, &mut found),
+        Model::Soot(_) => soot::problems(case, &mut found),
     }
     output(case, &mut found);
     found
+}
+
+/// Papers do not mix.
+fn belongs(found: &mut Found, holds: bool, key: &str, expected: &str, model: &str) {
+    if !holds {
+        found.push((key.into(), format!("expected {expected} with the model `{model}`")));
+    }
+}
+
+fn wear(case: &Case, found: &mut Found) {
+    let (sampled, tested) =
+        (!matches!(case.sample, Sample::Aggregate(_)), !matches!(case.experiment, Experiment::Restructuring(_)));
+    belongs(found, sampled, "sample", "`hcp` or `amorphous`", "wear");
+    belongs(found, tested, "experiment", "`patch` or `junction`", "wear");
+    if !found.is_empty() {
+        return;
+    }
+    material(case, found);
+    sample(case, found);
+    if found.is_empty() {
+        // Scales follow from the material and the sample: they make sense only when those do.
+        experiment(case, found);
+        stepping(case, found);
+    }
 }
 
 fn expect(found: &mut Found, holds: bool, key: &str, value: impl Display, expected: &str) {
@@ -51,6 +74,7 @@ fn sample(case: &Case, found: &mut Found) {
     let (section, diameter, size) = match &case.sample {
         Sample::Hcp(hcp) => ("sample.hcp", &hcp.diameter, &hcp.size),
         Sample::Amorphous(amorphous) => ("sample.amorphous", &amorphous.diameter, &amorphous.size),
+        Sample::Aggregate(_) => return,
     };
     expect(found, diameter.number() > 0.0, &format!("{section}.diameter"), diameter, "more than zero");
     for (axis, side) in size.iter().enumerate() {
@@ -139,6 +163,7 @@ fn experiment(case: &Case, found: &mut Found) {
             expect(found, walls > 0.0, &at("walls"), &junction.walls, "more than zero");
             expect(found, junction.duration.number() > 0.0, &at("duration"), &junction.duration, "more than zero");
         }
+        Experiment::Restructuring(_) => {}
     }
 }
 

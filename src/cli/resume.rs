@@ -6,7 +6,7 @@ use super::run::{Limits, conclude};
 use crate::case::Case;
 use crate::error::Error;
 use crate::output::{Manifest, RunFolder, Status};
-use crate::run::{Control, Glance, Run};
+use crate::run::{self, Control, Glance};
 use std::path::PathBuf;
 
 /// The arguments.
@@ -32,7 +32,7 @@ pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
     }
     let mut progress = Progress::new(manner);
     let mut show = |glance: Glance| progress.show(glance);
-    let findings = Run::new(&case, &folder, manifest, &control, &mut show).resume();
+    let findings = run::resume(&case, &folder, manifest, &control, &mut show);
     progress.finish();
     conclude(&folder, &findings?, manner)
 }

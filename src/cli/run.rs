@@ -5,7 +5,7 @@ use super::{Manner, print};
 use crate::case::{Amorphous, Case, Sample};
 use crate::error::Error;
 use crate::output::{Finding, Manifest, RunFolder, sha256_file, write_atomically};
-use crate::run::{Control, Glance, Plan, Run};
+use crate::run::{Control, Glance, Prepared};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::time::Duration;
@@ -60,14 +60,14 @@ pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
         inputs.insert(sample.display().to_string(), sha256_file(sample)?);
     }
     // Whatever is wrong with the input is found before anything is written.
-    let initial = Plan::of(&case).initial()?;
+    let prepared = Prepared::new(&case)?;
     let folder = RunFolder::create(&root, arguments.force)?;
     write_atomically(&folder.case(), text.as_bytes())?;
     write_atomically(&folder.resolved(), case.resolved().as_bytes())?;
     let manifest = Manifest::begin(case.seed, inputs);
     let mut progress = Progress::new(manner);
     let mut show = |glance: Glance| progress.show(glance);
-    let findings = Run::new(&case, &folder, manifest, &control, &mut show).start(initial);
+    let findings = prepared.start(&folder, manifest, &control, &mut show);
     progress.finish();
     conclude(&folder, &findings?, manner)
 }

@@ -88,6 +88,7 @@ pub fn partition<M: PairModel>(
     model: &M,
     particles: &Particles,
     pairs: &[Neighbour],
+    necks: &[(u32, u32)],
     springs: &Springs,
 ) -> Result<Vec<Block<M>>, Reason> {
     let n = particles.len();
@@ -107,7 +108,7 @@ pub fn partition<M: PairModel>(
     let mut blocks: Vec<Block<M>> = cut
         .into_par_iter()
         .map(|(own, halo)| {
-            let pairs = lay(model, particles, &pairs[first[own.start]..first[own.end]], &own, &halo, springs);
+            let pairs = lay(model, particles, &pairs[first[own.start]..first[own.end]], &own, &halo, necks, springs);
             let loads = vec![Load::zero(); CAPACITY].try_into().expect("as many as it is made of");
             Block { own, halo, pairs, incoming: Vec::new(), loads }
         })
@@ -151,6 +152,7 @@ fn lay<M: PairModel>(
     pairs: &[Neighbour],
     own: &Range<usize>,
     halo: &[(u32, Image)],
+    necks: &[(u32, u32)],
     springs: &Springs,
 ) -> Pairs<M> {
     let place_of = |q: u32, image: Image| {
@@ -184,7 +186,9 @@ fn lay<M: PairModel>(
             places[0][lane] = i as u16;
             places[1][lane] = j as u16;
             let (r, m) = (&particles.radius, &particles.mass);
-            coefficients.push(model.coefficients(r[p], r[q], m[p], m[q]));
+            let constants = model.coefficients(r[p], r[q], m[p], m[q]);
+            let joined = necks.binary_search(&(key.0, key.1)).is_ok();
+            coefficients.push(if joined { model.joined(constants) } else { constants });
             memory.push(springs.of(key));
         }
         laid.i.push(places[0]);

@@ -1,30 +1,29 @@
 //! A run: the stages of a case, one after another, watched, recorded, and kept so that it can be taken up again bit by bit.
 
 mod control;
-mod plan;
 mod record;
 mod report;
 mod row;
-mod watch;
+mod soot;
+mod study;
+mod wear;
 
 pub use control::Control;
-pub use plan::Plan;
 pub use report::{Series, report};
+pub use study::Study;
 
-use crate::build::protocol::{Progress, Setup, Stage};
-use crate::case::{Case, InSteps};
+use crate::build::protocol::Progress;
+use crate::case::{Case, InSteps, Model};
 use crate::error::Error;
 use crate::output::{Finding, Manifest, RunFolder, Status, extended_xyz, write_atomically};
 use crate::simulation::{Settings, Simulation, Snapshot};
-use crate::spec::wear::Wear;
 use crate::system::System;
 use record::{Extent, Record};
 use serde::{Deserialize, Serialize};
-use watch::Watch;
 
 /// The complete state of a run.
 #[derive(Serialize, Deserialize)]
-struct State {
+struct State<W> {
     stage: usize,
     /// Steps of all stages together.
     steps: u64,
@@ -32,7 +31,7 @@ struct State {
     damping: f64,
     skin: f64,
     snapshot: Snapshot,
-    watch: Watch,
+    watch: W,
     sample: Option<System>,
     findings: Vec<Finding>,
     extent: Extent,
@@ -55,10 +54,57 @@ pub struct Glance<'a> {
     pub overlap: f64,
 }
 
-/// A run in its folder.
-pub struct Run<'a> {
+/// A case ready to be run: its particles are there, and nothing has been written.
+pub struct Prepared<'a> {
     case: &'a Case,
-    plan: Plan,
+    initial: System,
+}
+
+impl<'a> Prepared<'a> {
+    /// Finds out whatever is wrong with the input.
+    pub fn new(case: &'a Case) -> Result<Self, Error> {
+        let initial = match &case.model {
+            Model::Wear(_) => wear::Plan::of(case).initial()?,
+            Model::Soot(_) => soot::Plan::of(case).initial()?,
+        };
+        Ok(Self { case, initial })
+    }
+
+    /// Runs it from beginning to end; `show` is told how it is doing.
+    pub fn start(
+        self,
+        folder: &RunFolder,
+        manifest: Manifest,
+        control: &Control,
+        show: &mut dyn FnMut(Glance),
+    ) -> Result<Vec<Finding>, Error> {
+        let Self { case, initial } = self;
+        match &case.model {
+            Model::Wear(_) => Run::new(case, wear::Plan::of(case), folder, manifest, control, show).start(initial),
+            Model::Soot(_) => Run::new(case, soot::Plan::of(case), folder, manifest, control, show).start(initial),
+        }
+    }
+}
+
+/// Goes on with a run from its latest checkpoint.
+pub fn resume(
+    case: &Case,
+    folder: &RunFolder,
+    manifest: Manifest,
+    control: &Control,
+    show: &mut dyn FnMut(Glance),
+) -> Result<Vec<Finding>, Error> {
+    match &case.model {
+        Model::Wear(_) => Run::new(case, wear::Plan::of(case), folder, manifest, control, show).resume(),
+        Model::Soot(_) => Run::new(case, soot::Plan::of(case), folder, manifest, control, show).resume(),
+    }
+}
+
+/// A run in its folder.
+struct Run<'a, S: Study> {
+    case: &'a Case,
+    study: S,
+    stages: Vec<&'static str>,
     folder: &'a RunFolder,
     manifest: Manifest,
     control: &'a Control,
@@ -68,10 +114,11 @@ pub struct Run<'a> {
 }
 
 /// A stage under way.
-struct Current {
+struct Current<S: Study> {
     number: usize,
-    simulation: Simulation<Wear>,
-    watch: Watch,
+    name: &'static str,
+    simulation: Simulation<S::Model>,
+    watch: S::Watch,
     glance: (f64, f64),
 }
 
@@ -83,28 +130,28 @@ struct Course {
     steps: u64,
 }
 
-impl<'a> Run<'a> {
-    /// A run of a case in a folder; `show` is told how it is doing.
-    pub fn new(
+impl<'a, S: Study> Run<'a, S> {
+    fn new(
         case: &'a Case,
+        study: S,
         folder: &'a RunFolder,
         manifest: Manifest,
         control: &'a Control,
         show: &'a mut dyn FnMut(Glance),
     ) -> Self {
-        Self { case, plan: Plan::of(case), folder, manifest, control, taken: 0, show }
+        Self { case, stages: study.stages(), study, folder, manifest, control, taken: 0, show }
     }
 
     /// Begins at the beginning.
-    pub fn start(&mut self, initial: System) -> Result<Vec<Finding>, Error> {
+    fn start(&mut self, initial: System) -> Result<Vec<Finding>, Error> {
         self.manifest.write(self.folder)?;
-        let record = Record::begin(self.folder, &row::columns())?;
+        let record = Record::begin(self.folder, &row::columns(&self.study))?;
         let course = Course { record, sample: None, findings: Vec::new(), steps: 0 };
         self.conclude(|run| run.go_on(course, Some(initial), None))
     }
 
     /// Goes on from the latest checkpoint.
-    pub fn resume(&mut self) -> Result<Vec<Finding>, Error> {
+    fn resume(&mut self) -> Result<Vec<Finding>, Error> {
         let State { stage, steps, dt, damping, skin, snapshot, watch, sample, findings, extent } =
             self.folder.checkpoints().latest()?;
         self.manifest.resume();
@@ -112,12 +159,10 @@ impl<'a> Run<'a> {
         let record = Record::resume(self.folder, extent)?;
         let course = Course { record, sample, findings, steps };
         self.conclude(|run| {
-            let protocol = run.stage(stage);
-            let model = run.case.material().law(protocol.interaction);
-            let settings = run.settings(&protocol, snapshot.system());
-            let settings = Settings { dt, damping, skin, ..settings };
-            let simulation = Simulation::resume(model, settings, snapshot).map_err(|halt| Error::Halted(halt, None))?;
-            let current = Current { number: stage, simulation, watch, glance: (0.0, 0.0) };
+            let settings = Settings { dt, damping, skin, ..run.study.settings(stage, snapshot.system()) };
+            let resumed = Simulation::resume(run.study.model(stage), settings, snapshot);
+            let simulation = resumed.map_err(|halt| Error::Halted(halt, None))?;
+            let current = Current { number: stage, name: run.stages[stage], simulation, watch, glance: (0.0, 0.0) };
             run.go_on(course, None, Some(current))
         })
     }
@@ -134,43 +179,24 @@ impl<'a> Run<'a> {
         result.and_then(|findings| written.map(|()| findings))
     }
 
-    fn stage(&self, number: usize) -> Stage {
-        self.plan.stages().nth(number).expect("a run has as many stages as its case").clone()
-    }
-
-    fn settings(&self, stage: &Stage, system: &System) -> Settings {
-        stage.settings(system, &self.case.material().spec(), self.max_overlap(stage))
-    }
-
-    /// Random spheres overlap without limit until they have been pushed apart.
-    fn max_overlap(&self, stage: &Stage) -> f64 {
-        if stage.interaction == crate::spec::wear::Interaction::Repulsive {
-            f64::INFINITY
-        } else {
-            self.case.limits.overlap
-        }
-    }
-
     fn go_on(
         &mut self,
         mut course: Course,
         initial: Option<System>,
-        resumed: Option<Current>,
+        resumed: Option<Current<S>>,
     ) -> Result<Vec<Finding>, Error> {
         let first = resumed.as_ref().map_or(0, |current| current.number);
         let (mut before, mut resumed) = (initial, resumed);
-        for number in first..self.plan.stages().count() {
-            let stage = self.stage(number);
+        for number in first..self.stages.len() {
             let mut current = match resumed.take() {
                 Some(current) => current,
-                None => self.begin(&stage, number, before.take(), &mut course)?,
+                None => self.begin(number, before.take(), &mut course)?,
             };
-            self.advance(&stage, &mut current, &mut course)?;
-            let simulation = current.simulation;
-            self.picture(&stage, simulation.system(), "end")?;
-            course.record.event(stage.name, simulation.system(), "end")?;
-            course.findings.extend(current.watch.findings(&stage, self.case, &simulation));
-            before = Some(stage.end(simulation));
+            self.advance(&mut current, &mut course)?;
+            self.picture(&current, "end")?;
+            course.record.event(current.name, current.simulation.system(), "end")?;
+            course.findings.extend(self.study.findings(number, &current.watch, &current.simulation)?);
+            before = Some(self.study.end(number, current.simulation));
         }
         let results = serde_yaml::to_string(&course.findings).expect("findings are plain data");
         write_atomically(&self.folder.results(), results.as_bytes())?;
@@ -179,97 +205,101 @@ impl<'a> Run<'a> {
         Ok(course.findings)
     }
 
-    fn begin(
-        &mut self,
-        stage: &Stage,
-        number: usize,
-        before: Option<System>,
-        course: &mut Course,
-    ) -> Result<Current, Error> {
-        if self.plan.starts_from_sample(number) && course.sample.is_none() {
+    fn begin(&mut self, number: usize, before: Option<System>, course: &mut Course) -> Result<Current<S>, Error> {
+        if self.study.starts_from_sample(number) && course.sample.is_none() {
             let sample = before.clone().expect("the first stage that needs a sample comes after its preparation");
-            self.plan.keep_sample(&sample)?;
+            self.study.keep_sample(&sample)?;
             course.sample = Some(sample);
         }
         let from = course.sample.clone().or(before).expect("a run begins with particles");
-        let material = self.case.material().spec();
-        let begun = stage.begin(from, &material, self.max_overlap(stage));
+        let system = self.study.set_up(number, from);
+        let settings = self.study.settings(number, &system);
+        let begun = Simulation::new(self.study.model(number), system, settings);
         let simulation = begun.map_err(|halt| Error::Halted(halt, None))?;
-        let watch = Watch::begin(stage, self.case, &simulation);
-        let mut current = Current { number, simulation, watch, glance: (0.0, 0.0) };
-        course.record.event(stage.name, current.simulation.system(), "begin")?;
-        course.record.frame(stage.name, current.simulation.system())?;
-        self.picture(stage, current.simulation.system(), "begin")?;
-        look(stage, &mut current, course)?;
-        self.show(stage, &current);
+        let watch = self.study.watch(number, &simulation);
+        let mut current = Current { number, name: self.stages[number], simulation, watch, glance: (0.0, 0.0) };
+        course.record.event(current.name, current.simulation.system(), "begin")?;
+        course.record.frame(current.name, current.simulation.system())?;
+        self.picture(&current, "begin")?;
+        self.look(&mut current, course)?;
+        self.show(&current);
         Ok(current)
     }
 
     /// Steps to the end of a stage.
-    fn advance(&mut self, stage: &Stage, current: &mut Current, course: &mut Course) -> Result<(), Error> {
+    fn advance(&mut self, current: &mut Current<S>, course: &mut Course) -> Result<(), Error> {
         let dt = current.simulation.settings().dt;
         let every = |interval: &InSteps| ((interval.value(dt) / dt).round() as u64).max(1);
         let output = &self.case.output;
         let (series, frames, checkpoints) = (every(&output.series), every(&output.frames), every(&output.checkpoints));
-        let third = (stage.steps(dt) / 3).max(1);
+        let (number, name, parts) = (current.number, current.name, self.study.parts(current.number));
+        let part = (self.study.steps(number, dt) / parts).max(1);
         loop {
             if self.control.stops(self.taken) {
                 self.folder.checkpoints().keep_stopped(&state(current, course))?;
                 return Err(Error::Stopped(self.folder.root().into()));
             }
             if let Err(halt) = current.simulation.step() {
-                return Err(self.halted(stage, current, course, halt));
+                return Err(self.halted(current, course, halt));
             }
             self.taken += 1;
             course.steps += 1;
             let step = current.simulation.system().step;
-            let progress = if current.watch.ended() { Progress::Done } else { stage.progress(&current.simulation) };
+            let progress = self.study.progress(number, &current.watch, &current.simulation);
             let last = progress != Progress::Going;
             if last || step.is_multiple_of(series) {
-                look(stage, current, course)?;
-                self.show(stage, current);
+                self.look(current, course)?;
+                self.show(current);
             }
             if last || step.is_multiple_of(frames) {
-                course.record.frame(stage.name, current.simulation.system())?;
+                course.record.frame(name, current.simulation.system())?;
             }
-            if matches!(stage.setup, Setup::Junction(_)) && step.is_multiple_of(third) && !last {
-                self.picture(stage, current.simulation.system(), &format!("after {} of 3 parts", step / third))?;
+            if step.is_multiple_of(part) && !last {
+                self.picture(current, &format!("after {} of {parts} parts", step / part))?;
             }
             match progress {
                 Progress::Going => {}
                 Progress::Done => return Ok(()),
                 Progress::Failed => {
-                    course.record.event(stage.name, current.simulation.system(), "not relaxed in time")?;
-                    let what = format!("{}: stresses are not below the limit after {step} steps", stage.name);
+                    course.record.event(name, current.simulation.system(), "not relaxed in time")?;
+                    let what = format!("{name}: stresses are not below the limit after {step} steps");
                     return Err(Error::Verification(what));
                 }
             }
             if step.is_multiple_of(checkpoints) {
-                course.record.event(stage.name, current.simulation.system(), "checkpoint")?;
+                course.record.event(name, current.simulation.system(), "checkpoint")?;
                 self.folder.checkpoints().keep(course.steps, &state(current, course))?;
             }
         }
     }
 
-    fn picture(&self, stage: &Stage, system: &System, when: &str) -> Result<(), Error> {
-        report::picture(self.folder, &format!("{} {when}", stage.name), system, system.domain.sides[1])
+    fn picture(&self, current: &Current<S>, when: &str) -> Result<(), Error> {
+        let system = current.simulation.system();
+        report::picture(self.folder, &format!("{} {when}", current.name), system, system.domain.sides[1])
     }
 
-    fn show(&mut self, stage: &Stage, current: &Current) {
+    fn show(&mut self, current: &Current<S>) {
         let system = current.simulation.system();
         let (residual, overlap) = current.glance;
-        let steps = stage.steps(current.simulation.settings().dt);
+        let steps = self.study.steps(current.number, current.simulation.settings().dt);
         let particles = system.particles.len();
-        (self.show)(Glance { stage: stage.name, step: system.step, steps, particles, residual, overlap });
+        (self.show)(Glance { stage: current.name, step: system.step, steps, particles, residual, overlap });
+    }
+
+    /// Measures, and appends a row to the series.
+    fn look(&self, current: &mut Current<S>, course: &mut Course) -> Result<(), Error> {
+        let (cells, glance) = row::measure(&self.study, current.name, &current.simulation, &mut current.watch);
+        current.glance = glance;
+        course.record.row(&cells)
     }
 
     /// Dumps the state that could not be left.
-    fn halted(&self, stage: &Stage, current: &Current, course: &mut Course, halt: crate::system::Halt) -> Error {
+    fn halted(&self, current: &Current<S>, course: &mut Course, halt: crate::system::Halt) -> Error {
         let system = current.simulation.system();
         let dumped = course
             .record
-            .event(stage.name, system, &format!("halted at {halt}"))
-            .and_then(|()| write_atomically(&self.folder.halted(), extended_xyz(system, stage.name).as_bytes()));
+            .event(current.name, system, &format!("halted at {halt}"))
+            .and_then(|()| write_atomically(&self.folder.halted(), extended_xyz(system, current.name).as_bytes()));
         match dumped {
             Ok(()) => Error::Halted(halt, Some(self.folder.halted())),
             Err(error) => error,
@@ -277,7 +307,7 @@ impl<'a> Run<'a> {
     }
 }
 
-fn state(current: &Current, course: &Course) -> State {
+fn state<S: Study>(current: &Current<S>, course: &Course) -> State<S::Watch> {
     let Settings { dt, damping, skin, .. } = *current.simulation.settings();
     State {
         stage: current.number,
@@ -291,11 +321,4 @@ fn state(current: &Current, course: &Course) -> State {
         findings: course.findings.clone(),
         extent: course.record.extent(),
     }
-}
-
-/// Measures, and appends a row to the series.
-fn look(stage: &Stage, current: &mut Current, course: &mut Course) -> Result<(), Error> {
-    let (cells, glance) = row::measure(stage.name, &current.simulation, &mut current.watch);
-    current.glance = glance;
-    course.record.row(&cells)
 }

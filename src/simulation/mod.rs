@@ -12,7 +12,7 @@ pub use snapshot::Snapshot;
 use crate::forces::{self, Block, Instructions, Springs, Totals};
 use crate::motion::{self, BoxRelaxation, Moved, Spheres};
 use crate::spec::{Flat, PairModel, Vec3};
-use crate::system::{Domain, Halt, System};
+use crate::system::{Domain, Halt, Reason, System};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
@@ -231,7 +231,17 @@ impl<M: PairModel> Simulation<M> {
                 particles.wall[n.p as usize] == 0 || particles.wall[n.q as usize] != particles.wall[n.p as usize]
             })
             .collect();
-        self.blocks = forces::partition(model, particles, &pairs, springs).map_err(|reason| self.halt(reason))?;
+        let necks = &self.system.necks;
+        let listed = pairs.iter().map(|pair| forces::bond(particles, pair.p as usize, pair.q as usize, pair.image));
+        let mut missing: std::collections::BTreeSet<_> = necks.iter().copied().collect();
+        for (i, j, _) in listed {
+            missing.remove(&(i, j));
+        }
+        if let Some(&pair) = missing.first() {
+            return Err(self.halt(Reason::Neck { pair }));
+        }
+        self.blocks =
+            forces::partition(model, particles, &pairs, necks, springs).map_err(|reason| self.halt(reason))?;
         Ok(())
     }
 

@@ -39,6 +39,11 @@ pub enum Reason {
         /// Id of the sphere that sets it.
         particle: u32,
     },
+    /// Two spheres that a neck joins are farther apart than neighbours are listed.
+    Neck {
+        /// Ids of the spheres.
+        pair: (u32, u32),
+    },
     /// A sphere is so large, or has so many neighbours, that a block of the pair loop cannot hold them.
     TooManyNeighbours {
         /// Id of the sphere.
@@ -56,6 +61,9 @@ impl fmt::Display for Halt {
             }
             Reason::TimeStep { dt, limit, particle } => {
                 write!(f, "time step {dt} ns is not below the stability limit {limit} ns of particle {particle}")
+            }
+            Reason::Neck { pair: (i, j) } => {
+                write!(f, "particles {i} and {j} are joined by a neck, and too far apart to be neighbours")
             }
             Reason::TooManyNeighbours { particle } => write!(f, "particle {particle} has too many neighbours"),
         }

@@ -83,6 +83,8 @@ pub struct System {
     pub domain: Domain,
     /// The rigid walls.
     pub walls: Vec<Wall>,
+    /// Necks between spheres: ids, the lower first, in ascending order.
+    pub necks: Vec<(u32, u32)>,
     /// Simulated time, ns.
     pub time: f64,
     /// Steps taken.
@@ -92,7 +94,7 @@ pub struct System {
 impl System {
     /// Spheres at rest in a box, at time zero.
     pub fn new(particles: Particles, domain: Domain) -> Self {
-        Self { particles, domain, walls: Vec::new(), time: 0.0, step: 0 }
+        Self { particles, domain, walls: Vec::new(), necks: Vec::new(), time: 0.0, step: 0 }
     }
 
     /// Makes the spheres that `member` picks into one rigid wall, whose mass is theirs.

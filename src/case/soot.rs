@@ -1,0 +1,240 @@
+//! The sections of a case of the soot paper. Defaults are the authors' published inputs.
+
+use super::quantity::{Density, Drag, Energy, Force, Length, Quantity, Sharpness, Stiffness, Time};
+use super::schema::InSteps;
+use super::section::{defaults, section, words};
+use super::units::{in_unit, rounded};
+use super::{Case, Experiment, Model, Sample};
+use crate::case::quantity::Scaled;
+use crate::spec::soot::def_sphere::solid_inertia;
+use crate::spec::soot::eq24_fractal::gyration_radius;
+use crate::spec::wear::def_sphere::sphere_mass;
+use crate::spec::{PairModel, soot};
+use serde_yaml::{Mapping, Value};
+
+/// A quantity that is written in this file, not by a user.
+fn quantity<K: super::quantity::Kind>(text: &str) -> Quantity<K> {
+    Quantity::parse(text).expect("a quantity of the right kind")
+}
+
+section! {
+    /// The interactions of soot spheres.
+    pub struct Soot {
+        /// Density of the spheres.
+        density: Quantity<Density> = quantity("1700 kg/m^3"),
+        /// The springs of a neck.
+        necks: NeckSet = NeckSet::P,
+        /// Springs of a neck that are neither of the published sets.
+        neck_springs: Option<FourSprings> = None,
+        /// The springs of a frictional contact.
+        contact: FourSprings = published_contact(),
+        /// The friction of such a contact.
+        friction: Rubbing = defaults(),
+        /// Hamaker constant.
+        hamaker_constant: Quantity<Energy> = quantity("1e-19 J"),
+        /// Gap at which the van der Waals force stops growing.
+        saturation: Quantity<Length> = quantity("1 nm"),
+        /// Largest capillary force of two spheres; `0 nN` for dry soot.
+        capillary_force: Quantity<Force> = quantity("1 nN"),
+        /// Distance of centres at which half of it is left.
+        capillary_reach: Quantity<Length> = quantity("56 nm"),
+        /// How sharply it drops there.
+        capillary_sharpness: Quantity<Sharpness> = quantity("0.178571429 1/nm"),
+        /// Distance of centres beyond which neither attraction acts.
+        cutoff: Quantity<Length> = quantity("70 nm"),
+        /// How a twist of a contact or neck is resisted.
+        torsion: Torsion = Torsion::Spring,
+    }
+}
+
+words! {
+    /// A published set of the springs of a neck.
+    pub enum NeckSet {
+        /// 1e5 N/m throughout: deposition and indentation; stable at 50 fs.
+        S = "S",
+        /// 1e6 N/m along the normal, 1e7 N/m else: restructuring; needs 5 fs.
+        P = "P",
+    }
+}
+
+words! {
+    /// How a twist is resisted.
+    pub enum Torsion {
+        /// By a spring and a dashpot.
+        Spring = "spring",
+        /// By the dashpot alone: what the published program comes to.
+        AsPublished = "as-published",
+    }
+}
+
+section! {
+    /// Four springs with their dashpots.
+    pub struct FourSprings {
+        /// Normal stiffness.
+        normal_stiffness: Quantity<Stiffness>,
+        /// Tangential stiffness.
+        tangential_stiffness: Quantity<Stiffness>,
+        /// Rolling stiffness.
+        rolling_stiffness: Quantity<Stiffness>,
+        /// Torsional stiffness.
+        torsional_stiffness: Quantity<Stiffness>,
+        /// Normal damping coefficient.
+        normal_damping: Quantity<Drag>,
+        /// Tangential damping coefficient.
+        tangential_damping: Quantity<Drag>,
+        /// Rolling damping coefficient.
+        rolling_damping: Quantity<Drag>,
+        /// Torsional damping coefficient.
+        torsional_damping: Quantity<Drag>,
+    }
+}
+
+section! {
+    /// Friction coefficients: of sliding, rolling, torsion.
+    pub struct Rubbing {
+        /// At rest.
+        at_rest: [f64; 3] = [1.0, 0.1, 0.1],
+        /// In motion, at most those at rest.
+        in_motion: [f64; 3] = [1.0, 0.1, 0.1],
+    }
+}
+
+section! {
+    /// A fractal aggregate of touching spheres, by cluster-cluster aggregation: N = k_f (R_g / r)^D_f.
+    pub struct Aggregate {
+        /// Number of spheres N.
+        spheres: u64 = 150,
+        /// Their radius r.
+        radius: Quantity<Length> = quantity("14 nm"),
+        /// Fractal dimension D_f.
+        fractal_dimension: f64 = 1.8,
+        /// Fractal prefactor k_f.
+        prefactor: f64 = 1.4,
+        /// Part of the contacts that are necks; which ones is drawn from the seed.
+        neck_fraction: f64 = 0.5,
+        /// Largest gap that a neck bridges.
+        neck_distance: Quantity<Length> = quantity("1 nm"),
+    }
+}
+
+section! {
+    /// A coating pulls the spheres together.
+    pub struct Restructuring {
+        /// How long it is watched.
+        duration: InSteps = Scaled::Absolute(quantity("50 ns")),
+        /// Time step.
+        dt: Quantity<Time> = quantity("5 fs"),
+    }
+}
+
+fn springs(stiffness: [&str; 4], damping: [&str; 4]) -> FourSprings {
+    let ([k_n, k_t, k_r, k_o], [c_n, c_t, c_r, c_o]) = (stiffness, damping);
+    FourSprings {
+        normal_stiffness: quantity(k_n),
+        tangential_stiffness: quantity(k_t),
+        rolling_stiffness: quantity(k_r),
+        torsional_stiffness: quantity(k_o),
+        normal_damping: quantity(c_n),
+        tangential_damping: quantity(c_t),
+        rolling_damping: quantity(c_r),
+        torsional_damping: quantity(c_o),
+    }
+}
+
+fn published_contact() -> FourSprings {
+    springs(["1e4 N/m"; 4], ["5e-9 kg/s", "1e-9 kg/s", "2.5e-10 kg/s", "2.5e-10 kg/s"])
+}
+
+impl NeckSet {
+    /// The springs of the set.
+    pub fn springs(self) -> FourSprings {
+        match self {
+            Self::S => springs(["1e5 N/m"; 4], ["1.25e-7 kg/s", "2.5e-8 kg/s", "6.25e-9 kg/s", "6.25e-9 kg/s"]),
+            Self::P => springs(
+                ["1e6 N/m", "1e7 N/m", "1e7 N/m", "1e7 N/m"],
+                ["1.25e-6 kg/s", "2.5e-7 kg/s", "6.25e-8 kg/s", "6.25e-8 kg/s"],
+            ),
+        }
+    }
+}
+
+impl FourSprings {
+    fn spec(&self) -> soot::Springs<f64> {
+        soot::Springs {
+            k_n: self.normal_stiffness.value,
+            k_t: self.tangential_stiffness.value,
+            k_r: self.rolling_stiffness.value,
+            k_o: self.torsional_stiffness.value,
+            eta_n: self.normal_damping.value,
+            eta_t: self.tangential_damping.value,
+            eta_r: self.rolling_damping.value,
+            eta_o: self.torsional_damping.value,
+        }
+    }
+}
+
+impl Soot {
+    /// The contact law in engine units.
+    pub fn law(&self) -> soot::Soot {
+        let ([static_t, static_r, static_o], [dynamic_t, dynamic_r, dynamic_o]) =
+            (self.friction.at_rest, self.friction.in_motion);
+        soot::Soot {
+            neck: self.neck_springs.clone().unwrap_or_else(|| self.necks.springs()).spec(),
+            contact: self.contact.spec(),
+            friction: soot::Friction { static_t, static_r, static_o, dynamic_t, dynamic_r, dynamic_o },
+            attraction: soot::Attraction {
+                a: self.hamaker_constant.value,
+                delta_0: self.saturation.value,
+                psi: self.capillary_force.value,
+                kappa: self.capillary_sharpness.value,
+                d_cutoff: self.capillary_reach.value,
+                cutoff: self.cutoff.value,
+            },
+            torsion: match self.torsion {
+                Torsion::Spring => soot::Torsion::Spring,
+                Torsion::AsPublished => soot::Torsion::AsPublished,
+            },
+        }
+    }
+}
+
+impl Case {
+    /// The sections of a case of the soot paper, if it is one.
+    pub fn soot(&self) -> Option<(&Soot, &Aggregate, &Restructuring)> {
+        match (&self.model, &self.sample, &self.experiment) {
+            (Model::Soot(soot), Sample::Aggregate(sample), Experiment::Restructuring(test)) => {
+                Some((soot, sample, test))
+            }
+            _ => None,
+        }
+    }
+
+    /// The largest stable time step of a case of the soot paper, ns.
+    pub fn soot_step_limit(&self) -> f64 {
+        let (soot, sample, _) = self.soot().expect(OF_SOOT);
+        let r = sample.radius.value;
+        soot.law().critical_time_step(r, sphere_mass(soot.density.value, r))
+    }
+
+    /// What follows from a case of the soot paper, with units.
+    pub(super) fn derived_of_soot(&self) -> Mapping {
+        let (soot, sample, test) = self.soot().expect(OF_SOOT);
+        let (r, limit) = (sample.radius.value, self.soot_step_limit());
+        let mass = sphere_mass(soot.density.value, r);
+        let gyration = gyration_radius(sample.prefactor, sample.spheres as f64, r, sample.fractal_dimension);
+        let share = rounded(test.dt.value / limit);
+        let rows = [
+            ("mass of a sphere", in_unit(mass, "kg")),
+            ("moment of inertia of a sphere", in_unit(solid_inertia(mass, r), "kg m^2")),
+            ("gyration radius R_g", in_unit(gyration, "nm")),
+            ("largest stable time step", in_unit(limit, "fs")),
+            (
+                "experiment.restructuring.dt",
+                format!("{} = {share} of the largest stable step", in_unit(test.dt.value, "fs")),
+            ),
+        ];
+        rows.into_iter().map(|(key, value)| (Value::String(key.into()), Value::String(value))).collect()
+    }
+}
+
+const OF_SOOT: &str = "asked only of cases of the soot paper";

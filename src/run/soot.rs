@@ -1,0 +1,140 @@
+//! The stages of a case of the soot paper: an aggregate collapses under its coating.
+
+use super::Study;
+use crate::build::aggregate::{self, Recipe, keep_fraction, necks};
+use crate::build::protocol::Progress;
+use crate::case::{Aggregate, Case, Restructuring, Soot};
+use crate::error::Error;
+use crate::forces::Instructions;
+use crate::observe::morphology::{convexity, coordination_number, gyration_radius};
+use crate::output::{Cell, Finding};
+use crate::simulation::{Settings, Simulation};
+use crate::spec::Vec3;
+use crate::spec::soot;
+use crate::spec::wear::def_sphere::sphere_mass;
+use crate::system::{Domain, Particles, System};
+
+/// The plan of a case.
+pub struct Plan {
+    seed: u64,
+    max_overlap: f64,
+    soot: Soot,
+    sample: Aggregate,
+    test: Restructuring,
+}
+
+/// How much farther than their range neighbours are listed, in radii: a collapse moves spheres by a few diameters.
+const SKIN: f64 = 0.5;
+
+impl Plan {
+    /// The plan of a case of the soot paper.
+    pub fn of(case: &Case) -> Self {
+        let (soot, sample, test) = case.soot().expect("a checked case of the soot paper is complete");
+        let (soot, sample, test) = (soot.clone(), sample.clone(), test.clone());
+        Self { seed: case.seed, max_overlap: case.limits.overlap, soot, sample, test }
+    }
+}
+
+const COLUMNS: [&str; 3] = ["coordination number", "convexity", "gyration radius [nm]"];
+
+/// What of an aggregate's shape is followed: coordination number, convexity, gyration radius.
+type Shape = [f64; 3];
+
+fn shape(system: &System) -> Shape {
+    let Particles { x, radius, .. } = &system.particles;
+    [coordination_number(x, radius), convexity(x, radius), gyration_radius(x, radius)]
+}
+
+impl Study for Plan {
+    type Model = soot::Soot;
+    type Watch = Shape;
+
+    fn stages(&self) -> Vec<&'static str> {
+        vec!["restructuring"]
+    }
+
+    fn initial(&self) -> Result<System, Error> {
+        let Aggregate { spheres, radius, fractal_dimension, prefactor, neck_fraction, neck_distance } = &self.sample;
+        let recipe = Recipe { n: *spheres as usize, radius: radius.value, d_f: *fractal_dimension, k_f: *prefactor };
+        let built = aggregate::aggregate(&recipe, self.seed)?;
+        let joined = necks(&built, neck_distance.value, true);
+        let mut particles = Particles::default();
+        let reach = built.iter().map(|sphere| sphere.x.norm() + sphere.r).fold(0.0, f64::max);
+        for sphere in &built {
+            let mass = sphere_mass(self.soot.density.value, sphere.r);
+            particles.push(sphere.x + Vec3([reach; 3]), sphere.r, mass, 0);
+        }
+        let domain = Domain { sides: [2.0 * reach; 3], periodic: [false; 3] };
+        Ok(System { necks: keep_fraction(&joined, *neck_fraction, self.seed), ..System::new(particles, domain) })
+    }
+
+    fn starts_from_sample(&self, _: usize) -> bool {
+        false
+    }
+
+    fn keep_sample(&self, _: &System) -> Result<(), Error> {
+        Ok(())
+    }
+
+    fn set_up(&self, _: usize, system: System) -> System {
+        system
+    }
+
+    fn model(&self, _: usize) -> soot::Soot {
+        self.soot.law()
+    }
+
+    fn settings(&self, _: usize, _: &System) -> Settings {
+        Settings {
+            dt: self.test.dt.value,
+            damping: 0.0,
+            skin: SKIN * self.sample.radius.value,
+            max_overlap: self.max_overlap,
+            relax_box: None,
+            instructions: Instructions::best(),
+        }
+    }
+
+    fn steps(&self, _: usize, dt: f64) -> u64 {
+        (self.test.duration.value(dt) / dt).round() as u64
+    }
+
+    fn progress(&self, stage: usize, _: &Shape, simulation: &Simulation<soot::Soot>) -> Progress {
+        let last = self.steps(stage, simulation.settings().dt);
+        if simulation.system().step >= last { Progress::Done } else { Progress::Going }
+    }
+
+    fn end(&self, _: usize, simulation: Simulation<soot::Soot>) -> System {
+        simulation.into_system()
+    }
+
+    fn parts(&self, _: usize) -> u64 {
+        2
+    }
+
+    fn columns(&self) -> Vec<&'static str> {
+        COLUMNS.into()
+    }
+
+    fn watch(&self, _: usize, simulation: &Simulation<soot::Soot>) -> Shape {
+        shape(simulation.system())
+    }
+
+    fn look(&self, _: &mut Shape, simulation: &Simulation<soot::Soot>) -> Vec<Cell> {
+        shape(simulation.system()).map(Cell::Number).into()
+    }
+
+    fn findings(&self, _: usize, begin: &Shape, simulation: &Simulation<soot::Soot>) -> Result<Vec<Finding>, Error> {
+        let mut findings = vec![Finding::number("necks", simulation.system().necks.len() as f64, "", None)];
+        for (when, [coordination, convexity, gyration]) in
+            [("at first", *begin), ("at last", shape(simulation.system()))]
+        {
+            findings.extend([
+                Finding::number(&format!("coordination number {when}"), coordination, "", None),
+                Finding::number(&format!("convexity {when}"), convexity, "", None),
+                Finding::number(&format!("gyration radius {when}"), gyration, "nm", None),
+            ]);
+        }
+        Ok(findings)
+    }
+}

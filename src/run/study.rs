@@ -1,0 +1,55 @@
+//! What a paper's cases have in common for whoever runs them.
+
+use crate::build::protocol::Progress;
+use crate::error::Error;
+use crate::output::{Cell, Finding};
+use crate::simulation::{Settings, Simulation};
+use crate::spec::PairModel;
+use crate::system::System;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+
+/// A case of one paper as stages, each with its model, its settings, and what is watched in it. Stages are counted from zero.
+pub trait Study {
+    /// The contact model.
+    type Model: PairModel;
+    /// What an observer remembers between two looks.
+    type Watch: Clone + Serialize + DeserializeOwned;
+
+    /// The names of the stages.
+    fn stages(&self) -> Vec<&'static str>;
+    /// The particles before the first stage.
+    fn initial(&self) -> Result<System, Error>;
+    /// True for a stage that starts from the sample, false for one that makes it.
+    fn starts_from_sample(&self, stage: usize) -> bool;
+    /// Keeps the sample, if the case wants it.
+    fn keep_sample(&self, system: &System) -> Result<(), Error>;
+    /// What a stage makes of the system that it is given.
+    fn set_up(&self, stage: usize, system: System) -> System;
+    /// The model of a stage.
+    fn model(&self, stage: usize) -> Self::Model;
+    /// How a stage advances its system.
+    fn settings(&self, stage: usize, system: &System) -> Settings;
+    /// The last step of a stage, at the latest.
+    fn steps(&self, stage: usize, dt: f64) -> u64;
+    /// Whether a stage has come to its end.
+    fn progress(&self, stage: usize, watch: &Self::Watch, simulation: &Simulation<Self::Model>) -> Progress;
+    /// The system at the end of a stage.
+    fn end(&self, stage: usize, simulation: Simulation<Self::Model>) -> System;
+    /// Into how many parts pictures cut a stage.
+    fn parts(&self, stage: usize) -> u64;
+
+    /// The columns that observers add to the series.
+    fn columns(&self) -> Vec<&'static str>;
+    /// Begins to watch a stage.
+    fn watch(&self, stage: usize, simulation: &Simulation<Self::Model>) -> Self::Watch;
+    /// Measures: the cells of the columns of all observers, those of other stages empty.
+    fn look(&self, watch: &mut Self::Watch, simulation: &Simulation<Self::Model>) -> Vec<Cell>;
+    /// What it amounts to.
+    fn findings(
+        &self,
+        stage: usize,
+        watch: &Self::Watch,
+        simulation: &Simulation<Self::Model>,
+    ) -> Result<Vec<Finding>, Error>;
+}
