@@ -180,16 +180,6 @@ fn laid<R: Real>(grip: Grip<R>) -> Effect<R> {
     (wrench.force, wrench.torque_i, wrench.torque_j, memory.tangential, memory.rolling, memory.torsion)
 }
 
-impl<R: Real> Friction<R> {
-    /// From the static coefficients of sliding, rolling and torsion, and the one ratio of the dynamic to the static ones.
-    #[inline(always)]
-    pub fn from_ratio(mu: [R; 3], phi: R) -> Self {
-        let [static_t, static_r, static_o] = mu;
-        let [dynamic_t, dynamic_r, dynamic_o] = mu.map(|mu| phi * mu);
-        Self { static_t, static_r, static_o, dynamic_t, dynamic_r, dynamic_o }
-    }
-}
-
 pub(super) fn equations() -> Vec<Equation> {
     vec![
         equation!("soot/def_contact.rs", "soot-neck", [], neck),

@@ -46,6 +46,16 @@ flat_struct! {
     }
 }
 
+impl<R: Real> Friction<R> {
+    /// From the static coefficients of sliding, rolling and torsion, and the one ratio of the dynamic to the static ones.
+    #[inline(always)]
+    pub fn from_ratio(mu: [R; 3], phi: R) -> Self {
+        let [static_t, static_r, static_o] = mu;
+        let [dynamic_t, dynamic_r, dynamic_o] = mu.map(|mu| phi * mu);
+        Self { static_t, static_r, static_o, dynamic_t, dynamic_r, dynamic_o }
+    }
+}
+
 flat_struct! {
     /// What one time step of a pair turned into heat, J, by cause.
     pub struct Losses {

@@ -98,10 +98,10 @@ proptest! {
         // Three spheres in a bent chain: necks, contacts without friction limits and dashpots, attraction, all of it.
         let (bonded, springs, attraction) = [(1.0, UNDAMPED, NONE), (0.0, UNDAMPED, NONE), (0.0, Springs::from_fn(|_| 0.0), ATTRACTION), (1.0, UNDAMPED, ATTRACTION)][element];
         let friction = Friction::from_ratio([1e9; 3], 1.0);
-        let gap = if element == 2 { 0.5 } else { 0.0 };
+        // Without springs the spheres must not fall through each other.
+        let gap = if element == 2 { 1.5 } else { 0.0 };
         let places = [along(0.0), along(2.0 + gap), Vec3::new(2.0 + gap, 2.0 + gap, 0.0)];
         let mut spheres = Spheres::new(Soot { friction, ..law(springs, attraction) }, bonded, places);
-        // A third neck would be stretched by its diagonal; such a chain is stiff enough without.
         (spheres.v, spheres.omega) = (v.map(|v| v * 0.03), omega.map(|omega| omega * 0.03));
         let dt = 5e-4;
         spheres.start(dt);
@@ -226,7 +226,7 @@ fn a_neck_is_stable_below_the_critical_time_step_and_not_above() {
                 [Vec3::new(-1e-9, 1e-9, 0.0), Vec3::new(1e-9, -1e-9, 0.0)],
                 [Vec3::new(2e-9, 3e-9, 1e-9), Vec3::zero()],
             );
-            (0..2000).for_each(|_| pair.step(dt));
+            (0..400).for_each(|_| pair.step(dt));
             pair.energy() > 1e-14
         };
         assert!(!grows(0.98 * limit) && grows(1.02 * limit));
