@@ -145,6 +145,16 @@ pub trait PairModel: Sync {
     fn relisted<R: Real>(&self, _c: &Contact<R>, memory: Self::Memory<R>) -> Self::Memory<R> {
         memory
     }
+    /// Whether most pairs in range only attract or repel each other along the line of centres: those need not be evaluated in full.
+    const MOSTLY_FAR: bool = false;
+    /// The pairs that must be evaluated in full; every other has no spring and [`far`](Self::far) is all that acts.
+    fn is_near<R: Real>(&self, _c: &Contact<R>, _k: &Self::Coefficients<R>) -> R::Mask {
+        R::zero().le(R::zero())
+    }
+    /// The force on `i` of a pair that is not near.
+    fn far<R: Real>(&self, _c: &Contact<R>) -> Vec3<R> {
+        Vec3::zero()
+    }
     /// The energy that a pair holds.
     fn stored<R: Real>(&self, c: &Contact<R>, k: &Self::Coefficients<R>, memory: &Self::Memory<R>) -> Self::Stored<R>;
     /// Largest stable time step of two equal spheres in contact, s.

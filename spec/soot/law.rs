@@ -86,9 +86,21 @@ impl PairModel for Soot {
         let bonded = is_bonded(k);
         let at = Meeting::of_spheres(c);
         let mut grip = self.springs(bonded).grip(&lifted(&self.friction), bonded, &at, memory, dt);
-        let attraction: Attraction<R> = lifted(&self.attraction);
-        grip.wrench.force = grip.wrench.force + at.n * attraction.force(c.distance, c.gap, c.r_i, c.r_j);
+        grip.wrench.force = grip.wrench.force + self.far(c);
         grip
+    }
+
+    const MOSTLY_FAR: bool = true;
+
+    #[inline(always)]
+    fn is_near<R: Real>(&self, c: &Contact<R>, k: &Coefficients<R>) -> R::Mask {
+        is_bonded(k) | c.gap.lt(R::zero())
+    }
+
+    #[inline(always)]
+    fn far<R: Real>(&self, c: &Contact<R>) -> Vec3<R> {
+        let attraction: Attraction<R> = lifted(&self.attraction);
+        -(c.n * attraction.force(c.distance, c.gap, c.r_i, c.r_j))
     }
 
     #[inline(always)]

@@ -7,8 +7,8 @@
 
 use super::{Bond, Load, Neighbour, Springs};
 use crate::spec::numbers::Lanes;
-use crate::spec::{Flat, PairModel};
-use crate::system::{Image, Particles, Reason};
+use crate::spec::{Flat, PairModel, Vec3};
+use crate::system::{Domain, Image, Particles, Reason};
 use num_traits::Zero;
 use rayon::prelude::*;
 use std::ops::Range;
@@ -34,7 +34,8 @@ pub struct Block<M: PairModel> {
     pub loads: Box<[Load; CAPACITY]>,
 }
 
-/// Pairs, eight to a row: every lane has a stretch of the list of its own, so that neighbouring lanes load different spheres. Spheres are counted within the block: its own first, then the halo. The sphere with the lower id is `i`.
+/// Pairs, eight to a row: those that were near when they were listed, then the far ones. In each part every lane has a stretch of
+/// the list of its own, so that neighbouring lanes load different spheres. Spheres are counted within the block: its own first, then the halo. The sphere with the lower id is `i`.
 pub struct Pairs<M: PairModel> {
     /// First spheres.
     pub i: Vec<[u16; LANES]>,
@@ -46,8 +47,10 @@ pub struct Pairs<M: PairModel> {
     pub coefficients: Vec<M::Coefficients<Lanes<LANES>>>,
     /// Springs.
     pub memory: Vec<M::Memory<Lanes<LANES>>>,
-    /// Number of pairs; the rest of the last row is padding.
+    /// Number of pairs; the rest of the last rows of both parts is padding.
     pub len: usize,
+    /// How many of them were near.
+    pub near: usize,
 }
 
 impl<M: PairModel> Block<M> {
@@ -79,14 +82,22 @@ impl<M: PairModel> Pairs<M> {
 
     /// Row and lane of the pair `k`.
     pub fn seat(&self, k: usize) -> (usize, usize) {
-        (k % self.i.len(), k / self.i.len())
+        let (before, k, of) = if k < self.near {
+            (0, k, self.near)
+        } else {
+            (self.near.div_ceil(LANES), k - self.near, self.len - self.near)
+        };
+        let rows = of.div_ceil(LANES);
+        (before + k % rows, k / rows)
     }
 }
 
-/// Cuts the pairs, sorted by first sphere, into blocks; springs are found again in `springs`.
+/// Cuts the pairs, sorted by first sphere, into blocks; springs are found again in `springs`. `x` and `domain` are those that the
+/// pairs were found with.
 pub fn partition<M: PairModel>(
     model: &M,
     particles: &Particles,
+    (x, domain): (&[Vec3<f64>], &Domain),
     pairs: &[Neighbour],
     necks: &[(u32, u32)],
     springs: &Springs,
@@ -108,7 +119,8 @@ pub fn partition<M: PairModel>(
     let mut blocks: Vec<Block<M>> = cut
         .into_par_iter()
         .map(|(own, halo)| {
-            let pairs = lay(model, particles, &pairs[first[own.start]..first[own.end]], &own, &halo, necks, springs);
+            let pairs = &pairs[first[own.start]..first[own.end]];
+            let pairs = lay(model, particles, (x, domain), pairs, &own, &halo, necks, springs);
             let loads = vec![Load::zero(); CAPACITY].try_into().expect("as many as it is made of");
             Block { own, halo, pairs, incoming: Vec::new(), loads }
         })
@@ -146,9 +158,13 @@ fn cut_to_fit(
     Ok(())
 }
 
+/// Two spheres are laid among the near ones from this gap downwards, in sums of radii.
+const NEAR: f64 = 0.01;
+
 fn lay<M: PairModel>(
     model: &M,
     particles: &Particles,
+    (x, domain): (&[Vec3<f64>], &Domain),
     pairs: &[Neighbour],
     own: &Range<usize>,
     halo: &[(u32, Image)],
@@ -169,13 +185,26 @@ fn lay<M: PairModel>(
         coefficients: Vec::new(),
         memory: Vec::new(),
         len: pairs.len(),
+        near: pairs.len(),
     };
-    let rows = pairs.len().div_ceil(LANES);
-    for row in 0..rows {
+    let apart = |pair: &&Neighbour| {
+        let (p, q) = (pair.p as usize, pair.q as usize);
+        let distance = (x[p] - (x[q] + domain.shift(pair.image))).norm();
+        distance > (1.0 + NEAR) * (particles.radius[p] + particles.radius[q])
+    };
+    let (far, near): (Vec<&Neighbour>, Vec<&Neighbour>) = pairs.iter().partition(|pair| M::MOSTLY_FAR && apart(pair));
+    laid.near = near.len();
+    let in_rows = |part: &[&Neighbour]| {
+        let rows = part.len().div_ceil(LANES);
+        (0..rows)
+            .map(|row| part.iter().skip(row).step_by(rows).map(|pair| **pair).collect())
+            .collect::<Vec<Vec<Neighbour>>>()
+    };
+    for row in in_rows(&near).into_iter().chain(in_rows(&far)) {
         let mut places = [[NOWHERE; LANES], [0; LANES]];
         let mut coefficients = Vec::with_capacity(LANES);
         let mut memory = Vec::with_capacity(LANES);
-        for (lane, pair) in pairs.iter().skip(row).step_by(rows).enumerate() {
+        for (lane, pair) in row.iter().enumerate() {
             let mut ends =
                 [(pair.p as usize - own.start, pair.p as usize), (place_of(pair.q, pair.image), pair.q as usize)];
             let key = bond(particles, pair.p as usize, pair.q as usize, pair.image);

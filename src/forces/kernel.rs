@@ -235,11 +235,18 @@ fn act<M: PairModel>(
     allowed: f64,
     dt: f64,
 ) {
+    if M::MOSTLY_FAR {
+        let mut near = false;
+        for lane in 0..LANES {
+            let constants = Flat::from_fn(|k| coefficients.at(k).0[lane]);
+            near |= model.is_near(&contact(seen, lane), &constants);
+        }
+        if !near {
+            return far(model, memory, seen, given, sums, allowed);
+        }
+    }
     for lane in 0..LANES {
-        let number = |k: usize| seen[k].0[lane];
-        let vector = |k: usize| Vec3([number(k), number(k + 1), number(k + 2)]);
-        let branch = vector(0);
-        let contact = Contact::new(branch, vector(3), vector(8), vector(12), number(11), number(15));
+        let contact = contact(seen, lane);
         let constants = Flat::from_fn(|k| coefficients.at(k).0[lane]);
         let springs = Flat::from_fn(|k| memory.at(k).0[lane]);
         let outcome = model.pair(&contact, &constants, springs, dt);
@@ -247,9 +254,8 @@ fn act<M: PairModel>(
             memory.at_mut(k).0[lane] = *outcome.memory.at(k);
         }
         let wrench = outcome.wrench;
-        let (f, a, b) = (wrench.force.0, wrench.torque_i.0, wrench.torque_j.0);
+        let (a, b) = (wrench.torque_i.0, wrench.torque_j.0);
         for k in 0..3 {
-            given[k].0[lane] = f[k];
             given[k + 3].0[lane] = a[k];
             given[k + 6].0[lane] = b[k];
         }
@@ -257,13 +263,56 @@ fn act<M: PairModel>(
         for k in 0..M::Losses::<f64>::LEN {
             sums.losses.at_mut(k).0[lane] += *outcome.losses.at(k);
         }
-        for k in 0..3 {
-            sums.virial[k].0[lane] -= branch.0[k] * f[k];
-        }
-        let clearance = contact.gap + allowed * (contact.r_i + contact.r_j);
-        let least = sums.clearance.0[lane];
-        sums.clearance.0[lane] = if least < clearance { least } else { clearance };
+        push(wrench.force, &contact, lane, seen, given, sums, allowed);
     }
+}
+
+/// A row of pairs without springs: central forces are all that acts.
+#[inline(always)]
+fn far<M: PairModel>(
+    model: &M,
+    memory: &mut M::Memory<Row>,
+    seen: &Seen,
+    given: &mut Given,
+    sums: &mut Sums<M>,
+    allowed: f64,
+) {
+    *memory = Flat::from_fn(|_| Row::zero());
+    given[3..].fill(Row::zero());
+    for lane in 0..LANES {
+        let contact = contact(seen, lane);
+        let force = model.far(&contact);
+        sums.power.0[lane] += force.dot(contact.v);
+        push(force, &contact, lane, seen, given, sums, allowed);
+    }
+}
+
+/// What the two spheres of a lane see of each other.
+#[inline(always)]
+fn contact(seen: &Seen, lane: usize) -> Contact<f64> {
+    let number = |k: usize| seen[k].0[lane];
+    let vector = |k: usize| Vec3([number(k), number(k + 1), number(k + 2)]);
+    Contact::new(vector(0), vector(3), vector(8), vector(12), number(11), number(15))
+}
+
+/// Enters the force of a lane.
+#[inline(always)]
+fn push<M: PairModel>(
+    force: Vec3<f64>,
+    contact: &Contact<f64>,
+    lane: usize,
+    seen: &Seen,
+    given: &mut Given,
+    sums: &mut Sums<M>,
+    allowed: f64,
+) {
+    for k in 0..3 {
+        given[k].0[lane] = force.0[k];
+        sums.virial[k].0[lane] -= seen[k].0[lane] * force.0[k];
+    }
+    let clearance = contact.gap + allowed * (contact.r_i + contact.r_j);
+    let least = sums.clearance.0[lane];
+    sums.clearance.0[lane] = if least < clearance { least } else { clearance };
 }
 
 /// Sums over pairs, lane by lane.

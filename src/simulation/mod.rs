@@ -240,8 +240,8 @@ impl<M: PairModel> Simulation<M> {
         if let Some(&pair) = missing.first() {
             return Err(self.halt(Reason::Neck { pair }));
         }
-        self.blocks =
-            forces::partition(model, particles, &pairs, necks, springs).map_err(|reason| self.halt(reason))?;
+        self.blocks = forces::partition(model, particles, (&self.listed.x, &domain), &pairs, necks, springs)
+            .map_err(|reason| self.halt(reason))?;
         Ok(())
     }
 
