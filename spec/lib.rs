@@ -19,7 +19,7 @@ pub mod wear;
 
 pub use contact::Contact;
 use equation::{Equation, Paper};
-pub use model::{Flat, Losses, Outcome, PairModel, Stored, Wrench};
+pub use model::{Flat, Named, Outcome, PairModel, Wrench};
 pub use real::{Real, piecewise};
 pub use vec3::{Tensor, Vec3};
 

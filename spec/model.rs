@@ -21,35 +21,15 @@ impl<R: Real> Wrench<R> {
     }
 }
 
-/// What one time step of a pair turned into heat, J, by cause.
-#[derive(Clone, Copy, Debug)]
-pub struct Losses<R> {
-    /// Dashpot along the normal.
-    pub normal: R,
-    /// Dashpot in the contact plane.
-    pub tangential: R,
-    /// Springs that slid or let go.
-    pub slip: R,
-}
-
-/// What a pair holds, J, by cause.
-#[derive(Clone, Copy, Debug)]
-pub struct Stored<R> {
-    /// Potential of the force along the normal, zero for spheres far apart.
-    pub normal: R,
-    /// Springs in the contact plane.
-    pub tangential: R,
-}
-
 /// A pair after one evaluation.
 #[derive(Clone, Copy, Debug)]
-pub struct Outcome<R, M> {
+pub struct Outcome<R, M, L> {
     /// Forces and torques now.
     pub wrench: Wrench<R>,
     /// The springs to start the next step from.
     pub memory: M,
-    /// Energy lost in this step.
-    pub losses: Losses<R>,
+    /// Energy lost in this step, J, by cause.
+    pub losses: L,
 }
 
 /// A fixed number of `R`, in order: how an engine keeps what a model remembers without knowing what it means.
@@ -62,6 +42,12 @@ pub trait Flat<R>: Copy + Send + Sync {
     fn at(&self, k: usize) -> &R;
     /// The number at place `k`, below `LEN`, to be changed.
     fn at_mut(&mut self, k: usize) -> &mut R;
+}
+
+/// Numbers with names: energies by cause.
+pub trait Named<R>: Flat<R> {
+    /// The names, in order, in words.
+    fn names() -> Vec<String>;
 }
 
 impl<R: Copy + Send + Sync, const N: usize> Flat<R> for [R; N] {
@@ -96,7 +82,7 @@ impl<R: Copy + Send + Sync> Flat<R> for Vec3<R> {
     }
 }
 
-/// Declares a structure of numbers that is also [`Flat`].
+/// Declares a structure of numbers that is also [`Flat`], and [`Named`] after its fields.
 #[macro_export]
 macro_rules! flat_struct {
     ($(#[$doc:meta])* pub struct $name:ident { $($(#[$field_doc:meta])* pub $field:ident),* $(,)? }) => {
@@ -119,6 +105,11 @@ macro_rules! flat_struct {
                 [$(&mut self.$field),*].into_iter().nth(k).expect("a place below LEN")
             }
         }
+        impl<R: Copy + Send + Sync> $crate::Named<R> for $name<R> {
+            fn names() -> Vec<String> {
+                [$(stringify!($field)),*].map(|field| field.replace('_', " ")).to_vec()
+            }
+        }
     };
 }
 
@@ -128,6 +119,10 @@ pub trait PairModel: Sync {
     type Coefficients<R: Real>: Flat<R>;
     /// The springs of a contact; all zero when it is born.
     type Memory<R: Real>: Flat<R>;
+    /// What one time step turns into heat, J, by cause.
+    type Losses<R: Real>: Named<R>;
+    /// What a pair holds, J, by cause; all zero for spheres far apart.
+    type Stored<R: Real>: Named<R>;
 
     /// The constants of a pair of given radii (m) and masses (kg).
     fn coefficients<R: Real>(&self, r_i: R, r_j: R, m_i: R, m_j: R) -> Self::Coefficients<R>;
@@ -140,9 +135,9 @@ pub trait PairModel: Sync {
         k: &Self::Coefficients<R>,
         memory: Self::Memory<R>,
         dt: R,
-    ) -> Outcome<R, Self::Memory<R>>;
+    ) -> Outcome<R, Self::Memory<R>, Self::Losses<R>>;
     /// The energy that a pair holds.
-    fn stored<R: Real>(&self, c: &Contact<R>, k: &Self::Coefficients<R>, memory: &Self::Memory<R>) -> Stored<R>;
+    fn stored<R: Real>(&self, c: &Contact<R>, k: &Self::Coefficients<R>, memory: &Self::Memory<R>) -> Self::Stored<R>;
     /// Largest stable time step of two equal spheres in contact, s.
     fn critical_time_step(&self, r: f64, m: f64) -> f64;
 }

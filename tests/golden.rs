@@ -143,7 +143,7 @@ impl Pair {
         let none = Vec3::zero();
         let contact = Contact::new(self.x[0] - self.x[1], self.v[0] - self.v[1], none, none, RADIUS, RADIUS);
         let outcome = self.law.act(&contact, none, dt);
-        self.lost += outcome.losses.normal;
+        self.lost += outcome.losses.normal_damping;
         for (k, force) in [outcome.wrench.force, -outcome.wrench.force].into_iter().enumerate() {
             (self.v[k], self.x[k], _) =
                 symplectic_euler(self.x[k], self.v[k], none, force, none, self.masses[k], 1.0, dt);

@@ -8,7 +8,7 @@ use super::eq03_normal_force::normal_force;
 use super::eq04_tangential_force::kept_fraction;
 use super::eq05_rescaled_maximum::rescaled_maximum;
 use crate::equation::Equation;
-use crate::{Contact, Losses, Outcome, Real, Vec3, Wrench, equation, flat_struct};
+use crate::{Contact, Outcome, Real, Vec3, Wrench, equation, flat_struct};
 
 flat_struct! {
     /// The force parameters of a pair: Table 2 of the paper.
@@ -30,11 +30,23 @@ flat_struct! {
     }
 }
 
+flat_struct! {
+    /// What one time step of a pair turned into heat, J.
+    pub struct Losses {
+        /// In the dashpot along the normal.
+        pub normal_damping,
+        /// In the dashpot in the contact plane.
+        pub tangential_damping,
+        /// By springs that slid or let go.
+        pub slip,
+    }
+}
+
 impl<R: Real> Parameters<R> {
     /// Eqs. 2 to 5 composed: the force and the torques of a contact, its spring advanced by `dt`, and what was lost on the way.
     /// Beyond the fracture separation all is zero, and the spring forgotten.
     #[inline(always)]
-    pub fn act(&self, c: &Contact<R>, spring: Vec3<R>, dt: R) -> Outcome<R, Vec3<R>> {
+    pub fn act(&self, c: &Contact<R>, spring: Vec3<R>, dt: R) -> Outcome<R, Vec3<R>, Losses<R>> {
         let in_range = c.gap.le(self.delta_f);
         let (arm_i, arm_j) = (moment_arm(c.r_i, c.gap), moment_arm(c.r_j, c.gap));
         let v_n = R::select(in_range, c.normal_velocity(), R::zero());
@@ -55,8 +67,8 @@ impl<R: Real> Parameters<R> {
             },
             memory: spring,
             losses: Losses {
-                normal: self.c_n * v_n.squared() * dt,
-                tangential: self.c_t * v_t.dot(v_t) * dt,
+                normal_damping: self.c_n * v_n.squared() * dt,
+                tangential_damping: self.c_t * v_t.dot(v_t) * dt,
                 slip: spring_energy(self.k_t, stretched) - spring_energy(self.k_t, spring),
             },
         }
@@ -208,7 +220,7 @@ mod laws {
             let turning = PAIR.act(&at(n, gap, omega.cross(n * (1.75 + gap)), omega, omega), xi, DT);
             prop_assert!((still.wrench.force - turning.wrench.force).norm() < 1e-14);
             prop_assert!((still.memory - turning.memory).norm() < 1e-14);
-            prop_assert!(turning.losses.normal + turning.losses.tangential < 1e-28);
+            prop_assert!(turning.losses.normal_damping + turning.losses.tangential_damping < 1e-28);
         }
 
         #[test]
@@ -230,7 +242,7 @@ mod laws {
             for zero in [wrench.force, wrench.torque_i, wrench.torque_j, memory] {
                 prop_assert_eq!(zero.norm(), 0.0);
             }
-            prop_assert_eq!((losses.normal, losses.tangential), (0.0, 0.0));
+            prop_assert_eq!((losses.normal_damping, losses.tangential_damping), (0.0, 0.0));
         }
 
         #[test]
@@ -240,7 +252,7 @@ mod laws {
             let Outcome { wrench, losses, .. } = dashpots.act(&c, Vec3::zero(), DT);
             let power = wrench.power(&c);
             prop_assert!(power <= 1e-15);
-            prop_assert!((losses.normal + losses.tangential + power * DT).abs() < 1e-15);
+            prop_assert!((losses.normal_damping + losses.tangential_damping + power * DT).abs() < 1e-15);
         }
 
         #[test]

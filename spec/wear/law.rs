@@ -1,6 +1,6 @@
 //! The contact law, composed of its equations: what an engine runs.
 
-use super::def_contact::Parameters;
+use super::def_contact::{Losses, Parameters};
 use super::def_parameters::force_parameters;
 use super::def_potential::potential;
 use super::def_sphere::sliding_mass;
@@ -8,7 +8,7 @@ use super::def_spring::spring_energy;
 use super::def_stable_step::stable_time_step;
 use super::eq06_critical_time_step::critical_time_step;
 use super::eq17_effective_mass::effective_mass;
-use crate::{Contact, Outcome, PairModel, Real, Stored, Vec3};
+use crate::{Contact, Outcome, PairModel, Real, Vec3, flat_struct};
 
 /// The material to be matched: Table 3 of the paper, and the scaling parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,6 +40,16 @@ pub enum Interaction {
     Full,
 }
 
+flat_struct! {
+    /// What a pair holds, J.
+    pub struct Stored {
+        /// Potential of the force along the normal.
+        pub normal,
+        /// Spring in the contact plane.
+        pub tangential,
+    }
+}
+
 /// The contact law of a material.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wear {
@@ -52,6 +62,8 @@ pub struct Wear {
 impl PairModel for Wear {
     type Coefficients<R: Real> = Parameters<R>;
     type Memory<R: Real> = Vec3<R>;
+    type Losses<R: Real> = Losses<R>;
+    type Stored<R: Real> = Stored<R>;
 
     fn coefficients<R: Real>(&self, r_i: R, r_j: R, m_i: R, m_j: R) -> Parameters<R> {
         let zero = R::zero();
@@ -84,7 +96,13 @@ impl PairModel for Wear {
     }
 
     #[inline(always)]
-    fn pair<R: Real>(&self, c: &Contact<R>, k: &Parameters<R>, spring: Vec3<R>, dt: R) -> Outcome<R, Vec3<R>> {
+    fn pair<R: Real>(
+        &self,
+        c: &Contact<R>,
+        k: &Parameters<R>,
+        spring: Vec3<R>,
+        dt: R,
+    ) -> Outcome<R, Vec3<R>, Losses<R>> {
         k.act(c, spring, dt)
     }
 

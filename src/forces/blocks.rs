@@ -5,10 +5,11 @@
 //! the owners afterwards, again in a fixed order. The cut depends on the particles alone, so the sums, and with them every
 //! bit of the trajectory, do not depend on how many threads share the work.
 
-use super::{Bond, Neighbour, Springs};
+use super::{Bond, Load, Neighbour, Springs};
 use crate::spec::numbers::Lanes;
 use crate::spec::{Flat, PairModel};
 use crate::system::{Image, Particles, Reason};
+use num_traits::Zero;
 use rayon::prelude::*;
 use std::ops::Range;
 
@@ -29,14 +30,18 @@ pub struct Block<M: PairModel> {
     pub pairs: Pairs<M>,
     /// What other blocks' halos hold for it: its particle (counted within the block), the block, the place within that block.
     pub incoming: Vec<(u32, u32, u32)>,
+    /// The loads on its spheres in the last step, own and halo.
+    pub loads: Box<[Load; CAPACITY]>,
 }
 
-/// Pairs, eight to a row. Spheres are counted within the block: its own first, then the halo. The sphere with the lower id is `i`.
+/// Pairs, eight to a row: every lane has a stretch of the list of its own, so that neighbouring lanes load different spheres. Spheres are counted within the block: its own first, then the halo. The sphere with the lower id is `i`.
 pub struct Pairs<M: PairModel> {
     /// First spheres.
     pub i: Vec<[u16; LANES]>,
     /// Second spheres.
     pub j: Vec<[u16; LANES]>,
+    /// Which constants each row has: those of one material and size are all alike.
+    pub kind: Vec<u32>,
     /// Constants.
     pub coefficients: Vec<M::Coefficients<Lanes<LANES>>>,
     /// Springs.
@@ -60,9 +65,21 @@ impl<M: PairModel> Block<M> {
     /// Its pairs one by one: places within the block, row and lane.
     pub fn each_pair(&self) -> impl Iterator<Item = (u16, u16, usize, usize)> {
         (0..self.pairs.len).map(|k| {
-            let (row, lane) = (k / LANES, k % LANES);
+            let (row, lane) = self.pairs.seat(k);
             (self.pairs.i[row][lane], self.pairs.j[row][lane], row, lane)
         })
+    }
+}
+
+impl<M: PairModel> Pairs<M> {
+    /// The constants of a row.
+    pub fn constants(&self, row: usize) -> &M::Coefficients<Lanes<LANES>> {
+        &self.coefficients[self.kind[row] as usize]
+    }
+
+    /// Row and lane of the pair `k`.
+    pub fn seat(&self, k: usize) -> (usize, usize) {
+        (k % self.i.len(), k / self.i.len())
     }
 }
 
@@ -91,7 +108,8 @@ pub fn partition<M: PairModel>(
         .into_par_iter()
         .map(|(own, halo)| {
             let pairs = lay(model, particles, &pairs[first[own.start]..first[own.end]], &own, &halo, springs);
-            Block { own, halo, pairs, incoming: Vec::new() }
+            let loads = vec![Load::zero(); CAPACITY].try_into().expect("as many as it is made of");
+            Block { own, halo, pairs, incoming: Vec::new(), loads }
         })
         .collect();
     hand_out(n, &mut blocks);
@@ -142,13 +160,20 @@ fn lay<M: PairModel>(
             own.len() + halo.partition_point(|&entry| entry < (q, image))
         }
     };
-    let mut laid =
-        Pairs { i: Vec::new(), j: Vec::new(), coefficients: Vec::new(), memory: Vec::new(), len: pairs.len() };
-    for row in pairs.chunks(LANES) {
+    let mut laid = Pairs {
+        i: Vec::new(),
+        j: Vec::new(),
+        kind: Vec::new(),
+        coefficients: Vec::new(),
+        memory: Vec::new(),
+        len: pairs.len(),
+    };
+    let rows = pairs.len().div_ceil(LANES);
+    for row in 0..rows {
         let mut places = [[NOWHERE; LANES], [0; LANES]];
         let mut coefficients = Vec::with_capacity(LANES);
         let mut memory = Vec::with_capacity(LANES);
-        for (lane, pair) in row.iter().enumerate() {
+        for (lane, pair) in pairs.iter().skip(row).step_by(rows).enumerate() {
             let mut ends =
                 [(pair.p as usize - own.start, pair.p as usize), (place_of(pair.q, pair.image), pair.q as usize)];
             let key = bond(particles, pair.p as usize, pair.q as usize, pair.image);
@@ -165,9 +190,14 @@ fn lay<M: PairModel>(
         laid.i.push(places[0]);
         laid.j.push(places[1]);
         // Lanes without a pair repeat the first one's constants; their partner is nowhere.
-        laid.coefficients.push(Flat::from_fn(|k| {
+        let constants: M::Coefficients<Lanes<LANES>> = Flat::from_fn(|k| {
             Lanes(std::array::from_fn(|lane| *coefficients.get(lane).unwrap_or(&coefficients[0]).at(k)))
-        }));
+        });
+        let same = |last: &M::Coefficients<_>| (0..M::Coefficients::<f64>::LEN).all(|k| last.at(k) == constants.at(k));
+        if !laid.coefficients.last().is_some_and(same) {
+            laid.coefficients.push(constants);
+        }
+        laid.kind.push(laid.coefficients.len() as u32 - 1);
         laid.memory.push(Flat::from_fn(|k| {
             Lanes(std::array::from_fn(|lane| memory.get(lane).copied().flatten().map_or(0.0, |numbers| numbers[k])))
         }));

@@ -6,6 +6,7 @@ mod instructions;
 mod kernel;
 mod memory;
 mod order;
+mod transpose;
 
 pub use blocks::{Block, CAPACITY, LANES, Pairs, bond, partition};
 pub use grid::{Neighbour, neighbours};

@@ -1,6 +1,6 @@
 //! The spheres of a block: forces gathered, one step taken.
 
-use crate::forces::{Block, Load};
+use crate::forces::Block;
 use crate::spec::wear::def_sphere::moment_of_inertia;
 use crate::spec::wear::eq01_symplectic_euler::symplectic_euler;
 use crate::spec::wear::eq21_critical_damping::global_damping;
@@ -119,32 +119,26 @@ impl Moved {
 }
 
 /// Adds what other blocks hold for a block to its own loads, and moves its spheres by one step of Eq. 1.
-pub fn advance<M: PairModel>(
-    block: &Block<M>,
-    number: usize,
-    loads: &[Vec<Load>],
-    spheres: Spheres,
-    step: &Step,
-) -> Moved {
+pub fn advance<M: PairModel>(blocks: &[Block<M>], number: usize, spheres: Spheres, step: &Step) -> Moved {
+    let block = &blocks[number];
     let Step { dt, damping, .. } = *step;
+    let mut loads = block.loads[..block.own.len()].to_vec();
+    for &(to, from, place) in &block.incoming {
+        let sum = &mut loads[to as usize];
+        *sum = *sum + blocks[from as usize].loads[place as usize];
+    }
     let mut moved = Moved::default();
-    let mut incoming = block.incoming.iter().peekable();
-    for p in 0..block.own.len() {
-        let mut load = loads[number][p];
-        while let Some(&(_, from, place)) = incoming.next_if(|&&(to, ..)| to as usize == p) {
-            for (sum, part) in load.iter_mut().zip(&loads[from as usize][place as usize]) {
-                *sum += part;
-            }
-        }
+    for (p, load) in loads.iter().enumerate() {
         let (m, x, v, w) = (spheres.mass[p], spheres.x[p], spheres.v[p], spheres.w[p]);
         let (x, v, w) = if spheres.wall[p] == 0 {
             let i = moment_of_inertia(m, spheres.radius[p]);
-            let [fx, fy, fz, tx, ty, tz] = load;
+            let [fx, fy, fz, tx, ty, tz, ..] = load.0;
             let (force, torque) = (Vec3([fx, fy, fz]) + global_damping(damping, v), Vec3([tx, ty, tz]));
             let (after, x, spin) = symplectic_euler(x, v, w, force, torque, m, i, dt);
             moved.kinetic += 0.5 * (m * after.dot(after) + i * spin.dot(spin));
             moved.drag += damping * v.dot(v) * dt;
-            moved.scheme += 0.5 * (force.dot(force) / m + torque.dot(torque) / i) * dt * dt;
+            let (gained, spun_up) = (after - v, spin - w);
+            moved.scheme += 0.5 * (m * gained.dot(gained) + i * spun_up.dot(spun_up));
             for a in 0..3 {
                 moved.momentum_flux[a] += m * after.0[a] * after.0[a];
             }

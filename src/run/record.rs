@@ -24,7 +24,7 @@ pub struct Record {
 
 impl Record {
     /// Begins the record of a new run.
-    pub fn begin(folder: &RunFolder, columns: &[&str]) -> Result<Self, Error> {
+    pub fn begin(folder: &RunFolder, columns: &[String]) -> Result<Self, Error> {
         let mut series = Appending::create(folder.series())?;
         series.line(&columns.join(","))?;
         Ok(Self { folder: folder.clone(), series, events: Appending::create(folder.events())?, frames: 0 })

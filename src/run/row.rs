@@ -4,17 +4,9 @@ use super::watch::{self, Watch};
 use crate::output::Cell;
 use crate::simulation::Simulation;
 use crate::spec::wear::Wear;
+use crate::spec::{Named, PairModel};
 
-const COLUMNS: [&str; 23] = [
-    "stage",
-    "step",
-    "time [ns]",
-    "kinetic energy [zJ]",
-    "normal energy [zJ]",
-    "tangential energy [zJ]",
-    "lost to normal damping [zJ]",
-    "lost to tangential damping [zJ]",
-    "lost to slip [zJ]",
+const COLUMNS: [&str; 14] = [
     "lost to drag [zJ]",
     "work of walls [zJ]",
     "work of loads [zJ]",
@@ -32,8 +24,12 @@ const COLUMNS: [&str; 23] = [
 ];
 
 /// The columns of the series.
-pub fn columns() -> Vec<&'static str> {
-    [&COLUMNS[..], &watch::columns()].concat()
+pub fn columns() -> Vec<String> {
+    let stored = <Wear as PairModel>::Stored::<f64>::names().into_iter().map(|cause| format!("{cause} energy [zJ]"));
+    let lost = <Wear as PairModel>::Losses::<f64>::names().into_iter().map(|cause| format!("lost to {cause} [zJ]"));
+    let first = ["stage", "step", "time [ns]", "kinetic energy [zJ]"].into_iter().map(String::from);
+    let last = COLUMNS.into_iter().chain(watch::columns()).map(String::from);
+    first.chain(stored).chain(lost).chain(last).collect()
 }
 
 /// A row, and what of it those who wait want to see: the relative residual of the ledger and the largest overlap.
@@ -41,14 +37,9 @@ pub fn measure(stage: &str, simulation: &Simulation<Wear>, watch: &mut Watch) ->
     let (system, ledger) = (simulation.system(), simulation.ledger());
     let residual = ledger.physical_residual() / ledger.turnover().max(f64::MIN_POSITIVE);
     let overlap = simulation.largest_overlap().map_or(0.0, |(_, ratio)| ratio);
-    let numbers = [
-        system.time,
-        ledger.kinetic,
-        ledger.normal,
-        ledger.tangential,
-        ledger.lost_normal,
-        ledger.lost_tangential,
-        ledger.lost_slip,
+    let energies =
+        [system.time, ledger.kinetic].into_iter().chain(ledger.stored.clone()).chain(ledger.lost_by_pairs.clone());
+    let accounts = [
         ledger.lost_drag,
         ledger.work_walls,
         ledger.work_loads,
@@ -58,7 +49,7 @@ pub fn measure(stage: &str, simulation: &Simulation<Wear>, watch: &mut Watch) ->
         residual,
         overlap,
     ];
-    let numbers = numbers.into_iter().chain(simulation.stress()).chain(system.domain.sides);
+    let numbers = energies.chain(accounts).chain(simulation.stress()).chain(system.domain.sides);
     let mut cells = vec![Cell::Name(stage.into()), Cell::Count(system.step)];
     cells.extend(numbers.map(Cell::Number));
     cells.extend(watch.look(simulation));

@@ -7,23 +7,18 @@
 
 use crate::forces::Totals;
 use crate::motion::{Moved, WallWork};
+use crate::spec::Flat;
 use serde::{Deserialize, Serialize};
 
 /// Energies since the start, zJ.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Ledger {
     /// Kinetic energy of the free spheres and the loaded walls.
     pub kinetic: f64,
-    /// Potential of the normal forces, as of the last look.
-    pub normal: f64,
-    /// Tangential springs, as of the last look.
-    pub tangential: f64,
-    /// Lost in normal dashpots.
-    pub lost_normal: f64,
-    /// Lost in tangential dashpots.
-    pub lost_tangential: f64,
-    /// Lost by springs that slid or let go.
-    pub lost_slip: f64,
+    /// What pairs hold, by cause, as of the last look.
+    pub stored: Vec<f64>,
+    /// Lost by pairs, by cause.
+    pub lost_by_pairs: Vec<f64>,
     /// Lost to the global damping.
     pub lost_drag: f64,
     /// Work of walls of prescribed velocity.
@@ -32,8 +27,10 @@ pub struct Ledger {
     pub work_loads: f64,
     /// Work of the sides of the box.
     pub work_box: f64,
-    /// Kinetic, normal and tangential energy at the start.
-    pub start: [f64; 3],
+    /// Kinetic energy at the start.
+    pub kinetic_at_start: f64,
+    /// What pairs held at the start, by cause.
+    pub stored_at_start: Vec<f64>,
     /// Work of all pairs, at the velocities they saw.
     pub work_pairs: f64,
     /// What the integration scheme added to the kinetic energy.
@@ -41,11 +38,18 @@ pub struct Ledger {
 }
 
 impl Ledger {
-    pub(super) fn enter(&mut self, totals: &Totals, walls: &WallWork, moved: &Moved, box_work: f64, dt: f64) {
+    pub(super) fn enter<L: Flat<f64>>(
+        &mut self,
+        totals: &Totals<L>,
+        walls: &WallWork,
+        moved: &Moved,
+        box_work: f64,
+        dt: f64,
+    ) {
         self.kinetic = moved.kinetic + walls.kinetic;
-        self.lost_normal += totals.losses[0];
-        self.lost_tangential += totals.losses[1];
-        self.lost_slip += totals.losses[2];
+        for (k, lost) in self.lost_by_pairs.iter_mut().enumerate() {
+            *lost += totals.losses.at(k);
+        }
         self.lost_drag += moved.drag;
         self.work_walls += walls.prescribed;
         self.work_loads += walls.load;
@@ -56,7 +60,7 @@ impl Ledger {
 
     /// All that was lost.
     pub fn lost(&self) -> f64 {
-        self.lost_normal + self.lost_tangential + self.lost_slip + self.lost_drag
+        self.lost_by_pairs.iter().sum::<f64>() + self.lost_drag
     }
 
     /// All work done from outside.
@@ -66,19 +70,26 @@ impl Ledger {
 
     /// The energy that the residuals are to be compared with: all that moved between accounts.
     pub fn turnover(&self) -> f64 {
-        let held = [self.kinetic, self.normal, self.tangential];
-        let held: f64 = held.iter().zip(self.start).map(|(now, start)| now.abs() + start.abs()).sum();
-        held + self.lost() + self.work_walls.abs() + self.work_loads.abs() + self.work_box.abs()
+        let absolute = |energies: &[f64]| energies.iter().map(|e| e.abs()).sum::<f64>();
+        let held = absolute(&self.stored) + absolute(&self.stored_at_start);
+        self.kinetic
+            + self.kinetic_at_start
+            + held
+            + self.lost()
+            + self.work_walls.abs()
+            + self.work_loads.abs()
+            + self.work_box.abs()
     }
 
     /// What the discrete account does not explain, zJ: rounding.
     pub fn discrete_residual(&self) -> f64 {
         let gained = self.work_pairs + self.work_walls + self.work_loads + self.scheme - self.lost_drag;
-        self.kinetic - self.start[0] - gained
+        self.kinetic - self.kinetic_at_start - gained
     }
 
     /// What the physical account does not explain, zJ: first order in the time step.
     pub fn physical_residual(&self) -> f64 {
-        self.kinetic + self.normal + self.tangential - self.start.iter().sum::<f64>() + self.lost() - self.work()
+        let held = self.stored.iter().sum::<f64>() - self.stored_at_start.iter().sum::<f64>();
+        self.kinetic - self.kinetic_at_start + held + self.lost() - self.work()
     }
 }

@@ -9,7 +9,7 @@ pub use ledger::Ledger;
 pub use pairs::Pair;
 pub use snapshot::Snapshot;
 
-use crate::forces::{self, Block, Instructions, Load, Springs, Totals};
+use crate::forces::{self, Block, Instructions, Springs, Totals};
 use crate::motion::{self, BoxRelaxation, Moved, Spheres};
 use crate::spec::{Flat, PairModel, Vec3};
 use crate::system::{Domain, Halt, System};
@@ -39,7 +39,6 @@ pub struct Simulation<M: PairModel> {
     settings: Settings,
     system: System,
     blocks: Vec<Block<M>>,
-    loads: Vec<Vec<Load>>,
     /// What the neighbour list was built from, and is a function of.
     listed: Listed,
     /// Largest distance at which it lists neighbours.
@@ -66,7 +65,6 @@ impl<M: PairModel> Simulation<M> {
             model,
             settings,
             blocks: Vec::new(),
-            loads: Vec::new(),
             listed,
             reach: 0.0,
             box_rate: [0.0; 3],
@@ -115,14 +113,11 @@ impl<M: PairModel> Simulation<M> {
     pub fn step(&mut self) -> Result<(), Halt> {
         let Settings { dt, damping, max_overlap, instructions, .. } = self.settings;
         let (model, particles, domain) = (&self.model, &self.system.particles, &self.system.domain);
-        let totals: Vec<Totals> = self
+        let totals: Vec<Totals<_>> = self
             .blocks
             .par_iter_mut()
-            .zip(&mut self.loads)
             .with_max_len(1)
-            .map(|(block, loads)| {
-                forces::evaluate(model, instructions, block, (particles, domain), max_overlap, dt, loads)
-            })
+            .map(|block| forces::evaluate(model, instructions, block, (particles, domain), max_overlap, dt))
             .collect();
         let totals = totals.into_iter().fold(Totals::default(), Totals::and);
         if totals.clearance < 0.0 {
@@ -159,7 +154,7 @@ impl<M: PairModel> Simulation<M> {
     fn advance(&mut self, growth: [f64; 3], dt: f64, damping: f64) -> Moved {
         let stretch = std::array::from_fn(|a| self.system.domain.sides[a] / self.listed.sides[a] * growth[a]);
         let step = motion::Step { dt, damping, walls: &self.system.walls, growth, stretch };
-        let (particles, loads) = (&mut self.system.particles, &self.loads);
+        let (particles, blocks) = (&mut self.system.particles, &self.blocks);
         let mut spheres = Spheres {
             x: &mut particles.x,
             v: &mut particles.v,
@@ -181,7 +176,7 @@ impl<M: PairModel> Simulation<M> {
             .zip(parts)
             .enumerate()
             .with_max_len(1)
-            .map(|(number, (block, part))| motion::advance(block, number, loads, part, &step))
+            .map(|(number, (_, part))| motion::advance(blocks, number, part, &step))
             .collect();
         moved.into_iter().fold(Moved::default(), Moved::and)
     }
@@ -191,12 +186,12 @@ impl<M: PairModel> Simulation<M> {
         if forces.is_empty() {
             return forces;
         }
-        for (block, loads) in self.blocks.iter().zip(&self.loads) {
+        for block in &self.blocks {
             let own = block.own.clone();
             let halo = block.halo.iter().map(|&(q, _)| q as usize);
-            for (p, load) in own.chain(halo).zip(loads) {
+            for (p, load) in own.chain(halo).zip(block.loads.iter()) {
                 if let Some(force) = (self.system.particles.wall[p] as usize).checked_sub(1).map(|k| &mut forces[k]) {
-                    *force = *force + Vec3([load[0], load[1], load[2]]);
+                    *force = *force + Vec3([load.0[0], load.0[1], load.0[2]]);
                 }
             }
         }
@@ -237,7 +232,6 @@ impl<M: PairModel> Simulation<M> {
             })
             .collect();
         self.blocks = forces::partition(model, particles, &pairs, springs).map_err(|reason| self.halt(reason))?;
-        self.loads = vec![Vec::new(); self.blocks.len()];
         Ok(())
     }
 

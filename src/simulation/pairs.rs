@@ -1,7 +1,7 @@
 //! Pairs one by one, for observers.
 
 use super::{Ledger, Simulation};
-use crate::spec::{Contact, Flat, Outcome, PairModel, Stored, Vec3};
+use crate::spec::{Contact, Flat, Outcome, PairModel, Vec3};
 
 /// One pair in range.
 #[derive(Clone, Copy, Debug)]
@@ -15,9 +15,9 @@ pub struct Pair<M: PairModel> {
     /// What they see of each other.
     pub contact: Contact<f64>,
     /// What they will do in the next step.
-    pub outcome: Outcome<f64, M::Memory<f64>>,
+    pub outcome: Outcome<f64, M::Memory<f64>, M::Losses<f64>>,
     /// What the pair holds.
-    pub stored: Stored<f64>,
+    pub stored: M::Stored<f64>,
 }
 
 impl<M: PairModel> Simulation<M> {
@@ -33,7 +33,7 @@ impl<M: PairModel> Simulation<M> {
                 if contact.distance > self.model.range(r[i], r[j]) {
                     return None;
                 }
-                let coefficients = Flat::from_fn(|k| block.pairs.coefficients[row].at(k).0[lane]);
+                let coefficients = Flat::from_fn(|k| block.pairs.constants(row).at(k).0[lane]);
                 let memory = Flat::from_fn(|k| block.pairs.memory[row].at(k).0[lane]);
                 let outcome = self.model.pair(&contact, &coefficients, memory, self.settings.dt);
                 let stored = self.model.stored(&contact, &coefficients, &memory);
@@ -44,14 +44,18 @@ impl<M: PairModel> Simulation<M> {
 
     /// Where the energy went, up to now.
     pub fn ledger(&self) -> Ledger {
-        let mut ledger = self.ledger;
-        (ledger.normal, ledger.tangential) = self.stored();
-        ledger
+        Ledger { stored: self.stored(), ..self.ledger.clone() }
     }
 
-    /// Energies of the normal forces and of the tangential springs, zJ.
-    fn stored(&self) -> (f64, f64) {
-        self.pairs().fold((0.0, 0.0), |(n, t), pair| (n + pair.stored.normal, t + pair.stored.tangential))
+    /// What all pairs hold, zJ, by cause.
+    fn stored(&self) -> Vec<f64> {
+        let mut sums = vec![0.0; M::Stored::<f64>::LEN];
+        for pair in self.pairs() {
+            for (k, sum) in sums.iter_mut().enumerate() {
+                *sum += pair.stored.at(k);
+            }
+        }
+        sums
     }
 
     pub(super) fn open_ledger(&mut self) {
@@ -65,7 +69,12 @@ impl<M: PairModel> Simulation<M> {
             }
         }
         kinetic += self.system.walls.iter().map(crate::motion::kinetic_energy).sum::<f64>();
-        let (normal, tangential) = self.stored();
-        self.ledger = Ledger { kinetic, normal, tangential, start: [kinetic, normal, tangential], ..Ledger::default() };
+        self.ledger = Ledger {
+            kinetic,
+            kinetic_at_start: kinetic,
+            stored_at_start: self.stored(),
+            lost_by_pairs: vec![0.0; M::Losses::<f64>::LEN],
+            ..Ledger::default()
+        };
     }
 }

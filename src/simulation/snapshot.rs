@@ -45,21 +45,21 @@ impl<M: PairModel> Simulation<M> {
             box_rate: self.box_rate,
             momentum_flux: self.momentum_flux,
             stress: self.stress,
-            ledger: self.ledger,
+            ledger: self.ledger.clone(),
         }
     }
 
     /// Takes a simulation up where a snapshot left it.
     pub fn resume(model: M, settings: Settings, snapshot: Snapshot) -> Result<Self, Halt> {
         let Snapshot { system, listed, memory, box_rate, momentum_flux, stress, ledger } = snapshot;
-        let (blocks, loads, reach) = (Vec::new(), Vec::new(), 0.0);
+        let (blocks, reach) = (Vec::new(), 0.0);
         let mut simulation =
-            Self { model, settings, blocks, loads, listed, reach, box_rate, momentum_flux, stress, ledger, system };
+            Self { model, settings, blocks, listed, reach, box_rate, momentum_flux, stress, ledger, system };
         simulation.relist(&Springs::default())?;
         let mut numbers = memory.into_iter();
         for block in &mut simulation.blocks {
             for k in 0..block.pairs.len {
-                let (row, lane) = (k / crate::forces::LANES, k % crate::forces::LANES);
+                let (row, lane) = block.pairs.seat(k);
                 let row = &mut block.pairs.memory[row];
                 for k in 0..M::Memory::<f64>::LEN {
                     row.at_mut(k).0[lane] = numbers.next().unwrap_or(f64::NAN);

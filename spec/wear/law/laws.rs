@@ -47,7 +47,7 @@ proptest! {
                     let outcome = law.pair(&c, &k, spring, dt);
                     let stored = law.stored(&c, &k, &outcome.memory);
                     let vectors = [outcome.wrench.force, outcome.wrench.torque_i, outcome.wrench.torque_j, outcome.memory];
-                    let numbers = [outcome.losses.normal, outcome.losses.tangential, outcome.losses.slip, stored.normal, stored.tangential];
+                    let numbers = [outcome.losses.normal_damping, outcome.losses.tangential_damping, outcome.losses.slip, stored.normal, stored.tangential];
                     prop_assert!(vectors.iter().flat_map(|v| v.0).chain(numbers).all(f64::is_finite));
                 }
             }

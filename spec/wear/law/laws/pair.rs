@@ -1,7 +1,7 @@
 //! Two equal spheres in motion, for the laws of the composed law.
 
 use super::super::*;
-use crate::Losses;
+use crate::wear::def_contact::Losses;
 use crate::wear::def_sphere::moment_of_inertia;
 use crate::wear::eq01_symplectic_euler::symplectic_euler;
 
@@ -39,7 +39,7 @@ impl Pair {
                 symplectic_euler(self.x[i], self.v[i], self.omega[i], force, torques[i], self.m, inertia, dt);
         }
         self.spring = outcome.memory;
-        let Losses { normal, tangential, slip } = outcome.losses;
+        let Losses { normal_damping: normal, tangential_damping: tangential, slip } = outcome.losses;
         self.lost += normal + tangential + slip;
     }
     pub fn energy(&self) -> f64 {
