@@ -21,7 +21,7 @@ use crate::{Real, equation};
 /// | `d_f` | $D_f$ | 1 | > 0 | fractal dimension |
 /// | → `n_p` | $N_p$ | 1 | | number of particles |
 ///
-/// Rounding: at most 4 ULP.
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///
@@ -45,7 +45,7 @@ pub fn fractal_number<R: Real>(k_f: R, d_g: R, d_s: R, d_f: R) -> R {
 /// | `d_f` | $D_f$ | 1 | > 0 | fractal dimension |
 /// | → `d_g` | $d_g$ | m | | diameter of gyration |
 ///
-/// Rounding: at most 4 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///
@@ -73,7 +73,7 @@ pub fn fractal_diameter<R: Real>(k_f: R, n_p: R, d_s: R, d_f: R) -> R {
 /// | `d_fm` | $D_{fm}$ | 1 | > 0 | mass mobility dimension |
 /// | → `n_p` | $N_p$ | 1 | | number of particles |
 ///
-/// Rounding: at most 4 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///
@@ -95,7 +95,7 @@ pub fn mobility_number<R: Real>(k_m: R, d_m: R, d_s: R, d_fm: R) -> R {
 /// | `a_tot` | $A_{p,tot}$ | m^2 | > 0 | surface of all particles |
 /// | → `d_s` | $\bar{d}_s$ | m | | Sauter diameter |
 ///
-/// Rounding: at most 1 ULP.
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///

@@ -24,7 +24,7 @@ use crate::{Real, equation};
 /// | `beta` | $\beta$ | rad | [0, pi/2] | half-filling angle |
 /// | → `f_cap` | $F_{cap}$ | N | | capillary force |
 ///
-/// Rounding: at most 2 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///
@@ -56,7 +56,7 @@ pub fn capillary_force<R: Real>(gamma: R, r_k: R, r_eff: R, theta: R, beta: R) -
 /// | `beta` | $\beta$ | rad | (0, pi/2] | half-filling angle, not that of rupture |
 /// | → `slope` | $F'_{cap}$ | N/m | | change of the force with the distance |
 ///
-/// Rounding: at most 4 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///
@@ -94,7 +94,7 @@ pub(super) fn angle_slope<R: Real>(gamma: R, r_k: R, r_eff: R, theta: R, beta: R
 /// | `beta_r` | $\beta_r$ | rad | [0, pi/2] | half-filling angle at rupture |
 /// | → `w` | $W$ | J | | work |
 ///
-/// Rounding: at most 4 ULP.
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///

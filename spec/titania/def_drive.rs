@@ -22,7 +22,7 @@ use crate::{Real, Vec3, equation, piecewise};
 /// | → `v` | $v$ | m/s | | velocity |
 /// | → `z` | $z$ | m | | height above that of the setpoint |
 ///
-/// Rounding: at most 1 ULP.
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///
@@ -52,7 +52,7 @@ pub fn tip<R: Real>(v_0: R, t_turn: R, t: R) -> (R, R) {
 /// | `t` | $t$ | s | >= 0 | time |
 /// | → `f` | $F$ | N | | force on the group |
 ///
-/// Rounding: at most 1 ULP.
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///
@@ -74,7 +74,7 @@ pub fn steering<R: Real>(k: R, z: R, z_0: R, v: R, t: R) -> R {
 /// | `v` | $\mathbf{v}$ | m/s (3) | any | velocity of the particle |
 /// | → `force` | $\mathbf{F}$ | N (3) | | force on the particle |
 ///
-/// Rounding: at most 1 ULP.
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///

@@ -51,7 +51,7 @@ fn moments<R: Real>(median: R, sigma_g: R, lo: R, hi: R) -> [R; 4] {
 /// | `hi` | $d_{hi}$ | 1 | > 0 | largest diameter, not below the smallest |
 /// | → `p` | $p$ | 1 | | share of the class |
 ///
-/// Rounding: at most 4 ULP.
+/// Rounding: at most 1.5 ULP.
 ///
 /// # Laws
 ///
@@ -78,7 +78,7 @@ pub fn lognormal_share<R: Real>(d: R, median: R, s_g: R, lo: R, hi: R) -> R {
 /// | → `sauter` | $\bar{d}_s$ | 1 | | Sauter diameter |
 /// | → `d_30` | $d_{30}$ | 1 | | diameter of the mean volume |
 ///
-/// Rounding: at most 4 ULP.
+/// Rounding: at most 1.5 ULP.
 ///
 /// # Laws
 ///

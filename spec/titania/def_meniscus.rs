@@ -71,7 +71,7 @@ impl<R: Real> Profile<R> {
 /// | → `gap` | $D$ | m | | distance of the layers, negative when they overlap |
 /// | → `slope` | $dD/d\beta$ | m | | its slope |
 ///
-/// Rounding: at most 4 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///
@@ -102,7 +102,7 @@ pub fn meniscus_gap<R: Real>(r_eff: R, r_k: R, theta: R, beta: R) -> (R, R) {
 /// | → `beta_r` | $\beta_r$ | rad | | half-filling angle at rupture |
 /// | → `gap_r` | $D_r$ | m | | distance of the layers at rupture |
 ///
-/// Rounding: at most 4 ULP.
+/// Rounding: at most 3 ULP.
 ///
 /// # Laws
 ///
@@ -141,7 +141,7 @@ pub fn rupture<R: Real>(r_eff: R, r_k: R, theta: R) -> (R, R) {
 /// | `gap` | $D$ | m | any | distance of the layers |
 /// | → `beta` | $\beta$ | rad | | half-filling angle |
 ///
-/// Rounding: at most 4 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

@@ -54,7 +54,7 @@ pub fn effective_radius<R: Real>(r_i: R, r_j: R) -> (R, R) {
 /// | `d` | $d$ | m | > 0 | distance of the centres |
 /// | → `delta_n` | $\delta_n$ | m | | overlap, positive in contact |
 ///
-/// Rounding: at most 1 ULP.
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///
@@ -88,7 +88,7 @@ pub fn overlap<R: Real>(r_i: R, r_j: R, h_n: R, d: R) -> R {
 /// | → `nominal` | $R_\text{nom}$ | m | | half the nominal diameter |
 /// | → `contact` | $r$ | m | | radius of the contact sphere |
 ///
-/// Rounding: at most 1 ULP.
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///

@@ -30,7 +30,7 @@ use crate::{Real, Vec3, equation};
 /// | → `q_next` | $\mathbf{q}$ | 1 (3) | | vector part of the orientation now |
 /// | → `l_next` | $\mathbf{L}$ | kg m^2/s (3) | | angular momentum now |
 ///
-/// Rounding: at most 4 ULP.
+/// Rounding: at most 1.5 ULP.
 ///
 /// # Laws
 ///
@@ -82,7 +82,7 @@ fn turned<R: Real>(c: R, s: R, e: Vec3<R>, v: Vec3<R>) -> Vec3<R> {
 /// | `v` | $\mathbf{v}$ | m (3) | any | vector in the frame of the body |
 /// | → `v_space` | $\mathbf{v}'$ | m (3) | | the vector in the frame of space |
 ///
-/// Rounding: at most 2 ULP.
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///

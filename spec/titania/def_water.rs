@@ -23,7 +23,7 @@ use crate::{Real, equation, piecewise};
 /// | → `suction` | $P_c$ | Pa | | pressure of the air above that in the liquid |
 /// | → `r_k` | $r_K$ | m | | Kelvin radius |
 ///
-/// Rounding: at most 1 ULP.
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///
@@ -64,7 +64,7 @@ fn broken_line<R: Real, const N: usize>(x: R, points: [(f64, f64); N]) -> R {
 /// | `nanometre` | $\text{nm}$ | m | > 0 | a nanometre in the units of the caller |
 /// | → `h_w` | $h_w$ | m | | thickness of the layer |
 ///
-/// Rounding: at most 1 ULP.
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///
@@ -107,7 +107,7 @@ pub fn water_layer<R: Real>(rh: R, nanometre: R) -> R {
 /// | `newton_per_metre` | $\text{N/m}$ | N/m | > 0 | a newton per metre in the units of the caller |
 /// | → `gamma` | $\gamma$ | N/m | | surface tension |
 ///
-/// Rounding: at most 1 ULP.
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///

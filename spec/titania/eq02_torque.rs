@@ -69,7 +69,7 @@ pub fn moment_arm<R: Real>(r_i: R, r_j: R, d: R) -> R {
 /// | → `m_i` | $\mathbf{M}_i$ | N m (3) | | torque on i about its centre |
 /// | → `m_j` | $\mathbf{M}_j$ | N m (3) | | torque on j about its centre |
 ///
-/// Rounding: at most 2 ULP.
+/// Rounding: at most 16 ULP.
 ///
 /// # Laws
 ///
@@ -89,7 +89,7 @@ pub fn torques<R: Real>(
 ) -> (Vec3<R>, R, R, Vec3<R>, Vec3<R>) {
     let x = x_i - x_j;
     let d = x.norm();
-    let n = x * (R::one() / d);
+    let n = Vec3(x.0.map(|component| component / d));
     let (l_i, l_j) = (moment_arm(r_i, r_j, d), moment_arm(r_j, r_i, d));
     let omega_r = (omega_i - omega_j).perpendicular_to(n);
     let speed = omega_r.norm();

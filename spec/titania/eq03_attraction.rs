@@ -33,7 +33,7 @@ pub enum Solvation {
 /// | `n` | $\mathbf{n}_{ij}$ | 1 (3) | unit | normal, from j to i |
 /// | → `f_na` | $\mathbf{F}_{na}$ | N (3) | | force on i |
 ///
-/// Rounding: at most 1 ULP.
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///

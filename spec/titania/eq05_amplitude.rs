@@ -20,7 +20,7 @@ use crate::{Real, equation};
 /// | `slope` | $F_{01}$ | N/m | any | growth with the effective radius, -2.4 nN/nm |
 /// | → `f_0` | $F_{solv}^0$ | N | | amplitude |
 ///
-/// Rounding: at most 1 ULP.
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///

@@ -23,7 +23,7 @@ use crate::{Contact, Real, Vec3, equation};
 /// | `x_j` | $\mathbf{x}_j$ | m (3) | any | position of j, another one |
 /// | → `f_nd` | $\mathbf{F}_{nd}$ | N (3) | | force on i |
 ///
-/// Rounding: at most 2 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

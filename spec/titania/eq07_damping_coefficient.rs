@@ -24,7 +24,7 @@ pub const GAMMA_0: (f64, f64) = (0.5e6, 5e6);
 /// | `gamma_0` | $\gamma_0$ | N s/m^3 | >= 0 | damping constant, 0.5e6 N s/m³ |
 /// | → `gamma_n` | $\gamma_n$ | kg/s | | damping coefficient |
 ///
-/// Rounding: at most 1 ULP.
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///

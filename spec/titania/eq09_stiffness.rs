@@ -26,7 +26,7 @@ use crate::{Real, equation};
 /// | `h_n` | $h_n$ | m | >= 0 | thickness of the compressed layer |
 /// | → `k_n` | $k_n$ | Pa | | contact stiffness |
 ///
-/// Rounding: at most 1 ULP.
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///

@@ -21,7 +21,7 @@ use crate::{Real, equation};
 /// | → `f_ts` | $F_{t,max}^S$ | N | | largest force of sliding |
 /// | → `f_tr` | $F_{t,max}^R$ | N | | largest force of rolling |
 ///
-/// Rounding: at most 1 ULP.
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///

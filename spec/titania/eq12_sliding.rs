@@ -34,7 +34,7 @@ pub enum Slip {
 /// | → `frac` | $\delta_t / \lambda_t - \lfloor\delta_t / \lambda_t\rfloor$ | 1 | | fraction of the period |
 /// | → `f_t` | $\mathbf{F}_t$ | N (3) | | force on i |
 ///
-/// Rounding: at most 1 ULP.
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///
@@ -73,7 +73,7 @@ pub fn sawtooth<R: Real>(tau_s: R, a: R, delta_t: R, lambda_t: R, t: Vec3<R>) ->
 /// | → `f_t` | $\mathbf{F}_t$ | N (3) | | force on i |
 /// | → `xi_next` | $\boldsymbol{\xi}$ | m (3) | | spring that remains |
 ///
-/// Rounding: at most 2 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///
@@ -106,7 +106,7 @@ pub fn sliding_spring<R: Real>(tau_s: R, a: R, lambda_t: R, xi: Vec3<R>, slip: R
 /// | `xi` | $\boldsymbol{\xi}$ | m (3) | any | spring |
 /// | → `v_t` | $V_t$ | J | | energy |
 ///
-/// Rounding: at most 1 ULP.
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///

@@ -23,7 +23,7 @@ use crate::{Real, Vec3, equation};
 /// | `a` | $A_{ij}$ | m^2 | >= 0 | contact area |
 /// | → `m_r` | $M_r$ | N m | | magnitude of the rolling torque |
 ///
-/// Rounding: at most 1 ULP.
+/// Rounding: at most 0.5 ULP.
 ///
 /// # Laws
 ///
@@ -58,7 +58,7 @@ pub fn rolling_resistance<R: Real>(r_i: R, r_j: R, h_n: R, tau_r: R, a: R) -> R 
 /// | `dt` | $\Delta t$ | s | >= 0 | time step |
 /// | → `torque` | $-\mathbf{M}_r$ | N m (3) | | torque on i; that on j is its negative |
 ///
-/// Rounding: at most 2 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

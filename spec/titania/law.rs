@@ -19,7 +19,7 @@ use crate::wear::def_sphere::moment_of_inertia;
 use crate::wear::def_spring::stretched_spring;
 use crate::wear::def_stable_step::stable_time_step;
 use crate::wear::eq17_effective_mass::effective_mass;
-use crate::{Contact, Real, Vec3, Wrench, flat_struct};
+use crate::{Contact, Flat, Outcome, PairModel, Real, Vec3, Wrench, flat_struct};
 
 /// The contact law and its parameters. The radius of a particle is that of its contact sphere, $R + h_n$.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -106,8 +106,31 @@ flat_struct! {
     }
 }
 
-/// What a pair does in a step: forces and torques, the tangential spring to start the next step from, the energy lost.
-pub type Act<R> = (Wrench<R>, Vec3<R>, Lost<R>);
+/// The constants of a pair with its attraction, for an engine that solves for the meniscus instead of tabulating it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Coefficients<R> {
+    /// The contact.
+    pub contact: Parameters<R>,
+    /// The attraction.
+    pub attraction: Attraction<R>,
+}
+
+impl<R: Copy + Send + Sync> Flat<R> for Coefficients<R> {
+    const LEN: usize = Parameters::<R>::LEN + Attraction::<R>::LEN;
+    #[inline(always)]
+    fn from_fn(mut f: impl FnMut(usize) -> R) -> Self {
+        let contact = Parameters::from_fn(&mut f);
+        Self { contact, attraction: Attraction::from_fn(|k| f(Parameters::<R>::LEN + k)) }
+    }
+    #[inline(always)]
+    fn at(&self, k: usize) -> &R {
+        if k < Parameters::<R>::LEN { self.contact.at(k) } else { self.attraction.at(k - Parameters::<R>::LEN) }
+    }
+    #[inline(always)]
+    fn at_mut(&mut self, k: usize) -> &mut R {
+        if k < Parameters::<R>::LEN { self.contact.at_mut(k) } else { self.attraction.at_mut(k - Parameters::<R>::LEN) }
+    }
+}
 
 impl Titania {
     /// The parameters of the paper, at half humidity and 300 K, in units in which a nanometre, a nanonewton and a nanosecond are these numbers.
@@ -175,8 +198,8 @@ impl Titania {
         self.core(r_i) + self.core(r_j) + R::lit(self.core_gap)
     }
 
-    /// The constants of a pair of given radii (m) and masses (kg).
-    pub fn coefficients<R: Real>(&self, r_i: R, r_j: R, m_i: R, m_j: R) -> Parameters<R> {
+    /// The constants of the contact of a pair of given radii (m) and masses (kg).
+    pub fn parameters<R: Real>(&self, r_i: R, r_j: R, m_i: R, m_j: R) -> Parameters<R> {
         let h_n = R::lit(self.h_n);
         let (core_i, core_j, d) = (self.core(r_i), self.core(r_j), self.equilibrium(r_i, r_j));
         let delta_n = r_i + r_j - d;
@@ -195,20 +218,39 @@ impl Titania {
             inertia: effective_mass(moment_of_inertia(m_i, r_i), moment_of_inertia(m_j, r_j)),
         }
     }
+}
 
-    /// Largest distance of centres at which two spheres of these radii act on each other, m.
-    pub fn range(&self, r_i: f64, r_j: f64) -> f64 {
+impl PairModel for Titania {
+    type Coefficients<R: Real> = Coefficients<R>;
+    type Memory<R: Real> = Vec3<R>;
+    type Losses<R: Real> = Lost<R>;
+    type Stored<R: Real> = Held<R>;
+
+    fn coefficients<R: Real>(&self, r_i: R, r_j: R, m_i: R, m_j: R) -> Coefficients<R> {
+        Coefficients { contact: self.parameters(r_i, r_j, m_i, m_j), attraction: self.attraction(r_i, r_j) }
+    }
+
+    fn range(&self, r_i: f64, r_j: f64) -> f64 {
         self.attraction(r_i, r_j).rupture().max(r_i + r_j)
     }
 
-    /// Largest stable time step of two equal spheres in contact, s: that of their oscillation about equilibrium.
-    pub fn critical_time_step(&self, r: f64, m: f64) -> f64 {
-        let k = self.coefficients(r, r, m, m);
-        let d = self.equilibrium(r, r);
+    fn pair<R: Real>(&self, c: &Contact<R>, k: &Coefficients<R>, spring: Vec3<R>, dt: R) -> Act<R> {
+        k.contact.act(c, k.attraction.force(c.distance), spring, dt)
+    }
+
+    fn stored<R: Real>(&self, c: &Contact<R>, k: &Coefficients<R>, spring: &Vec3<R>) -> Held<R> {
+        k.contact.stored(c, k.attraction.potential(c.distance), spring)
+    }
+
+    fn critical_time_step(&self, r: f64, m: f64) -> f64 {
+        let (k, d) = (self.parameters(r, r, m, m), self.equilibrium(r, r));
         let (_, repulsion, _) = hertz(k.k_n, r + r - d, k.r_eff);
         stable_time_step(effective_mass(m, m), repulsion - self.attraction(r, r).slope(d), k.gamma_n)
     }
 }
+
+/// What a pair does in a step: forces and torques, the tangential spring to start the next step from, the energy lost.
+pub type Act<R> = Outcome<R, Vec3<R>, Lost<R>>;
 
 impl<R: Real> Parameters<R> {
     /// Eqs. 1 to 13 composed: what a pair does that attracts with `f_na` along the normal (negative), its spring advanced by `dt`.
@@ -235,7 +277,7 @@ impl<R: Real> Parameters<R> {
             sliding: self.spring_energy(a, stretched) - self.spring_energy(a, kept),
             rolling: -(rolling.dot(c.omega_i - c.omega_j) * dt),
         };
-        (wrench, kept, lost)
+        Outcome { wrench, memory: kept, losses: lost }
     }
 
     /// The energy of a pair whose attraction has the energy `potential`.

@@ -53,7 +53,7 @@ pub mod law;
 pub mod table;
 
 pub use attraction::Attraction;
-pub use law::{Act, Held, Lost, Parameters, Titania};
+pub use law::{Act, Coefficients, Held, Lost, Parameters, Titania};
 pub use table::Table;
 
 use crate::equation::{Equation, Paper};

@@ -26,14 +26,15 @@ struct Pair {
 impl Pair {
     fn new(law: Titania, d_nom: [f64; 2]) -> Self {
         let [r_i, r_j] = d_nom.map(|d| law.contact_radius(d));
-        let k = law.coefficients(r_i, r_j, mass(r_i), mass(r_j));
+        let k = law.parameters(r_i, r_j, mass(r_i), mass(r_j));
         Self { k, attraction: law.attraction(r_i, r_j), r: [r_i, r_j] }
     }
     fn contact(&self, x: Vec3<f64>, v: Vec3<f64>, omega: [Vec3<f64>; 2]) -> Contact<f64> {
         Contact::new(x, v, omega[0], omega[1], self.r[0], self.r[1])
     }
-    fn act(&self, c: &Contact<f64>, spring: Vec3<f64>) -> Act<f64> {
-        self.k.act(c, self.attraction.force(c.distance), spring, DT)
+    fn act(&self, c: &Contact<f64>, spring: Vec3<f64>) -> (Wrench<f64>, Vec3<f64>, Lost<f64>) {
+        let Outcome { wrench, memory, losses } = self.k.act(c, self.attraction.force(c.distance), spring, DT);
+        (wrench, memory, losses)
     }
 }
 
@@ -184,7 +185,7 @@ fn approach(gamma_0: f64, start: f64, duration: f64, dt: f64) -> (Vec<f64>, f64)
     let (mut d, mut v, mut lost, mut path) = (start, 0.0, 0.0, vec![]);
     let first = energy(d, v);
     for _ in 0..(duration / dt) as usize {
-        let (wrench, _, losses) = act(d, v);
+        let Outcome { wrench, losses, .. } = act(d, v);
         lost += losses.normal;
         v += wrench.force.0[0] / m_eff * dt;
         d += v * dt;
@@ -212,6 +213,16 @@ fn a_step_of_half_a_picosecond_is_stable_for_the_smallest_particles() {
     let r = law().contact_radius(3.0);
     let limit = law().critical_time_step(r, mass(r));
     assert!(limit > 0.5e-3 && limit < 20e-3, "{limit}");
+}
+
+#[test]
+fn the_coefficients_are_numbers_in_a_row() {
+    let (r_i, r_j) = (PAIR.r[0], PAIR.r[1]);
+    let k = law().coefficients(r_i, r_j, mass(r_i), mass(r_j));
+    assert_eq!(Coefficients::from_fn(|place| *k.at(place)), k);
+    let c = PAIR.contact(Vec3::new(11.0, 0.0, 0.0), Vec3::zero(), [Vec3::zero(); 2]);
+    let outcome = law().pair(&c, &k, Vec3::zero(), DT);
+    assert_eq!(outcome.wrench.force, PAIR.act(&c, Vec3::zero()).0.force);
 }
 
 #[test]
