@@ -39,16 +39,16 @@ fn moments<R: Real>(median: R, sigma_g: R, lo: R, hi: R) -> [R; 4] {
 /// # Reading
 ///
 /// The diameters go from 3 to 23 nm in steps of 1 nm with a median $m$ of 9.0 nm and $\sigma_G$ = 1.45. What the discretisation of a class is, the paper
-/// does not say: here the density at its diameter. Diameters are numbers, multiples of the step; at most 32 classes. The Sauter diameter comes out as
+/// does not say: here the density at its diameter. Diameters are numbers, multiples of the step, from three on; at most 32 classes. The Sauter diameter comes out as
 /// 12.2 nm, not as the 11.3 nm that the box of "140 $\bar{d}_s$" implies.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
-/// | `d` | $d$ | 1 | > 0 | diameter of the class |
-/// | `median` | $m$ | 1 | > 0 | median before the discretisation |
-/// | `s_g` | $\sigma_G$ | 1 | > 1 | geometric standard deviation |
-/// | `lo` | $d_{lo}$ | 1 | > 0 | smallest diameter |
-/// | `hi` | $d_{hi}$ | 1 | > 0 | largest diameter, not below the smallest |
+/// | `d` | $d$ | 1 | >= 3 | diameter of the class |
+/// | `median` | $m$ | 1 | >= 3 | median before the discretisation |
+/// | `s_g` | $\sigma_G$ | 1 | [1.2, 3] | geometric standard deviation |
+/// | `lo` | $d_{lo}$ | 1 | >= 3 | smallest diameter |
+/// | `hi` | $d_{hi}$ | 1 | >= 3 | largest diameter, not below the smallest |
 /// | → `p` | $p$ | 1 | | share of the class |
 ///
 /// Rounding: at most 1.5 ULP.
@@ -70,10 +70,10 @@ pub fn lognormal_share<R: Real>(d: R, median: R, s_g: R, lo: R, hi: R) -> R {
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
-/// | `median` | $m$ | 1 | > 0 | median before the discretisation |
-/// | `s_g` | $\sigma_G$ | 1 | > 1 | geometric standard deviation |
-/// | `lo` | $d_{lo}$ | 1 | > 0 | smallest diameter |
-/// | `hi` | $d_{hi}$ | 1 | > 0 | largest diameter, not below the smallest |
+/// | `median` | $m$ | 1 | >= 3 | median before the discretisation |
+/// | `s_g` | $\sigma_G$ | 1 | [1.2, 3] | geometric standard deviation |
+/// | `lo` | $d_{lo}$ | 1 | >= 3 | smallest diameter |
+/// | `hi` | $d_{hi}$ | 1 | >= 3 | largest diameter, not below the smallest |
 /// | → `mean` | $\langle d \rangle$ | 1 | | mean diameter |
 /// | → `sauter` | $\bar{d}_s$ | 1 | | Sauter diameter |
 /// | → `d_30` | $d_{30}$ | 1 | | diameter of the mean volume |
