@@ -132,6 +132,7 @@ fn error(rooted: &impl Fn(f64) -> (f64, f64), width: f64, cells: &[[f64; 4]]) ->
 #[cfg(test)]
 mod laws {
     use super::*;
+    use crate::Real;
     use crate::titania::Titania;
     use proptest::prelude::*;
     use std::sync::LazyLock;
@@ -190,8 +191,6 @@ mod laws {
             }
         }
     }
-
-    use crate::Real;
 
     #[test]
     fn the_end_is_the_rupture_and_the_start_continues_along_a_line() {
