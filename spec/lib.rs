@@ -13,6 +13,7 @@ pub mod model;
 pub mod numbers;
 pub mod real;
 pub mod soot;
+pub mod titania;
 pub mod unit;
 pub mod vec3;
 pub mod wear;
@@ -25,7 +26,7 @@ pub use vec3::{Tensor, Vec3};
 
 /// The papers.
 pub fn papers() -> Vec<Paper> {
-    vec![soot::paper(), wear::paper()]
+    vec![titania::paper(), wear::paper(), soot::paper()]
 }
 
 /// Every equation of every paper.

@@ -26,7 +26,8 @@ pub fn index(root: &Path, equations: &[(Equation, Document)]) -> std::io::Result
         let golden = file_of(Path::new("golden"), equation);
         let users: Vec<String> = sources
             .iter()
-            .filter(|(path, source)| !path.ends_with(equation.file) && mentions(source, equation.function))
+            .filter(|(path, source)| !path.ends_with(equation.file) && imports(path, source, equation.file))
+            .filter(|(_, source)| mentions(source, equation.function))
             .map(|(path, _)| path.strip_prefix(root).unwrap_or(path).display().to_string())
             .collect();
         let (id, file, function) = (equation.id, equation.file, equation.function);
@@ -56,6 +57,13 @@ fn collect(folder: &Path, sources: &mut Vec<(PathBuf, String)>) -> std::io::Resu
         }
     }
     Ok(())
+}
+
+/// Whether a source names the room of an equation: two papers may give their functions the same name.
+fn imports(path: &Path, source: &str, file: &str) -> bool {
+    let Some((paper, room)) = file.trim_end_matches(".rs").split_once('/') else { return false };
+    let inside = path.components().any(|part| part.as_os_str() == paper) && source.contains(room);
+    inside || source.contains(&format!("{paper}::{room}"))
 }
 
 /// Whether a source calls a function, or names it by its path, outside comments.

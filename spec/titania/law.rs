@@ -1,0 +1,301 @@
+//! The contact law, composed of its equations: what an engine runs.
+
+use super::attraction::Attraction;
+use super::def_radius::{effective_radius, radii};
+use super::def_water::{kelvin, surface_tension, water_layer};
+use super::eq01_total_force::total_force;
+use super::eq02_torque::{contact_torques, moment_arm};
+use super::eq03_attraction::Solvation;
+use super::eq05_amplitude::amplitude;
+use super::eq06_normal_damping::dashpot;
+use super::eq07_damping_coefficient::{GAMMA_0, damping_coefficient};
+use super::eq08_repulsion::hertz;
+use super::eq09_stiffness::stiffness;
+use super::eq11_contact_area::section;
+use super::eq12_sliding::{Slip, sliding_spring, spring_energy};
+use super::eq13_rolling::rolling_torque;
+use super::table::Table;
+use crate::wear::def_sphere::moment_of_inertia;
+use crate::wear::def_spring::stretched_spring;
+use crate::wear::def_stable_step::stable_time_step;
+use crate::wear::eq17_effective_mass::effective_mass;
+use crate::{Contact, Flat, Outcome, PairModel, Real, Vec3, Wrench, flat_struct};
+
+/// The contact law and its parameters. The radius of a particle is that of its contact sphere, $R + h_n$.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Titania {
+    /// Distance $\Delta$ of the bare surfaces at equilibrium, m.
+    pub core_gap: f64,
+    /// Thickness $h_n$ of the compressed water layer, m.
+    pub h_n: f64,
+    /// Relative humidity.
+    pub humidity: f64,
+    /// Thermal energy $k_B T$ per volume of a molecule of the liquid, Pa.
+    pub thermal_pressure: f64,
+    /// Contact angle $\theta$ of the meniscus, rad.
+    pub contact_angle: f64,
+    /// Surface tension relative to the tables of TIP3P water.
+    pub tension_scale: f64,
+    /// A nanometre in the units of the caller.
+    pub nanometre: f64,
+    /// A newton per metre in the units of the caller.
+    pub newton_per_metre: f64,
+    /// Which way the solvation force acts.
+    pub solvation: Solvation,
+    /// Solvation amplitude of vanishing particles, N.
+    pub f_00: f64,
+    /// Growth of the solvation amplitude with the effective radius, N/m.
+    pub f_01: f64,
+    /// Period and decay length $\sigma_{solv}$ of the solvation force, m.
+    pub sigma: f64,
+    /// Damping constant $\gamma_0$ of Eq. 7, N s/m³.
+    pub gamma_0: f64,
+    /// Shear strength $\tau_S$ of sliding, Pa.
+    pub tau_s: f64,
+    /// Shear strength $\tau_R$ of rolling, Pa.
+    pub tau_r: f64,
+    /// Period $\lambda_t$ of stick and slip, m.
+    pub lambda_t: f64,
+    /// What a slip leaves of the tangential spring.
+    pub slip: Slip,
+}
+
+flat_struct! {
+    /// What stays constant while two particles are neighbours.
+    pub struct Parameters {
+        /// Contact stiffness, Pa.
+        pub k_n,
+        /// Half the effective radius of the contact spheres, m.
+        pub r_eff,
+        /// Damping coefficient, kg/s.
+        pub gamma_n,
+        /// Shear strength of sliding, Pa.
+        pub tau_s,
+        /// Shear strength of rolling, Pa.
+        pub tau_r,
+        /// Period of stick and slip, m.
+        pub lambda_t,
+        /// One if a slip keeps the remainder of the spring, zero if it starts anew.
+        pub slip,
+        /// Reduced moment of inertia of the two bodies, kg m²: what may be stopped in a step.
+        pub inertia,
+    }
+}
+
+flat_struct! {
+    /// What one time step of a pair turned into heat, J, by cause.
+    pub struct Lost {
+        /// Dashpot along the normal.
+        pub normal,
+        /// Tangential springs that slipped or ended with their contact.
+        pub sliding,
+        /// Rolling resistance.
+        pub rolling,
+    }
+}
+
+flat_struct! {
+    /// What a pair holds, J, by cause.
+    pub struct Held {
+        /// Compressed layers.
+        pub repulsion,
+        /// Meniscus and solvation, zero for particles far apart.
+        pub attraction,
+        /// Tangential spring.
+        pub tangential,
+    }
+}
+
+/// The constants of a pair with its attraction, for an engine that solves for the meniscus instead of tabulating it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Coefficients<R> {
+    /// The contact.
+    pub contact: Parameters<R>,
+    /// The attraction.
+    pub attraction: Attraction<R>,
+}
+
+impl<R: Copy + Send + Sync> Flat<R> for Coefficients<R> {
+    const LEN: usize = Parameters::<R>::LEN + Attraction::<R>::LEN;
+    #[inline(always)]
+    fn from_fn(mut f: impl FnMut(usize) -> R) -> Self {
+        let contact = Parameters::from_fn(&mut f);
+        Self { contact, attraction: Attraction::from_fn(|k| f(Parameters::<R>::LEN + k)) }
+    }
+    #[inline(always)]
+    fn at(&self, k: usize) -> &R {
+        if k < Parameters::<R>::LEN { self.contact.at(k) } else { self.attraction.at(k - Parameters::<R>::LEN) }
+    }
+    #[inline(always)]
+    fn at_mut(&mut self, k: usize) -> &mut R {
+        if k < Parameters::<R>::LEN { self.contact.at_mut(k) } else { self.attraction.at_mut(k - Parameters::<R>::LEN) }
+    }
+}
+
+impl Titania {
+    /// The parameters of the paper, at half humidity and 300 K, in units in which a nanometre, a nanonewton and a nanosecond are these numbers.
+    pub fn paper(nanometre: f64, nanonewton: f64, nanosecond: f64) -> Self {
+        let newton_per_metre = nanonewton / nanometre;
+        let gigapascal = newton_per_metre / nanometre;
+        Self {
+            core_gap: 0.57 * nanometre,
+            h_n: 0.36 * nanometre,
+            humidity: 0.5,
+            // gas constant times temperature over the molar volume of water
+            thermal_pressure: 8.314462175 * 300.0 / 1.8047731e-5 * 1e-9 * gigapascal,
+            contact_angle: 0.0,
+            tension_scale: 0.072 / 0.04729279,
+            nanometre,
+            newton_per_metre,
+            solvation: Solvation::Israelachvili,
+            f_00: -11.0 * nanonewton,
+            f_01: -2.4 * newton_per_metre,
+            sigma: 0.21 * nanometre,
+            gamma_0: GAMMA_0.0 * 1e-9 * gigapascal * nanosecond / nanometre,
+            tau_s: 0.65 * gigapascal,
+            tau_r: 0.25 * gigapascal,
+            lambda_t: 0.5 * nanometre,
+            slip: Slip::Reset,
+        }
+    }
+
+    /// Radius of the contact sphere of a particle of a nominal diameter.
+    pub fn contact_radius<R: Real>(&self, d_nom: R) -> R {
+        radii(d_nom, R::lit(self.core_gap), R::lit(self.h_n)).2
+    }
+
+    /// Bare radius of a particle.
+    fn core<R: Real>(&self, r: R) -> R {
+        r - R::lit(self.h_n)
+    }
+
+    /// The attraction between two particles.
+    pub fn attraction<R: Real>(&self, r_i: R, r_j: R) -> Attraction<R> {
+        let (core_i, core_j, one, rh) = (self.core(r_i), self.core(r_j), R::one(), R::lit(self.humidity));
+        let (nanometre, sigma) = (R::lit(self.nanometre), R::lit(self.sigma));
+        let d_core = R::lit(2.0) * core_i.min(core_j);
+        let gamma = surface_tension(d_core, rh, R::lit(self.tension_scale), nanometre, R::lit(self.newton_per_metre));
+        let r_k = kelvin(gamma, R::lit(self.thermal_pressure), one, rh).1;
+        let printed = amplitude(effective_radius(core_i, core_j).0, R::lit(self.f_00), R::lit(self.f_01));
+        let (f_0, least) = match self.solvation {
+            Solvation::Printed => (printed, -(core_i + core_j)),
+            Solvation::Israelachvili => (-printed, R::lit(0.25) * sigma),
+        };
+        let h_w = water_layer(rh, nanometre);
+        Attraction::new(core_i, core_j, h_w, gamma, r_k, R::lit(self.contact_angle), f_0, sigma, least)
+    }
+
+    /// The attraction between two particles as a table that is wrong by at most `tolerance`.
+    pub fn table(&self, r_i: f64, r_j: f64, tolerance: f64) -> Table {
+        let attraction = self.attraction(r_i, r_j);
+        let start = attraction.kink().max(attraction.cores);
+        let slope = attraction.slope(start * (1.0 - 1e-12));
+        Table::new(|u| attraction.rooted(u), start, attraction.rupture(), slope, tolerance)
+    }
+
+    /// Distance of the centres of two particles at rest.
+    pub fn equilibrium<R: Real>(&self, r_i: R, r_j: R) -> R {
+        self.core(r_i) + self.core(r_j) + R::lit(self.core_gap)
+    }
+
+    /// The constants of the contact of a pair of given radii (m) and masses (kg).
+    pub fn parameters<R: Real>(&self, r_i: R, r_j: R, m_i: R, m_j: R) -> Parameters<R> {
+        let h_n = R::lit(self.h_n);
+        let (core_i, core_j, d) = (self.core(r_i), self.core(r_j), self.equilibrium(r_i, r_j));
+        let delta_n = r_i + r_j - d;
+        let gamma_n = damping_coefficient(effective_radius(core_i, core_j).0, R::lit(self.gamma_0));
+        Parameters {
+            k_n: stiffness(self.attraction(r_i, r_j).force(d), delta_n, core_i, core_j, h_n),
+            r_eff: effective_radius(r_i, r_j).1,
+            gamma_n,
+            tau_s: R::lit(self.tau_s),
+            tau_r: R::lit(self.tau_r),
+            lambda_t: R::lit(self.lambda_t),
+            slip: match self.slip {
+                Slip::Reset => R::zero(),
+                Slip::Remainder => R::one(),
+            },
+            inertia: effective_mass(moment_of_inertia(m_i, r_i), moment_of_inertia(m_j, r_j)),
+        }
+    }
+}
+
+impl PairModel for Titania {
+    type Coefficients<R: Real> = Coefficients<R>;
+    type Memory<R: Real> = Vec3<R>;
+    type Losses<R: Real> = Lost<R>;
+    type Stored<R: Real> = Held<R>;
+
+    fn coefficients<R: Real>(&self, r_i: R, r_j: R, m_i: R, m_j: R) -> Coefficients<R> {
+        Coefficients { contact: self.parameters(r_i, r_j, m_i, m_j), attraction: self.attraction(r_i, r_j) }
+    }
+
+    fn range(&self, r_i: f64, r_j: f64) -> f64 {
+        self.attraction(r_i, r_j).rupture().max(r_i + r_j)
+    }
+
+    fn pair<R: Real>(&self, c: &Contact<R>, k: &Coefficients<R>, spring: Vec3<R>, dt: R) -> Act<R> {
+        k.contact.act(c, k.attraction.force(c.distance), spring, dt)
+    }
+
+    fn stored<R: Real>(&self, c: &Contact<R>, k: &Coefficients<R>, spring: &Vec3<R>) -> Held<R> {
+        k.contact.stored(c, k.attraction.potential(c.distance), spring)
+    }
+
+    fn critical_time_step(&self, r: f64, m: f64) -> f64 {
+        let (k, d) = (self.parameters(r, r, m, m), self.equilibrium(r, r));
+        let (_, repulsion, _) = hertz(k.k_n, r + r - d, k.r_eff);
+        stable_time_step(effective_mass(m, m), repulsion - self.attraction(r, r).slope(d), k.gamma_n)
+    }
+}
+
+/// What a pair does in a step: forces and torques, the tangential spring to start the next step from, the energy lost.
+pub type Act<R> = Outcome<R, Vec3<R>, Lost<R>>;
+
+impl<R: Real> Parameters<R> {
+    /// Eqs. 1 to 13 composed: what a pair does that attracts with `f_na` along the normal (negative), its spring advanced by `dt`.
+    /// Out of contact the attraction alone acts, and the spring is forgotten.
+    #[inline(always)]
+    pub fn act(&self, c: &Contact<R>, f_na: R, spring: Vec3<R>, dt: R) -> Act<R> {
+        let (zero, delta_n) = (R::zero(), -c.gap);
+        let touches = delta_n.gt(zero);
+        let arm_i = moment_arm(c.r_i, c.r_j, c.distance);
+        let arm_j = moment_arm(c.r_j, c.r_i, c.distance);
+        let a = section(c.r_i, c.r_j, c.distance, delta_n);
+
+        let stretched = stretched_spring(spring, c.n, c.sliding_velocity(arm_i, arm_j), dt);
+        let (f_t, kept) = sliding_spring(self.tau_s, a, self.lambda_t, stretched, self.slip);
+        let kept = Vec3::select(touches, kept, Vec3::zero());
+
+        let (f_nr, _, _) = hertz(self.k_n, delta_n, self.r_eff);
+        let f_nd = Vec3::select(touches, dashpot(self.gamma_n, c), Vec3::zero());
+        let rolling = rolling_torque(self.r_eff * self.tau_r * a, c.omega_i, c.omega_j, c.n, self.inertia, dt);
+        let (torque_i, torque_j) = contact_torques(arm_i, arm_j, f_t, c.n, -rolling);
+        let wrench = Wrench { force: total_force(c.n * f_na, c.n * f_nr, f_nd, f_t), torque_i, torque_j };
+        let lost = Lost {
+            normal: -(f_nd.dot(c.v) * dt),
+            sliding: self.spring_energy(a, stretched) - self.spring_energy(a, kept),
+            rolling: -(rolling.dot(c.omega_i - c.omega_j) * dt),
+        };
+        Outcome { wrench, memory: kept, losses: lost }
+    }
+
+    /// The energy of a pair whose attraction has the energy `potential`.
+    #[inline(always)]
+    pub fn stored(&self, c: &Contact<R>, potential: R, spring: &Vec3<R>) -> Held<R> {
+        let a = section(c.r_i, c.r_j, c.distance, -c.gap);
+        Held {
+            repulsion: hertz(self.k_n, -c.gap, self.r_eff).2,
+            attraction: potential,
+            tangential: self.spring_energy(a, *spring),
+        }
+    }
+
+    #[inline(always)]
+    fn spring_energy(&self, a: R, spring: Vec3<R>) -> R {
+        spring_energy(self.tau_s, a, self.lambda_t, spring)
+    }
+}
+
+#[cfg(test)]
+mod laws;

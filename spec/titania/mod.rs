@@ -1,0 +1,98 @@
+//! Laube, Baric, Salameh, Mädler & Colombi Ciacchi, *A new contact model for the discrete element method simulation of TiO2
+//! nanoparticle films under mechanical load*, Granular Matter 20 (2018) 28.
+//!
+//! Oxide particles of a few nanometres under a layer of water: a meniscus and the layers of water between the surfaces attract, compressed layers
+//! repel, rough surfaces stick and slip, and roll against a constant resistance. The rooms `eq..` are the numbered
+//! equations, `def_..` what the paper uses without a number. The attraction is not in the paper, which refers to earlier work for it:
+//! [`def_water`], [`def_meniscus`] and [`def_capillary`] are classical capillarity, [`attraction`] composes it for a pair, [`table`] makes it fast.
+//! [`law`] is what an engine runs. Every number, 1 to 14, is a function.
+//!
+//! # Errata
+//!
+//! The paper is followed to the letter unless it contradicts itself. With a law that fails for the printed reading:
+//!
+//! * Eq. 2: the printed sign of the torque would create angular momentum; arms, see [`eq02_torque::moment_arm`].
+//! * Eq. 9 lacks the star of its radius.
+//! * Eq. 11 needs the radii of the contact spheres: with bare ones the area is negative.
+//! * Eq. 12 as a function of the displacement alone is no friction, see [`eq12_sliding::sliding_spring`].
+//! * Eq. 13 has no direction and no value at rest, see [`eq13_rolling::rolling_torque`].
+//! * Eq. 14: the slip correction is a function, not a factor.
+//!
+//! # Choices
+//!
+//! Where the text allows several readings, each is a named option of [`law::Titania`]: the sign of the solvation force
+//! ([`eq03_attraction::Solvation`]), what a slip leaves of the tangential spring ([`eq12_sliding::Slip`]), the damping constant of Eq. 7.
+
+pub mod attraction;
+pub mod def_aggregate;
+pub mod def_capillary;
+pub mod def_drive;
+pub mod def_inertia;
+pub mod def_lognormal;
+pub mod def_meniscus;
+pub mod def_radius;
+pub mod def_rayleigh;
+pub mod def_relaxation;
+pub mod def_rotation;
+pub mod def_water;
+pub mod eq01_total_force;
+pub mod eq02_torque;
+pub mod eq03_attraction;
+pub mod eq04_solvation;
+pub mod eq05_amplitude;
+pub mod eq06_normal_damping;
+pub mod eq07_damping_coefficient;
+pub mod eq08_repulsion;
+pub mod eq09_stiffness;
+pub mod eq10_peak_friction;
+pub mod eq11_contact_area;
+pub mod eq12_sliding;
+pub mod eq13_rolling;
+pub mod eq14_friction_factor;
+pub mod law;
+pub mod table;
+
+pub use attraction::Attraction;
+pub use law::{Act, Coefficients, Held, Lost, Parameters, Titania};
+pub use table::Table;
+
+use crate::equation::{Equation, Paper};
+
+/// The paper: Eqs. 1 to 14.
+pub fn paper() -> Paper {
+    Paper { name: "titania", numbers: (1..=14).map(|number| number.to_string()).collect(), equations }
+}
+
+/// The equations of the paper, in its order.
+fn equations() -> Vec<Equation> {
+    [
+        eq01_total_force::equations(),
+        eq02_torque::equations(),
+        eq03_attraction::equations(),
+        def_water::equations(),
+        def_meniscus::equations(),
+        def_capillary::equations(),
+        eq04_solvation::equations(),
+        def_radius::equations(),
+        eq05_amplitude::equations(),
+        eq06_normal_damping::equations(),
+        eq07_damping_coefficient::equations(),
+        eq08_repulsion::equations(),
+        eq09_stiffness::equations(),
+        def_relaxation::equations(),
+        eq10_peak_friction::equations(),
+        eq11_contact_area::equations(),
+        eq12_sliding::equations(),
+        eq13_rolling::equations(),
+        def_rayleigh::equations(),
+        def_drive::equations(),
+        def_lognormal::equations(),
+        def_aggregate::equations(),
+        def_rotation::equations(),
+        def_inertia::equations(),
+        eq14_friction_factor::equations(),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
+}
