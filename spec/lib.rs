@@ -12,6 +12,7 @@ pub mod equation;
 pub mod model;
 pub mod numbers;
 pub mod real;
+pub mod soot;
 pub mod unit;
 pub mod vec3;
 pub mod wear;
@@ -24,7 +25,7 @@ pub use vec3::{Tensor, Vec3};
 
 /// The papers.
 pub fn papers() -> Vec<Paper> {
-    vec![wear::paper()]
+    vec![soot::paper(), wear::paper()]
 }
 
 /// Every equation of every paper.

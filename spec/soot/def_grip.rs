@@ -1,0 +1,222 @@
+//! Four springs at work: what holds two spheres together, or rubs them against each other.
+
+use super::def_meeting::Meeting;
+use super::def_spring::{Span, rotated_spring, stretched};
+use super::eq12_spring_force::{energy, force, turning_torque};
+use super::eq13_friction::{dynamic_friction, rubbed, static_friction};
+use crate::{Flat, Outcome, Real, Vec3, Wrench, flat_struct};
+
+flat_struct! {
+    /// Stiffnesses and damping coefficients of the four springs of a contact.
+    pub struct Springs {
+        /// Normal stiffness, N/m.
+        pub k_n,
+        /// Tangential stiffness, N/m.
+        pub k_t,
+        /// Rolling stiffness, N/m.
+        pub k_r,
+        /// Torsional stiffness, N/m.
+        pub k_o,
+        /// Normal damping coefficient, kg/s.
+        pub eta_n,
+        /// Tangential damping coefficient, kg/s.
+        pub eta_t,
+        /// Rolling damping coefficient, kg/s.
+        pub eta_r,
+        /// Torsional damping coefficient, kg/s.
+        pub eta_o,
+    }
+}
+
+flat_struct! {
+    /// Friction coefficients of a contact: static in sliding, rolling and torsion, then dynamic.
+    pub struct Friction {
+        /// Static, of sliding.
+        pub static_t,
+        /// Static, of rolling.
+        pub static_r,
+        /// Static, of torsion.
+        pub static_o,
+        /// Dynamic, of sliding.
+        pub dynamic_t,
+        /// Dynamic, of rolling.
+        pub dynamic_r,
+        /// Dynamic, of torsion.
+        pub dynamic_o,
+    }
+}
+
+flat_struct! {
+    /// What one time step of a pair turned into heat, J, by cause.
+    pub struct Losses {
+        /// Dashpot along the normal.
+        pub normal,
+        /// Tangential dashpot.
+        pub tangential,
+        /// Rolling dashpot.
+        pub rolling,
+        /// Torsion dashpot.
+        pub torsion,
+        /// Springs that slid or let go. For one step it may be negative: when Eq. 17 sets a spring against its dashpot.
+        pub slip,
+    }
+}
+
+/// The springs of a contact that must be remembered, m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Memory<R> {
+    /// Tangential spring: reversed, seen from the other sphere.
+    pub tangential: Vec3<R>,
+    /// Rolling spring: the same, seen from the other sphere.
+    pub rolling: Vec3<R>,
+    /// Torsion spring along the normal: the same, seen from the other sphere.
+    pub torsion: R,
+}
+
+impl<R: Real> Memory<R> {
+    /// The springs of a contact that has just been made.
+    #[inline(always)]
+    pub fn zero() -> Self {
+        Self { tangential: Vec3::zero(), rolling: Vec3::zero(), torsion: R::zero() }
+    }
+}
+
+impl<R: Copy + Send + Sync> Flat<R> for Memory<R> {
+    const LEN: usize = 7;
+    #[inline(always)]
+    fn from_fn(mut f: impl FnMut(usize) -> R) -> Self {
+        Self { tangential: Vec3([f(0), f(1), f(2)]), rolling: Vec3([f(3), f(4), f(5)]), torsion: f(6) }
+    }
+    #[inline(always)]
+    fn at(&self, k: usize) -> &R {
+        let ([a, b, c], [d, e, f]) = (&self.tangential.0, &self.rolling.0);
+        [a, b, c, d, e, f, &self.torsion][k]
+    }
+    #[inline(always)]
+    fn at_mut(&mut self, k: usize) -> &mut R {
+        let ([a, b, c], [d, e, f]) = (&mut self.tangential.0, &mut self.rolling.0);
+        [a, b, c, d, e, f, &mut self.torsion].into_iter().nth(k).expect("a place below LEN")
+    }
+}
+
+/// A contact after one evaluation.
+pub type Grip<R> = Outcome<R, Memory<R>, Losses<R>>;
+
+/// One spring after a step: its force, its next length, and what dashpot and slip took.
+struct Pull<R, S> {
+    force: S,
+    xi: S,
+    dashpot: R,
+    slip: R,
+}
+
+impl<R: Real> Springs<R> {
+    /// The springs of a meeting, advanced by `dt`, and what they do. Where `bonded` is true they are those of a neck, which holds at any gap and in any direction; elsewhere they are those of
+    /// a contact, which only acts while the spheres overlap, never pulls along the normal, and rubs as Eqs. 13 to 17 say.
+    #[inline(always)]
+    pub fn grip(&self, friction: &Friction<R>, bonded: R::Mask, at: &Meeting<R>, memory: Memory<R>, dt: R) -> Grip<R> {
+        let zero = R::zero();
+        let acts = bonded | at.delta.lt(zero);
+        let rate = |v: Vec3<R>| Vec3::select(acts, v, Vec3::zero());
+        let (delta, v_n, v_o) =
+            (R::select(acts, at.delta, zero), R::select(acts, at.v_n, zero), R::select(acts, at.v_o, zero));
+
+        let elastic = self.k_n * delta;
+        let drawn = force(self.k_n, delta, self.eta_n, v_n);
+        let attraction = R::select(bonded, drawn, drawn.min(zero));
+        let f_n = (-attraction).max(zero);
+
+        let t = Self::pull(
+            self.k_t,
+            self.eta_t,
+            rotated_spring(memory.tangential, at.n),
+            rate(at.v_t),
+            dt,
+            acts,
+            bonded,
+            friction.static_t,
+            friction.dynamic_t,
+            f_n,
+        );
+        let r = Self::pull(
+            self.k_r,
+            self.eta_r,
+            rotated_spring(memory.rolling, at.n),
+            rate(at.v_r),
+            dt,
+            acts,
+            bonded,
+            friction.static_r,
+            friction.dynamic_r,
+            f_n,
+        );
+        let o = Self::pull(
+            self.k_o,
+            self.eta_o,
+            memory.torsion,
+            v_o,
+            dt,
+            acts,
+            bonded,
+            friction.static_o,
+            friction.dynamic_o,
+            f_n,
+        );
+
+        let sliding = at.n.cross(t.force);
+        let turning = turning_torque(at.n, at.a, r.force, at.r, o.force);
+        Outcome {
+            wrench: Wrench {
+                force: at.n * attraction + t.force,
+                torque_i: sliding * at.a_i + turning,
+                torque_j: sliding * at.a_j - turning,
+            },
+            memory: Memory { tangential: t.xi, rolling: r.xi, torsion: o.xi },
+            losses: Losses {
+                normal: (attraction - elastic) * v_n * dt,
+                tangential: t.dashpot,
+                rolling: r.dashpot,
+                torsion: o.dashpot,
+                slip: t.slip + r.slip + o.slip,
+            },
+        }
+    }
+
+    #[inline(always)]
+    fn pull<S: Span<R>>(
+        k: R,
+        eta: R,
+        before: S,
+        xi_dot: S,
+        dt: R,
+        acts: R::Mask,
+        bonded: R::Mask,
+        mu_s: R,
+        mu_d: R,
+        f_n: R,
+    ) -> Pull<R, S> {
+        let xi = stretched(before, xi_dot, dt);
+        let holds = bonded | force(k, xi, eta, xi_dot).size().le(static_friction(mu_s, f_n));
+        let (force, next) = rubbed(k, eta, xi, xi_dot, holds, dynamic_friction(mu_d, f_n));
+        let next = S::select(acts, next, S::none());
+        Pull { force, xi: next, dashpot: eta * xi_dot.square() * dt, slip: energy(k, xi) - energy(k, next) }
+    }
+
+    /// What the four springs hold, J: normal, tangential, rolling, torsion.
+    #[inline(always)]
+    pub fn stored(&self, bonded: R::Mask, delta: R, memory: &Memory<R>) -> [R; 4] {
+        let pressed = R::select(bonded, delta, delta.min(R::zero()));
+        [
+            energy(self.k_n, pressed),
+            energy(self.k_t, memory.tangential),
+            energy(self.k_r, memory.rolling),
+            energy(self.k_o, memory.torsion),
+        ]
+    }
+}
+
+/// The mask that is true nowhere: no neck.
+#[inline(always)]
+pub(super) fn never<R: Real>() -> R::Mask {
+    R::one().lt(R::zero())
+}

@@ -1,0 +1,205 @@
+//! The contact law, composed of its equations: what an engine runs.
+
+use super::def_body_forces::Attraction;
+use super::def_frequency::neck_frequencies;
+use super::def_grip::{Friction, Grip, Losses, Memory, Springs, never};
+use super::def_meeting::Meeting;
+use super::def_sphere::solid_inertia;
+use super::eq21_hamaker_plane::{plane_force, saturated_plane};
+use crate::{Contact, Flat, PairModel, Real, Vec3, flat_struct};
+
+/// How a twist of a contact is resisted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Torsion {
+    /// By a spring and a dashpot, like every other motion.
+    Spring,
+    /// By the dashpot alone, as in the published simulations: they turn the torsion spring into the contact plane, where nothing but
+    /// its last increment is left of it, and a twist meets no lasting resistance. See [`rotated_torsion`](super::def_spring::rotated_torsion).
+    AsPublished,
+}
+
+flat_struct! {
+    /// What differs from pair to pair.
+    pub struct Coefficients {
+        /// One for a pair that is joined by a neck, zero for one that is not.
+        pub bonded,
+    }
+}
+
+flat_struct! {
+    /// What a pair holds, J, by cause.
+    pub struct Stored {
+        /// Normal spring.
+        pub normal,
+        /// Tangential spring.
+        pub tangential,
+        /// Rolling spring.
+        pub rolling,
+        /// Torsion spring.
+        pub torsion,
+        /// Van der Waals attraction, zero at the cutoff and beyond.
+        pub van_der_waals,
+        /// Capillary attraction, zero at the cutoff and beyond.
+        pub capillary,
+    }
+}
+
+/// Soot: necks, frictional contacts, van der Waals and capillary attraction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Soot {
+    /// The four springs of a neck.
+    pub neck: Springs<f64>,
+    /// The four springs of a frictional contact.
+    pub contact: Springs<f64>,
+    /// The friction of such a contact.
+    pub friction: Friction<f64>,
+    /// The attractions that act at a distance.
+    pub attraction: Attraction<f64>,
+    /// How a twist is resisted.
+    pub torsion: Torsion,
+}
+
+/// The same numbers in another arithmetic.
+#[inline(always)]
+fn lifted<R: Real, A: Flat<f64>, B: Flat<R>>(numbers: &A) -> B {
+    B::from_fn(|k| R::lit(*numbers.at(k)))
+}
+
+impl PairModel for Soot {
+    type Coefficients<R: Real> = Coefficients<R>;
+    type Memory<R: Real> = Memory<R>;
+    type Losses<R: Real> = Losses<R>;
+    type Stored<R: Real> = Stored<R>;
+
+    /// A pair without a neck. Its partner in a neck is told by setting [`Coefficients::bonded`] to one.
+    fn coefficients<R: Real>(&self, _: R, _: R, _: R, _: R) -> Coefficients<R> {
+        Coefficients { bonded: R::zero() }
+    }
+
+    /// Two spheres at one instant: advances their springs by `dt` and says what they do. A neck acts at any distance; all else ends at the cutoff.
+    #[inline(always)]
+    fn pair<R: Real>(&self, c: &Contact<R>, k: &Coefficients<R>, memory: Memory<R>, dt: R) -> Grip<R> {
+        let bonded = is_bonded(k);
+        let at = Meeting::of_spheres(c);
+        let mut grip = self.springs(bonded).grip(&lifted(&self.friction), bonded, &at, memory, dt);
+        let attraction: Attraction<R> = lifted(&self.attraction);
+        grip.wrench.force = grip.wrench.force + at.n * attraction.force(c.distance, c.gap, c.r_i, c.r_j);
+        grip
+    }
+
+    #[inline(always)]
+    fn stored<R: Real>(&self, c: &Contact<R>, k: &Coefficients<R>, memory: &Memory<R>) -> Stored<R> {
+        let bonded = is_bonded(k);
+        let attraction: Attraction<R> = lifted(&self.attraction);
+        let [normal, tangential, rolling, torsion] = self.springs(bonded).stored(bonded, c.gap, memory);
+        let (van_der_waals, capillary) = attraction.energies(c.distance, c.r_i, c.r_j);
+        Stored { normal, tangential, rolling, torsion, van_der_waals, capillary }
+    }
+
+    /// Largest distance of centres at which two spheres without a neck act on each other, m.
+    fn range(&self, r_i: f64, r_j: f64) -> f64 {
+        let reaches = self.attraction.a > 0.0 || self.attraction.psi > 0.0;
+        if reaches { self.attraction.cutoff.max(r_i + r_j) } else { r_i + r_j }
+    }
+
+    /// Largest stable time step of two equal solid spheres in contact or with a neck, s.
+    fn critical_time_step(&self, r: f64, m: f64) -> f64 {
+        let limit = |s: &Springs<f64>| {
+            let (n, t, r, o) = neck_frequencies(s.k_n, s.k_t, s.k_r, s.k_o, m, solid_inertia(m, r), r);
+            // A dashpot that acts with the velocity of the step before lowers the limit: the rate of decay of each motion follows from its frequency.
+            [(n, s.k_n, s.eta_n), (t, s.k_t, s.eta_t), (r, s.k_r, s.eta_r), (o, s.k_o, s.eta_o)]
+                .into_iter()
+                .filter(|(_, k, _)| *k > 0.0)
+                .map(|(omega, k, eta)| {
+                    let decay = 0.5 * omega * omega * eta / k;
+                    2.0 / ((omega * omega + decay * decay).sqrt() + decay)
+                })
+                .fold(f64::INFINITY, f64::min)
+        };
+        limit(&self.neck).min(limit(&self.contact))
+    }
+}
+
+impl Soot {
+    /// The springs of a neck where `bonded` is true, those of a contact elsewhere.
+    #[inline(always)]
+    fn springs<R: Real>(&self, bonded: R::Mask) -> Springs<R> {
+        let mut springs =
+            Springs::from_fn(|k| R::select(bonded, R::lit(*self.neck.at(k)), R::lit(*self.contact.at(k))));
+        if self.torsion == Torsion::AsPublished {
+            springs.k_o = R::zero();
+        }
+        springs
+    }
+}
+
+#[inline(always)]
+fn is_bonded<R: Real>(k: &Coefficients<R>) -> R::Mask {
+    k.bonded.gt(R::lit(0.5))
+}
+
+/// A wall: the substrate, or a facet of the tip. It has a motion of its own that no force changes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wall {
+    /// The four springs of its contacts.
+    pub contact: Springs<f64>,
+    /// Their friction.
+    pub friction: Friction<f64>,
+    /// Hamaker constant, J.
+    pub hamaker: f64,
+    /// Saturation distance, m.
+    pub delta_0: f64,
+    /// Distance of a centre from the wall beyond which nothing acts, m.
+    pub cutoff: f64,
+    /// How a twist is resisted.
+    pub torsion: Torsion,
+}
+
+impl Wall {
+    /// A sphere of radius `r` at the distance `gap`, `n` pointing from the wall to it: advances its springs by `dt` and says what the wall does to it. `v` is its velocity relative to the wall at the
+    /// closest point.
+    #[inline(always)]
+    pub fn act<R: Real>(
+        &self,
+        n: Vec3<R>,
+        gap: R,
+        v: Vec3<R>,
+        omega: Vec3<R>,
+        r: R,
+        memory: Memory<R>,
+        dt: R,
+    ) -> Grip<R> {
+        let at = Meeting::of_wall(n, gap, v, omega, r);
+        let mut grip = self.springs().grip(&lifted(&self.friction), never::<R>(), &at, memory, dt);
+        let pull = plane_force(r, gap.max(R::lit(self.delta_0)), R::lit(self.hamaker));
+        grip.wrench.force = grip.wrench.force + at.n * self.within(r + gap, pull);
+        grip
+    }
+
+    /// The energy that a sphere and the wall hold.
+    #[inline(always)]
+    pub fn stored<R: Real>(&self, gap: R, r: R, memory: &Memory<R>) -> Stored<R> {
+        let [normal, tangential, rolling, torsion] = self.springs().stored(never::<R>(), gap, memory);
+        let [a, delta_0, cutoff] = [self.hamaker, self.delta_0, self.cutoff].map(R::lit);
+        let energy = |gap| saturated_plane(r, gap, a, delta_0).1;
+        let van_der_waals = self.within(r + gap, energy(gap) - energy(cutoff - r));
+        Stored { normal, tangential, rolling, torsion, van_der_waals, capillary: R::zero() }
+    }
+
+    #[inline(always)]
+    fn within<R: Real>(&self, distance: R, value: R) -> R {
+        R::select(distance.le(R::lit(self.cutoff)), value, R::zero())
+    }
+
+    #[inline(always)]
+    fn springs<R: Real>(&self) -> Springs<R> {
+        let springs: Springs<R> = lifted(&self.contact);
+        match self.torsion {
+            Torsion::Spring => springs,
+            Torsion::AsPublished => Springs { k_o: R::zero(), ..springs },
+        }
+    }
+}
+
+#[cfg(test)]
+mod laws;

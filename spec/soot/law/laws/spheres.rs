@@ -1,0 +1,80 @@
+//! A few equal spheres in motion, for the laws of the composed law.
+
+use super::super::*;
+use crate::soot::def_grip::Losses;
+use crate::soot::def_integrators::{half_step, half_step_start};
+use crate::soot::def_sphere::solid_inertia;
+
+/// Equal solid spheres of unit mass and radius, every pair with the same law.
+pub struct Spheres<const N: usize> {
+    pub law: Soot,
+    pub bonded: f64,
+    pub x: [Vec3<f64>; N],
+    pub v: [Vec3<f64>; N],
+    pub omega: [Vec3<f64>; N],
+    pub springs: Vec<Memory<f64>>,
+    pub lost: f64,
+}
+
+pub const INERTIA: f64 = 0.4;
+
+impl<const N: usize> Spheres<N> {
+    pub fn new(law: Soot, bonded: f64, x: [Vec3<f64>; N]) -> Self {
+        let none = [Vec3::zero(); N];
+        Self { law, bonded, x, v: none, omega: none, springs: vec![Memory::zero(); N * N], lost: 0.0 }
+    }
+    fn pairs() -> impl Iterator<Item = (usize, usize)> {
+        (0..N).flat_map(|i| (0..i).map(move |j| (i, j)))
+    }
+    fn contact(&self, i: usize, j: usize) -> Contact<f64> {
+        Contact::new(self.x[i] - self.x[j], self.v[i] - self.v[j], self.omega[i], self.omega[j], 1.0, 1.0)
+    }
+    pub fn gap(&self) -> f64 {
+        self.contact(1, 0).gap
+    }
+    /// Forces and torques, the springs advanced by `dt`.
+    fn forces(&mut self, dt: f64) -> [(Vec3<f64>, Vec3<f64>); N] {
+        let mut on = [(Vec3::zero(), Vec3::zero()); N];
+        for (i, j) in Self::pairs() {
+            let k = Coefficients { bonded: self.bonded };
+            let Grip { wrench, memory, losses } = self.law.pair(&self.contact(i, j), &k, self.springs[i * N + j], dt);
+            self.springs[i * N + j] = memory;
+            on[i] = (on[i].0 + wrench.force, on[i].1 + wrench.torque_i);
+            on[j] = (on[j].0 - wrench.force, on[j].1 + wrench.torque_j);
+            let Losses { normal, tangential, rolling, torsion, slip } = losses;
+            self.lost += normal + tangential + rolling + torsion + slip;
+        }
+        on
+    }
+    /// Takes the velocities back by half a step.
+    pub fn start(&mut self, dt: f64) {
+        let springs = self.springs.clone();
+        for (i, (force, torque)) in self.forces(0.0).into_iter().enumerate() {
+            (self.v[i], self.omega[i]) = half_step_start(self.v[i], self.omega[i], force, torque, 1.0, INERTIA, dt);
+        }
+        (self.springs, self.lost) = (springs, 0.0);
+    }
+    pub fn step(&mut self, dt: f64) {
+        assert_eq!(INERTIA, solid_inertia(1.0, 1.0));
+        for (i, (force, torque)) in self.forces(dt).into_iter().enumerate() {
+            (self.v[i], self.x[i], self.omega[i]) =
+                half_step(self.x[i], self.v[i], self.omega[i], force, torque, 1.0, INERTIA, dt);
+        }
+    }
+    /// Kinetic and stored energy; the former half a step behind.
+    pub fn energy(&self) -> f64 {
+        let kinetic = (0..N).map(|i| 0.5 * self.v[i].dot(self.v[i]) + 0.5 * INERTIA * self.omega[i].dot(self.omega[i]));
+        let stored = Self::pairs().map(|(i, j)| {
+            let k = Coefficients { bonded: self.bonded };
+            let s = self.law.stored(&self.contact(i, j), &k, &self.springs[i * N + j]);
+            s.normal + s.tangential + s.rolling + s.torsion + s.van_der_waals + s.capillary
+        });
+        kinetic.sum::<f64>() + stored.sum::<f64>()
+    }
+    pub fn momentum(&self) -> Vec3<f64> {
+        self.v.iter().fold(Vec3::zero(), |sum, v| sum + *v)
+    }
+    pub fn angular_momentum(&self) -> Vec3<f64> {
+        (0..N).fold(Vec3::zero(), |sum, i| sum + self.x[i].cross(self.v[i]) + self.omega[i] * INERTIA)
+    }
+}

@@ -1,0 +1,93 @@
+//! Demidov, Gor & Khalizov, *Discrete element method model of soot aggregates*,
+//! Phys. Rev. E 110 (2024) 054902.
+//!
+//! Aggregates of spheres that touch or are joined by necks, attract each other, and are pulled together by a coating or pulled apart by the tip of a force microscope.
+//! The rooms `eq..` are the numbered equations, `def_..` what the paper uses without a number. [`def_grip`] are the four springs of a contact,
+//! [`def_contact`] neck and friction, [`def_wall`] substrate and tip, [`law`] what an engine runs, [`def_integrators`] the step. Every number, 1 to 33, is a function. All of it holds for
+//! unequal spheres; the equal ones of the paper are a case.
+//!
+//! # Errata
+//!
+//! The paper is followed to the letter unless it contradicts itself. With a law that fails for the printed reading:
+//!
+//! * Eq. 4: both angular velocities have the wrong sign for the normal of Eq. 3, see [`eq04_relative_velocity`].
+//! * Step 2 of Section 2.1.1: a torsion spring cannot be turned into the contact plane, see [`def_spring::rotated_torsion`].
+//! * Eq. 17 has the sign of another convention, see [`eq13_friction::slipped_spring`].
+//! * The printed forms of Eqs. 18 to 21 cancel for spheres that are not close.
+//!
+//! Settled where the text leaves a choice: the normal force of the caps ([`eq13_friction::static_friction`]), the saturation distance
+//! ([`eq19_equal_hamaker::saturated_hamaker`]), direction and meaning of Eq. 23, Eq. 25 against its prose, the hull ([`def_convexity::hull_volume`]), the arms at a wall ([`def_wall`]).
+
+pub mod def_body_forces;
+pub mod def_contact;
+pub mod def_convexity;
+pub mod def_filter;
+pub mod def_frequency;
+pub mod def_grip;
+pub mod def_integrators;
+pub mod def_meeting;
+pub mod def_sphere;
+pub mod def_spring;
+pub mod def_wall;
+pub mod eq01_motion;
+pub mod eq03_geometry;
+pub mod eq04_relative_velocity;
+pub mod eq09_relative_spin;
+pub mod eq12_spring_force;
+pub mod eq13_friction;
+pub mod eq18_hamaker;
+pub mod eq19_equal_hamaker;
+pub mod eq21_hamaker_plane;
+pub mod eq23_capillary;
+pub mod eq24_fractal;
+pub mod eq25_tip;
+pub mod eq26_coordination;
+pub mod eq27_cantilever;
+pub mod eq30_transfer;
+pub mod law;
+#[cfg(test)]
+mod samples;
+
+pub use def_body_forces::Attraction;
+pub use def_grip::{Friction, Losses, Memory, Springs};
+pub use law::{Coefficients, Soot, Stored, Torsion, Wall};
+
+use crate::equation::{Equation, Paper};
+
+/// The paper: Eqs. 1 to 33.
+pub fn paper() -> Paper {
+    Paper { name: "soot", numbers: (1..=33).map(|number| number.to_string()).collect(), equations }
+}
+
+/// The equations of the paper, in its order.
+fn equations() -> Vec<Equation> {
+    [
+        def_sphere::equations(),
+        eq01_motion::equations(),
+        def_integrators::equations(),
+        eq03_geometry::equations(),
+        eq04_relative_velocity::equations(),
+        eq09_relative_spin::equations(),
+        def_spring::equations(),
+        eq12_spring_force::equations(),
+        def_frequency::equations(),
+        eq13_friction::equations(),
+        def_contact::equations(),
+        def_wall::equations(),
+        eq18_hamaker::equations(),
+        eq19_equal_hamaker::equations(),
+        eq21_hamaker_plane::equations(),
+        eq23_capillary::equations(),
+        def_body_forces::equations(),
+        eq24_fractal::equations(),
+        eq25_tip::equations(),
+        eq26_coordination::equations(),
+        def_convexity::equations(),
+        eq27_cantilever::equations(),
+        eq30_transfer::equations(),
+        def_filter::equations(),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
+}
