@@ -2,6 +2,8 @@
 
 pub mod clusters;
 pub mod fate;
+pub mod hull;
+pub mod morphology;
 pub mod packing;
 pub mod patch;
 pub mod rotation;
