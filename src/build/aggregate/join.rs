@@ -66,19 +66,19 @@ fn place(a: &Cluster, b: &Cluster, distance: f64, stream: &mut Stream) -> Option
         return None;
     }
     let [_, e, f] = frame(axis, 0.0);
-    let on_axis = |s: &Sphere, centre: Vec3<f64>| Ring::new(centre.dot(axis), centre.dot(e), centre.dot(f), s.radius);
+    let ring = |v: Vec3<f64>, radius| Ring::new(v.dot(axis), v.dot(e), v.dot(f), radius);
+    // Only what the other cluster can reach matters, whatever the angle.
+    let (ball_a, ball_b) = (ring(-at, a.reach), ring(Vec3::zero(), b.reach));
     let fixed: Vec<Ring> = a
         .spheres
         .iter()
         .enumerate()
-        .filter(|&(k, s)| k != i && (s.centre - at).norm() < NEAR * (b.reach + s.radius))
-        .map(|(_, s)| on_axis(s, s.centre - at))
+        .filter(|&(k, _)| k != i)
+        .map(|(_, s)| ring(s.centre - at, s.radius))
+        .filter(|ring| ring.may_touch(&ball_b))
         .collect();
-    let turning: Vec<Ring> = turned
-        .iter()
-        .filter(|s| (s.centre + at).norm() < NEAR * (a.reach + s.radius))
-        .map(|s| on_axis(s, s.centre))
-        .collect();
+    let turning: Vec<Ring> =
+        turned.iter().map(|s| ring(s.centre, s.radius)).filter(|ring| ring.may_touch(&ball_a)).collect();
     let angle = free_angle(&fixed, turning, stream)?;
     let (sine, cosine) = (Real::sin(angle), Real::cos(angle));
     for s in &mut turned {
@@ -119,6 +119,12 @@ impl Ring {
     fn new(height: f64, x: f64, y: f64, radius: f64) -> Self {
         Self { height, distance: (x * x + y * y).sqrt(), angle: libm::atan2(y, x), radius }
     }
+
+    /// Whether there is an angle at which the spheres of the two rings are near.
+    fn may_touch(&self, other: &Self) -> bool {
+        let apart = (self.height - other.height).squared() + (self.distance - other.distance).squared();
+        apart < (NEAR * (self.radius + other.radius)).squared()
+    }
 }
 
 /// An angle by which the rings can be turned so that no two spheres overlap, each such angle as likely as any other.
@@ -131,10 +137,10 @@ fn free_angle(fixed: &[Ring], mut turning: Vec<Ring>, stream: &mut Stream) -> Op
         let window = NEAR * (k.radius + largest);
         let first = turning.partition_point(|l| l.height < k.height - window);
         for l in turning[first..].iter().take_while(|l| l.height <= k.height + window) {
-            let level = (NEAR * (k.radius + l.radius)).squared() - (k.height - l.height).squared();
-            if level <= (k.distance - l.distance).squared() {
-                continue; // never near
+            if !k.may_touch(l) {
+                continue;
             }
+            let level = (NEAR * (k.radius + l.radius)).squared() - (k.height - l.height).squared();
             if level >= (k.distance + l.distance).squared() {
                 return None; // always too near
             }

@@ -143,9 +143,13 @@ pub fn aggregate(recipe: &Recipe, seed: u64) -> Result<Vec<Sphere>, Failure> {
         return Err(Failure::Recipe);
     }
     let (mut sizes, mut places) = (Stream::new(seed, "aggregate radii"), Stream::new(seed, "aggregate places"));
-    let radii: Vec<f64> = (0..recipe.number).map(|_| recipe.radii.draw(&mut sizes)).collect();
+    let mut radii: Vec<f64> = (0..recipe.number).map(|_| recipe.radii.draw(&mut sizes)).collect();
     let mut best: Option<Failure> = None;
     for _ in 0..BEGINNINGS {
+        // Another order may do what this one cannot: the last sphere may be too small or too large to meet the law.
+        for k in (1..radii.len()).rev() {
+            radii.swap(k, (places.uniform() * (k + 1) as f64) as usize);
+        }
         let grown = grow(recipe, &radii, &mut places);
         let wanted = recipe.gyration_radius(recipe.number, grown.logarithms);
         let reached = grown.square.sqrt();

@@ -47,7 +47,7 @@ fn a_unit_replaces_the_radius_where_the_file_has_radii() {
 fn necks_are_read_from_the_places_in_a_matrix() {
     assert_eq!(read_necks(&file("soot_dem_necks.vtk"), 3).unwrap(), [(0, 1), (1, 2)]);
     let trouble = read_necks(&file("soot_dem_necks.vtk"), 2).unwrap_err().to_string();
-    assert!(trouble.contains("necks.vtk:14: found `3`, expected i * 2 + j"), "{trouble}");
+    assert!(trouble.contains("necks.vtk:15: found `3`, expected i * 2 + j"), "{trouble}");
 }
 
 #[test]
