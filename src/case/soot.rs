@@ -119,8 +119,9 @@ section! {
         import: Option<Import> = None,
         /// Part of the contacts that are necks; which ones is drawn from the seed.
         neck_fraction: f64 = 0.5,
-        /// Largest gap that a neck bridges.
-        neck_distance: Quantity<Length> = quantity("1 nm"),
+        /// Largest gap that a neck bridges: enough for rounding. A neck across a real gap, whose springs are relaxed at contact, would begin
+        /// stretched.
+        neck_distance: Quantity<Length> = quantity("0.01 nm"),
     }
 }
 
