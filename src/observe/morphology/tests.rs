@@ -73,7 +73,7 @@ fn convexity_of_chain_triangle_hexagon_and_octahedron() {
     assert!(close(value(&chain(3, r)), 0.75));
     let h = 3f64.sqrt();
     let scaled = |places: &[[f64; 3]]| spheres(&places.iter().map(|x| x.map(|c| c * r)).collect::<Vec<_>>(), r);
-    assert!(close(value(&scaled(&[[0.0; 3], [2.0, 0.0, 0.0], [1.0, h, 0.0]])), 0.73583637438237762));
+    assert!(close(value(&scaled(&[[0.0; 3], [2.0, 0.0, 0.0], [1.0, h, 0.0]])), 0.73583637438437762));
     let hexagon =
         [[0.0; 3], [2.0, 0.0, 0.0], [-2.0, 0.0, 0.0], [1.0, h, 0.0], [-1.0, h, 0.0], [1.0, -h, 0.0], [-1.0, -h, 0.0]];
     assert!(close(value(&scaled(&hexagon)), 0.66909068287969542));
