@@ -1,10 +1,11 @@
 //! The convex hull of points, by quickhull with exact predicates: no point set is too flat, too thin or too regular for it.
 //!
 //! Which side of a plane a point lies on is never rounded, so the faces always close; points in the plane of a face do not
-//! count as outside. The normals come from the same expansions and are right to the last digits even for slivers, hence so are the angles.
+//! count as outside.
 
 use crate::spec::soot::def_convexity::edge_curvature;
 use crate::spec::{Real, Vec3};
+use qd::Quad;
 use robust::{Coord, Coord3D, orient2d, orient3d};
 
 /// What Steiner's formula needs of a convex body.
@@ -159,14 +160,14 @@ fn flat(points: &[Vec3<f64>]) -> Measures {
     let end = farthest(points, |p| (p - start).norm());
     let side = farthest(points, |p| normal([start, end, p]).norm());
     // Seen along the axis that shortens the polygon least.
-    let across = normal([start, end, side]).0.map(f64::abs);
+    let across = [0, 1, 2].map(|k| orient2d(shadow(start, k), shadow(end, k), shadow(side, k)).abs());
     let drop = if across.iter().any(|&size| size > 0.0) {
         (0..3).max_by(|&k, &l| across[k].total_cmp(&across[l]))
     } else {
         (0..3).min_by(|&k, &l| (end - start).0[k].abs().total_cmp(&(end - start).0[l].abs()))
     };
     let drop = drop.expect("there are three axes");
-    let shadow = |p: Vec3<f64>| Coord { x: p.0[(drop + 1) % 3], y: p.0[(drop + 2) % 3] };
+    let shadow = |p| shadow(p, drop);
     let mut sorted = points.to_vec();
     sorted.sort_by(|p, q| {
         (shadow(*p).x, shadow(*p).y).partial_cmp(&(shadow(*q).x, shadow(*q).y)).expect("places are numbers")
@@ -216,12 +217,15 @@ fn farthest(points: &[Vec3<f64>], size: impl Fn(Vec3<f64>) -> f64) -> Vec3<f64> 
     points.iter().copied().max_by(|&p, &q| size(p).total_cmp(&size(q))).expect("there is a point")
 }
 
-/// Twice the area of a triangle, along its normal; every component has full relative precision.
+/// Twice the area of a triangle, along its normal. The products of a sliver cancel: they are taken with twice as many digits.
 fn normal([a, b, c]: [Vec3<f64>; 3]) -> Vec3<f64> {
-    Vec3(std::array::from_fn(|k| {
-        let [a, b, c] = [a, b, c].map(|p| Coord { x: p.0[(k + 1) % 3], y: p.0[(k + 2) % 3] });
-        orient2d(a, b, c)
-    }))
+    let side = |p: Vec3<f64>, k: usize| Quad::from(p.0[k % 3]) - Quad::from(a.0[k % 3]);
+    Vec3(std::array::from_fn(|k| (side(b, k + 1) * side(c, k + 2) - side(b, k + 2) * side(c, k + 1)).0))
+}
+
+/// A point as seen along an axis.
+fn shadow(p: Vec3<f64>, axis: usize) -> Coord<f64> {
+    Coord { x: p.0[(axis + 1) % 3], y: p.0[(axis + 2) % 3] }
 }
 
 fn space(p: Vec3<f64>) -> Coord3D<f64> {
