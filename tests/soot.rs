@@ -23,8 +23,7 @@ fn soot() -> Soot {
 
 /// An aggregate, a third of it joined by necks.
 fn system(joined: impl Fn(usize) -> bool) -> System {
-    let recipe =
-        Recipe { number: SPHERES, d_f: 1.8, k_f: 1.4, radii: Radii::Equal(14.0), method: Method::Clusters };
+    let recipe = Recipe { number: SPHERES, d_f: 1.8, k_f: 1.4, radii: Radii::Equal(14.0), method: Method::Clusters };
     let spheres = aggregate(&recipe, 1).expect("an ordinary aggregate");
     let mut particles = Particles::default();
     for &Sphere { centre, radius } in &spheres {

@@ -5,9 +5,9 @@
 //! the owners afterwards, again in a fixed order. The cut depends on the particles alone, so the sums, and with them every
 //! bit of the trajectory, do not depend on how many threads share the work.
 
+use super::pairs::Pairs;
 use super::{Bond, Load, Neighbour, Springs};
-use crate::spec::numbers::Lanes;
-use crate::spec::{Flat, PairModel, Vec3};
+use crate::spec::{PairModel, Vec3};
 use crate::system::{Domain, Image, Particles, Reason};
 use num_traits::Zero;
 use rayon::prelude::*;
@@ -18,7 +18,8 @@ pub const LANES: usize = 8;
 /// Most spheres in a block, halo included, plus one: place `CAPACITY - 1` is a sphere far from everything, the partner of
 /// lanes without a pair.
 pub const CAPACITY: usize = 2048;
-const NOWHERE: u16 = CAPACITY as u16 - 1;
+/// The place of that sphere.
+pub const NOWHERE: u16 = CAPACITY as u16 - 1;
 
 /// Some particles, their pairs, and the spheres around them.
 pub struct Block<M: PairModel> {
@@ -32,25 +33,6 @@ pub struct Block<M: PairModel> {
     pub incoming: Vec<(u32, u32, u32)>,
     /// The loads on its spheres in the last step, own and halo.
     pub loads: Box<[Load; CAPACITY]>,
-}
-
-/// Pairs, eight to a row: those that were near when they were listed, then the far ones. In each part every lane has a stretch of
-/// the list of its own, so that neighbouring lanes load different spheres. Spheres are counted within the block: its own first, then the halo. The sphere with the lower id is `i`.
-pub struct Pairs<M: PairModel> {
-    /// First spheres.
-    pub i: Vec<[u16; LANES]>,
-    /// Second spheres.
-    pub j: Vec<[u16; LANES]>,
-    /// Which constants each row has: those of one material and size are all alike.
-    pub kind: Vec<u32>,
-    /// Constants.
-    pub coefficients: Vec<M::Coefficients<Lanes<LANES>>>,
-    /// Springs.
-    pub memory: Vec<M::Memory<Lanes<LANES>>>,
-    /// Number of pairs; the rest of the last rows of both parts is padding.
-    pub len: usize,
-    /// How many of them were near.
-    pub near: usize,
 }
 
 impl<M: PairModel> Block<M> {
@@ -71,24 +53,6 @@ impl<M: PairModel> Block<M> {
             let (row, lane) = self.pairs.seat(k);
             (self.pairs.i[row][lane], self.pairs.j[row][lane], row, lane)
         })
-    }
-}
-
-impl<M: PairModel> Pairs<M> {
-    /// The constants of a row.
-    pub fn constants(&self, row: usize) -> &M::Coefficients<Lanes<LANES>> {
-        &self.coefficients[self.kind[row] as usize]
-    }
-
-    /// Row and lane of the pair `k`.
-    pub fn seat(&self, k: usize) -> (usize, usize) {
-        let (before, k, of) = if k < self.near {
-            (0, k, self.near)
-        } else {
-            (self.near.div_ceil(LANES), k - self.near, self.len - self.near)
-        };
-        let rows = of.div_ceil(LANES);
-        (before + k % rows, k / rows)
     }
 }
 
@@ -120,7 +84,7 @@ pub fn partition<M: PairModel>(
         .into_par_iter()
         .map(|(own, halo)| {
             let pairs = &pairs[first[own.start]..first[own.end]];
-            let pairs = lay(model, particles, (x, domain), pairs, &own, &halo, necks, springs);
+            let pairs = Pairs::lay(model, particles, (x, domain), pairs, &own, &halo, necks, springs);
             let loads = vec![Load::zero(); CAPACITY].try_into().expect("as many as it is made of");
             Block { own, halo, pairs, incoming: Vec::new(), loads }
         })
@@ -156,87 +120,6 @@ fn cut_to_fit(
         return Err(Reason::TooManyNeighbours { particle: particles.id[own.start] });
     }
     Ok(())
-}
-
-/// Two spheres are laid among the near ones from this gap downwards, in sums of radii.
-const NEAR: f64 = 0.01;
-
-fn lay<M: PairModel>(
-    model: &M,
-    particles: &Particles,
-    (x, domain): (&[Vec3<f64>], &Domain),
-    pairs: &[Neighbour],
-    own: &Range<usize>,
-    halo: &[(u32, Image)],
-    necks: &[(u32, u32)],
-    springs: &Springs,
-) -> Pairs<M> {
-    let place_of = |q: u32, image: Image| {
-        if own.contains(&(q as usize)) && image == [0; 3] {
-            q as usize - own.start
-        } else {
-            own.len() + halo.partition_point(|&entry| entry < (q, image))
-        }
-    };
-    let mut laid = Pairs {
-        i: Vec::new(),
-        j: Vec::new(),
-        kind: Vec::new(),
-        coefficients: Vec::new(),
-        memory: Vec::new(),
-        len: pairs.len(),
-        near: pairs.len(),
-    };
-    let apart = |pair: &&Neighbour| {
-        let (p, q) = (pair.p as usize, pair.q as usize);
-        let distance = (x[p] - (x[q] + domain.shift(pair.image))).norm();
-        distance > (1.0 + NEAR) * (particles.radius[p] + particles.radius[q])
-    };
-    let (far, near): (Vec<&Neighbour>, Vec<&Neighbour>) = pairs.iter().partition(|pair| M::MOSTLY_FAR && apart(pair));
-    laid.near = near.len();
-    let in_rows = |part: &[&Neighbour]| {
-        let rows = part.len().div_ceil(LANES);
-        (0..rows)
-            .map(|row| part.iter().skip(row).step_by(rows).map(|pair| **pair).collect())
-            .collect::<Vec<Vec<Neighbour>>>()
-    };
-    for row in in_rows(&near).into_iter().chain(in_rows(&far)) {
-        let mut places = [[NOWHERE; LANES], [0; LANES]];
-        let (mut coefficients, mut filler) = (Vec::with_capacity(LANES), None);
-        let mut memory = Vec::with_capacity(LANES);
-        for (lane, pair) in row.iter().enumerate() {
-            let mut ends =
-                [(pair.p as usize - own.start, pair.p as usize), (place_of(pair.q, pair.image), pair.q as usize)];
-            let key = bond(particles, pair.p as usize, pair.q as usize, pair.image);
-            if particles.id[pair.p as usize] != key.0 {
-                ends.reverse();
-            }
-            let [(i, p), (j, q)] = ends;
-            places[0][lane] = i as u16;
-            places[1][lane] = j as u16;
-            let (r, m) = (&particles.radius, &particles.mass);
-            let constants = model.coefficients(r[p], r[q], m[p], m[q]);
-            filler.get_or_insert(constants);
-            let joined = necks.binary_search(&(key.0, key.1)).is_ok();
-            coefficients.push(if joined { model.joined(constants) } else { constants });
-            memory.push(springs.of(key));
-        }
-        laid.i.push(places[0]);
-        laid.j.push(places[1]);
-        // Lanes without a pair have the constants of the first, but no neck, which would act at any distance: their partner is nowhere.
-        let filler = filler.expect("a row has a pair");
-        let constants: M::Coefficients<Lanes<LANES>> =
-            Flat::from_fn(|k| Lanes(std::array::from_fn(|lane| *coefficients.get(lane).unwrap_or(&filler).at(k))));
-        let same = |last: &M::Coefficients<_>| (0..M::Coefficients::<f64>::LEN).all(|k| last.at(k) == constants.at(k));
-        if !laid.coefficients.last().is_some_and(same) {
-            laid.coefficients.push(constants);
-        }
-        laid.kind.push(laid.coefficients.len() as u32 - 1);
-        laid.memory.push(Flat::from_fn(|k| {
-            Lanes(std::array::from_fn(|lane| memory.get(lane).copied().flatten().map_or(0.0, |numbers| numbers[k])))
-        }));
-    }
-    laid
 }
 
 /// The lasting name of a pair of places, `q` displaced by `image`.

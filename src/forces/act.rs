@@ -1,0 +1,135 @@
+//! A row of eight pairs: the contact law in a loop over its lanes, which the compiler turns into vector instructions.
+
+use super::LANES;
+use super::kernel::Totals;
+use crate::spec::numbers::Lanes;
+use crate::spec::{Contact, Flat, PairModel, Real, Vec3};
+use num_traits::Zero;
+
+/// One number of eight pairs.
+pub type Row = Lanes<LANES>;
+/// What a row of pairs takes from its spheres: differences of position and velocity, two numbers that mean nothing, angular
+/// velocity and radius of `i` and of `j`.
+pub type Seen = [Row; 16];
+/// What it gives back: force on `i`, torque on `i`, torque on `j`.
+pub type Given = [Row; 9];
+
+/// Evaluates a row, advances its springs by `dt`, and enters what it lost and did.
+#[inline(always)]
+pub fn act<M: PairModel>(
+    model: &M,
+    coefficients: &M::Coefficients<Row>,
+    memory: &mut M::Memory<Row>,
+    seen: &Seen,
+    given: &mut Given,
+    sums: &mut Sums<M>,
+    allowed: f64,
+    dt: f64,
+) {
+    if M::MOSTLY_FAR {
+        let mut near = false;
+        for lane in 0..LANES {
+            let constants = Flat::from_fn(|k| coefficients.at(k).0[lane]);
+            near |= model.is_near(&contact(seen, lane), &constants);
+        }
+        if !near {
+            return far(model, memory, seen, given, sums, allowed);
+        }
+    }
+    for lane in 0..LANES {
+        let contact = contact(seen, lane);
+        let constants = Flat::from_fn(|k| coefficients.at(k).0[lane]);
+        let springs = Flat::from_fn(|k| memory.at(k).0[lane]);
+        let outcome = model.pair(&contact, &constants, springs, dt);
+        for k in 0..M::Memory::<f64>::LEN {
+            memory.at_mut(k).0[lane] = *outcome.memory.at(k);
+        }
+        let wrench = outcome.wrench;
+        let (a, b) = (wrench.torque_i.0, wrench.torque_j.0);
+        for k in 0..3 {
+            given[k + 3].0[lane] = a[k];
+            given[k + 6].0[lane] = b[k];
+        }
+        sums.power.0[lane] += wrench.power(&contact);
+        for k in 0..M::Losses::<f64>::LEN {
+            sums.losses.at_mut(k).0[lane] += *outcome.losses.at(k);
+        }
+        push(wrench.force, &contact, lane, seen, given, sums, allowed);
+    }
+}
+
+/// A row of pairs without springs: central forces are all that acts.
+#[inline(always)]
+fn far<M: PairModel>(
+    model: &M,
+    memory: &mut M::Memory<Row>,
+    seen: &Seen,
+    given: &mut Given,
+    sums: &mut Sums<M>,
+    allowed: f64,
+) {
+    *memory = Flat::from_fn(|_| Row::zero());
+    given[3..].fill(Row::zero());
+    for lane in 0..LANES {
+        let contact = contact(seen, lane);
+        let force = model.far(&contact);
+        sums.power.0[lane] += force.dot(contact.v);
+        push(force, &contact, lane, seen, given, sums, allowed);
+    }
+}
+
+/// What the two spheres of a lane see of each other.
+#[inline(always)]
+fn contact(seen: &Seen, lane: usize) -> Contact<f64> {
+    let number = |k: usize| seen[k].0[lane];
+    let vector = |k: usize| Vec3([number(k), number(k + 1), number(k + 2)]);
+    Contact::new(vector(0), vector(3), vector(8), vector(12), number(11), number(15))
+}
+
+/// Enters the force of a lane.
+#[inline(always)]
+fn push<M: PairModel>(
+    force: Vec3<f64>,
+    contact: &Contact<f64>,
+    lane: usize,
+    seen: &Seen,
+    given: &mut Given,
+    sums: &mut Sums<M>,
+    allowed: f64,
+) {
+    for k in 0..3 {
+        given[k].0[lane] = force.0[k];
+        sums.virial[k].0[lane] -= seen[k].0[lane] * force.0[k];
+    }
+    let clearance = contact.gap + allowed * (contact.r_i + contact.r_j);
+    let least = sums.clearance.0[lane];
+    sums.clearance.0[lane] = if least < clearance { least } else { clearance };
+}
+
+/// Sums over pairs, lane by lane.
+pub struct Sums<M: PairModel> {
+    power: Row,
+    losses: M::Losses<Row>,
+    virial: [Row; 3],
+    clearance: Row,
+}
+
+impl<M: PairModel> Default for Sums<M> {
+    fn default() -> Self {
+        let zero = Row::zero();
+        Self { power: zero, losses: Flat::from_fn(|_| zero), virial: [zero; 3], clearance: Row::lit(f64::INFINITY) }
+    }
+}
+
+impl<M: PairModel> Sums<M> {
+    /// All lanes together.
+    pub fn total(&self) -> Totals<M::Losses<f64>> {
+        let sum = |row: Row| row.0.iter().sum::<f64>();
+        Totals {
+            power: sum(self.power),
+            losses: Flat::from_fn(|k| sum(*self.losses.at(k))),
+            virial: self.virial.map(sum),
+            clearance: self.clearance.0.into_iter().fold(f64::INFINITY, f64::min),
+        }
+    }
+}
