@@ -99,7 +99,7 @@ fn taken_up_from_a_snapshot_it_goes_on_with_the_same_bits() {
 #[test]
 fn necks_hold_an_aggregate_open_and_without_them_it_collapses() {
     let terminal = |joined: fn(usize) -> bool| {
-        let after = run(system(joined), Settings { dt: 2.0 * DT, ..settings(DT) }, 250_000);
+        let after = run(system(joined), Settings { dt: 2.0 * DT, ..settings(DT) }, 150_000);
         let Particles { x, radius, .. } = &after.system().particles;
         let spheres: Vec<Sphere> = x.iter().zip(radius).map(|(&centre, &radius)| Sphere { centre, radius }).collect();
         coordination_number(&spheres)

@@ -1,4 +1,4 @@
-//! A picture of the spheres, cut open at the middle, coloured by the body they belonged to at the beginning.
+//! A picture of the spheres, a solid cut open at the middle, coloured by the body they belonged to at the beginning.
 
 use super::COLOURS;
 use crate::system::System;
@@ -9,13 +9,13 @@ const WIDTH: f64 = 640.0;
 /// Resolution at which hidden spheres are found, pixels per pixel of the picture.
 const RESOLUTION: f64 = 0.5;
 
-/// The half of the system behind the middle plane, seen along z: x to the right, y up. The frame follows `heights`, the
+/// The spheres seen along z, x to the right, y up; of a solid, which goes on along z, the half behind the middle plane. The frame follows `heights`, the
 /// lowest and the highest y to be shown, so that the pictures of one run can be compared.
 pub fn snapshot(system: &System, heights: [f64; 2]) -> String {
     let scale = WIDTH / system.domain.sides[0];
     let height = (heights[1] - heights[0]) * scale;
     let p = &system.particles;
-    let middle = 0.5 * system.domain.sides[2];
+    let middle = if system.domain.periodic[2] { 0.5 * system.domain.sides[2] } else { f64::INFINITY };
     let mut order: Vec<(f64, usize)> =
         (0..p.len()).map(|i| (system.domain.folded(p.x[i]).0[2], i)).filter(|&(z, _)| z <= middle).collect();
     order.sort_by(|a, b| a.0.total_cmp(&b.0).then(p.id[a.1].cmp(&p.id[b.1])));
