@@ -1,5 +1,6 @@
 //! Initial conditions: lattices, amorphous samples, the junction, and the stages that prepare and test them.
 
+pub mod agglomerate;
 pub mod aggregate;
 pub mod amorphous;
 pub mod junction;

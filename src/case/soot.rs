@@ -13,7 +13,7 @@ use crate::spec::{PairModel, soot};
 use serde_yaml::{Mapping, Value};
 
 /// A quantity that is written in this file, not by a user.
-fn quantity<K: super::quantity::Kind>(text: &str) -> Quantity<K> {
+pub(super) fn quantity<K: super::quantity::Kind>(text: &str) -> Quantity<K> {
     Quantity::parse(text).expect("a quantity of the right kind")
 }
 

@@ -6,6 +6,7 @@ mod report;
 mod row;
 mod soot;
 mod study;
+mod titania;
 mod wear;
 
 pub use control::Control;
@@ -66,6 +67,7 @@ impl<'a> Prepared<'a> {
         let initial = match &case.model {
             Model::Wear(_) => wear::Plan::of(case).initial()?,
             Model::Soot(_) => soot::Plan::of(case).initial()?,
+            Model::Titania(_) => titania::Plan::of(case).initial()?,
         };
         Ok(Self { case, initial })
     }
@@ -82,6 +84,7 @@ impl<'a> Prepared<'a> {
         match &case.model {
             Model::Wear(_) => Run::new(case, wear::Plan::of(case), folder, manifest, control, show).start(initial),
             Model::Soot(_) => Run::new(case, soot::Plan::of(case), folder, manifest, control, show).start(initial),
+            Model::Titania(_) => Run::new(case, titania::Plan::of(case), folder, manifest, control, show).start(initial),
         }
     }
 }
@@ -97,6 +100,7 @@ pub fn resume(
     match &case.model {
         Model::Wear(_) => Run::new(case, wear::Plan::of(case), folder, manifest, control, show).resume(),
         Model::Soot(_) => Run::new(case, soot::Plan::of(case), folder, manifest, control, show).resume(),
+        Model::Titania(_) => Run::new(case, titania::Plan::of(case), folder, manifest, control, show).resume(),
     }
 }
 
@@ -244,6 +248,9 @@ impl<'a, S: Study> Run<'a, S> {
             }
             self.taken += 1;
             course.steps += 1;
+            for event in self.study.follow(number, &mut current.watch, &current.simulation) {
+                course.record.event(name, current.simulation.system(), &event)?;
+            }
             let step = current.simulation.system().step;
             let progress = self.study.progress(number, &current.watch, &current.simulation);
             let last = progress != Progress::Going;
