@@ -23,7 +23,7 @@ pub type Particle = (Vec3<f64>, f64);
 /// How far the length may be off, as a part of it.
 pub const TOLERANCE: f64 = 0.05;
 /// Chains that are tried before the length is given up.
-const CHAINS: usize = 20_000;
+const CHAINS: usize = 5000;
 /// Places that are tried for a particle before its chain is given up.
 const PLACES: usize = 50;
 

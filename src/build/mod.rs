@@ -5,6 +5,7 @@ pub mod aggregate;
 pub mod amorphous;
 pub mod junction;
 pub mod lattice;
+pub mod pair;
 pub mod protocol;
 pub mod random;
 pub mod stages;

@@ -9,6 +9,7 @@ use super::section::{section, words};
 use super::soot::quantity;
 use super::units::{in_unit, rounded};
 use super::{Case, Experiment, Model, Sample};
+use crate::build::agglomerate::Recipe;
 use crate::spec::PairModel;
 use crate::spec::titania::def_radius::radii;
 use crate::spec::titania::{self, eq03_attraction, eq12_sliding};
@@ -114,8 +115,8 @@ section! {
         slide: Option<Dragging> = None,
         /// The first particle rolled over a slab without sliding, Fig. 8.
         roll: Option<Dragging> = None,
-        /// Time step.
-        dt: Quantity<Time> = quantity("0.5 ps"),
+        /// Time step: a fifth of the authors', for friction may at most stop a rolling particle in one step.
+        dt: Quantity<Time> = quantity("0.1 ps"),
     }
 }
 
@@ -157,9 +158,9 @@ section! {
         /// Velocity of its other end.
         velocity: Quantity<Velocity> = quantity("5 m/s"),
         /// How far that end moves.
-        distance: Quantity<Length> = quantity("100 nm"),
-        /// Time step.
-        dt: Quantity<Time> = quantity("0.5 ps"),
+        distance: Quantity<Length> = quantity("60 nm"),
+        /// Time step: a fifth of the authors', for friction may at most stop a rolling particle in one step.
+        dt: Quantity<Time> = quantity("0.1 ps"),
     }
 }
 
@@ -186,6 +187,18 @@ impl TitaniaTest<'_> {
         match self {
             Self::Contact(_, tests) => ("experiment.contact.dt", &tests.dt),
             Self::Stretching(_, stretching) => ("experiment.stretching.dt", &stretching.dt),
+        }
+    }
+}
+
+impl Agglomerate {
+    /// How it is built, in engine units.
+    pub fn recipe(&self) -> Recipe {
+        Recipe {
+            particles: self.particles as usize,
+            smallest: self.smallest.value,
+            largest: self.largest.value,
+            length: self.length.value,
         }
     }
 }

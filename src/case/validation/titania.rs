@@ -1,6 +1,7 @@
 //! What a case of the titania paper must satisfy beyond its grammar.
 
 use super::{Found, belongs, expect};
+use crate::build::agglomerate::agglomerate;
 use crate::case::units::{decimal, in_unit};
 use crate::case::{Agglomerate, Case, Dragging, Experiment, Titania, TitaniaTest, TwoParticles};
 
@@ -41,14 +42,18 @@ pub fn problems(case: &Case, found: &mut Found) {
                 }
             }
         }
-        TitaniaTest::Stretching(Agglomerate { particles, smallest, largest, length }, stretching) => {
+        TitaniaTest::Stretching(chain, stretching) => {
+            let Agglomerate { particles, smallest, largest, length } = chain;
             let at = |key: &str| format!("sample.agglomerate.{key}");
-            let most = "5 to 1000: two are held, two are drawn";
-            expect(found, (5..=1000).contains(particles), &at("particles"), particles, most);
+            let most = "5 to 100: two are held, two are drawn";
+            expect(found, (5..=100).contains(particles), &at("particles"), particles, most);
             expect(found, smallest.value > core_gap, &at("smallest"), smallest, &thick);
             let least = format!("at least the smallest diameter, {smallest}");
             expect(found, largest.value >= smallest.value, &at("largest"), largest, &least);
-            expect(found, length.value > 0.0, &at("length"), length, "more than zero");
+            if found.is_empty() {
+                let built = agglomerate(&chain.recipe(), case.seed).is_some();
+                expect(found, built, &at("length"), length, "a length that a random chain of these particles may have");
+            }
             let at = |key: &str| format!("experiment.stretching.{key}");
             for (key, value, text) in [
                 ("relaxation", stretching.relaxation.number(), stretching.relaxation.to_string()),

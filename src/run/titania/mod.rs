@@ -4,7 +4,8 @@ mod stage;
 mod watch;
 
 use super::Study;
-use crate::build::agglomerate::{self, Recipe};
+use crate::build::agglomerate::{agglomerate, extent};
+use crate::build::pair::pair;
 use crate::build::protocol::Progress;
 use crate::case::{self, Agglomerate, Case, ContactTests, TitaniaTest, TwoParticles};
 use crate::error::Error;
@@ -46,48 +47,19 @@ impl Plan {
         Self { case: case.clone(), titania: titania.clone(), dt, stages }
     }
 
-    /// Particles at rest, given by where they are and how large their nominal diameters are.
-    fn particles(&self, built: impl IntoIterator<Item = (Vec3<f64>, f64)>) -> Particles {
-        let mut particles = Particles::default();
-        for (x, d) in built {
-            let (radius, mass) = self.titania.particle(d);
-            let tag = particles.len() as u32;
-            particles.push(x, radius, mass, tag);
-        }
-        particles
-    }
-
-    /// Two particles, the first on top of the second along `axis`, `gap` farther apart than at rest.
-    fn pair(&self, diameters: [f64; 2], axis: usize, gap: f64) -> System {
-        let side = 2.0 * (diameters[0] + diameters[1].min(diameters[0])) + gap;
-        let mut above = Vec3([0.5 * side; 3]);
-        let mut below = above;
-        let apart = 0.5 * (diameters[0] + diameters[1]) + gap;
-        above.0[axis] += 0.5 * diameters[0];
-        below.0[axis] = above.0[axis] - apart;
-        let particles = self.particles([(above, diameters[0]), (below, diameters[1])]);
-        System::new(particles, Domain { sides: [side; 3], periodic: [false; 3] })
-    }
-
     /// The chain, in a box that it can be stretched in.
-    fn chain(&self, chain: &Agglomerate, room: f64) -> Result<System, Error> {
-        let Agglomerate { particles, smallest, largest, length } = chain;
-        let recipe = Recipe {
-            particles: *particles as usize,
-            smallest: smallest.value,
-            largest: largest.value,
-            length: length.value,
-        };
-        let built = agglomerate::agglomerate(&recipe, self.case.seed).ok_or_else(|| {
-            let what = "sample.agglomerate.length: no chain of these particles that was tried is so long";
-            Error::input(std::path::Path::new(&self.case.title), what)
-        })?;
-        let high: [f64; 3] = std::array::from_fn(|axis| agglomerate::extent(&built, axis)[1]);
-        let margin = largest.value;
+    fn chain(&self, chain: &Agglomerate, room: f64) -> System {
+        let built = agglomerate(&chain.recipe(), self.case.seed).expect("a checked case has a chain of that length");
+        let high: [f64; 3] = std::array::from_fn(|axis| extent(&built, axis)[1]);
+        let margin = chain.largest.value;
         // Twice as deep as the chain: pictures show what lies behind the middle, and that is to be all of it.
         let sides = [high[0] + room + 2.0 * margin, high[1] + 2.0 * margin, 2.0 * (high[2] + 2.0 * margin)];
-        let particles = self.particles(built.into_iter().map(|(x, d)| (x + Vec3([margin; 3]), d)));
-        Ok(System::new(particles, Domain { sides, periodic: [false; 3] }))
+        let mut particles = Particles::default();
+        for (x, d) in built {
+            let ((radius, mass), tag) = (self.titania.particle(d), particles.len() as u32);
+            particles.push(x + Vec3([margin; 3]), radius, mass, tag);
+        }
+        System::new(particles, Domain { sides, periodic: [false; 3] })
     }
 }
 
@@ -102,9 +74,9 @@ impl Study for Plan {
     fn initial(&self) -> Result<System, Error> {
         match self.case.titania().expect(COMPLETE).1 {
             TitaniaTest::Contact(TwoParticles { diameters: [first, second] }, _) => {
-                Ok(self.pair([first.value, second.value], 0, 0.0))
+                Ok(pair(&self.titania, [first.value, second.value], 0, 0.0))
             }
-            TitaniaTest::Stretching(chain, test) => self.chain(chain, test.distance.value),
+            TitaniaTest::Stretching(chain, test) => Ok(self.chain(chain, test.distance.value)),
         }
     }
 
@@ -119,8 +91,8 @@ impl Study for Plan {
     fn set_up(&self, stage: usize, system: System) -> System {
         let stage = &self.stages[stage];
         let mut system = match stage.act {
-            Act::Approach { diameters, from } => self.pair(diameters, 0, from),
-            Act::Press { diameters, .. } => System { time: system.time, ..self.pair(diameters, 1, 0.0) },
+            Act::Approach { diameters, from } => pair(&self.titania, diameters, 0, from),
+            Act::Press { diameters, .. } => System { time: system.time, ..pair(&self.titania, diameters, 1, 0.0) },
             _ => system,
         };
         stage.drive(&mut system);

@@ -1,8 +1,7 @@
 //! What is done in a stage.
 
+use crate::build::pair::drag;
 use crate::case::{Approach, Dragging, Stretching};
-use crate::spec::Vec3;
-use crate::spec::titania::eq02_torque::moment_arm;
 use crate::system::{Motion, System};
 
 /// A stage.
@@ -97,14 +96,8 @@ impl Stage {
         system.remove_walls();
         match self.act {
             Act::Approach { .. } => {}
-            Act::Press { load, .. } => on_slab(system, [0.0, load], 0.0),
-            Act::Drag { velocity, load, rolls } => {
-                let (particle, slab) = (system.place(0), system.place(1));
-                let p = &system.particles;
-                let distance = (p.x[particle] - p.x[slab]).norm();
-                let arm = moment_arm(p.radius[particle], p.radius[slab], distance);
-                on_slab(system, [velocity, load], if rolls { -velocity / arm } else { 0.0 });
-            }
+            Act::Press { load, .. } => drag(system, 0.0, load, false),
+            Act::Drag { velocity, load, rolls } => drag(system, velocity, load, rolls),
             Act::Relax { particles } => ends(system, particles, HELD),
             Act::Pull { particles, stiffness, velocity } => {
                 let held = Motion::Steered { stiffness, velocity: 0.0 };
@@ -112,17 +105,6 @@ impl Stage {
             }
         }
     }
-}
-
-/// Holds the slab, the second particle, and moves the first along x under a load along y, turning about z.
-fn on_slab(system: &mut System, [velocity, load]: [f64; 2], spin: f64) {
-    system.add_wall(HELD, |p, i| p.id[i] == 1);
-    let driven = [Motion::Velocity(velocity), Motion::Load(-load), Motion::Velocity(0.0)];
-    system.add_wall(driven, |p, i| p.id[i] == 0);
-    let spin = Vec3::new(0.0, 0.0, spin);
-    let particle = system.place(0);
-    system.walls[1].spin = spin;
-    system.particles.w[particle] = spin;
 }
 
 /// Holds the first two particles of a chain and drives the last two.
