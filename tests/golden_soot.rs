@@ -134,7 +134,7 @@ fn a_kicked_neck_follows_the_planar_motion() {
         let what = run["name"].as_str().unwrap();
         let (none, kick) = (Vec3::zero(), Vec3::new(0.0, number(&run["kick"]), 0.0));
         let mut pair = Pair::new(&run, true, [none, kick], [none, none]);
-        pair.follow(&samples(&run), 1e-4, |pair, sample| {
+        pair.follow(&samples(&run), 2e-5, |pair, sample| {
             let n = pair.distance() * (1.0 / pair.distance().norm());
             let side = Vec3::new(-n.0[1], n.0[0], 0.0);
             let now = [
@@ -147,8 +147,8 @@ fn a_kicked_neck_follows_the_planar_motion() {
                 pair.memory.tangential.dot(side),
                 pair.memory.rolling.dot(side),
             ];
-            // second order in the step without dashpots, first order with them
-            let tolerance = if pair.springs.eta_t > 0.0 { 1e-4 } else { 1e-6 };
+            // the first step stretches the springs by a step of the kick, which stays
+            let tolerance = 5e-6;
             for (k, (now, expected)) in now.into_iter().zip(&sample[1..]).enumerate() {
                 assert_near(now, *expected, tolerance, &format!("{what} column {} at {}", k + 1, sample[0]));
             }

@@ -197,7 +197,8 @@ mod laws {
             ball.run(0.5 * until_it_rolls, 1e-4);
             prop_assert!((ball.v.0[0] - (speed - 0.5 * mu * until_it_rolls)).abs() < 2e-3);
             ball.run(until_it_rolls, 1e-4);
-            prop_assert!((ball.v.0[0] / speed - 5.0 / 7.0).abs() < 3e-3 && (ball.omega.0[1] / ball.v.0[0] - 1.0).abs() < 3e-3);
+            // What is left is the swing of the tangential spring.
+            prop_assert!((ball.v.0[0] / speed - 5.0 / 7.0).abs() < 1e-2 && (ball.omega.0[1] / ball.v.0[0] - 1.0).abs() < 1e-2);
         }
 
         #[test]

@@ -76,8 +76,8 @@ impl PairModel for Soot {
         Coefficients { bonded: R::zero() }
     }
 
-    fn joined<R: Real>(&self, constants: Coefficients<R>) -> Coefficients<R> {
-        Coefficients { bonded: R::one(), ..constants }
+    fn joined<R: Real>(&self, _: Coefficients<R>) -> Coefficients<R> {
+        Coefficients { bonded: R::one() }
     }
 
     /// Two spheres at one instant: advances their springs by `dt` and says what they do. A neck acts at any distance; all else ends at the cutoff.

@@ -11,6 +11,7 @@ use crate::spec::soot::eq24_fractal::gyration_radius;
 use crate::spec::wear::def_sphere::sphere_mass;
 use crate::spec::{PairModel, soot};
 use serde_yaml::{Mapping, Value};
+use std::path::PathBuf;
 
 /// A quantity that is written in this file, not by a user.
 pub(super) fn quantity<K: super::quantity::Kind>(text: &str) -> Quantity<K> {
@@ -110,10 +111,41 @@ section! {
         fractal_dimension: f64 = 1.8,
         /// Fractal prefactor k_f.
         prefactor: f64 = 1.4,
+        /// Geometric standard deviation of the radii, whose median is r; 1 for equal spheres.
+        deviation: f64 = 1.0,
+        /// In which order the spheres come together.
+        growth: Growth = Growth::Clusters,
+        /// Reads the spheres from a file instead of growing them: the keys above then only give what the file lacks.
+        import: Option<Import> = None,
         /// Part of the contacts that are necks; which ones is drawn from the seed.
         neck_fraction: f64 = 0.5,
-        /// Largest gap that a neck bridges.
-        neck_distance: Quantity<Length> = quantity("1 nm"),
+        /// Largest gap that a neck bridges: enough for rounding. A neck across a real gap, whose springs are relaxed at contact, would begin
+        /// stretched.
+        neck_distance: Quantity<Length> = quantity("0.01 nm"),
+    }
+}
+
+words! {
+    /// In which order the spheres of an aggregate come together.
+    pub enum Growth {
+        /// Clusters of like size are joined.
+        Clusters = "clusters",
+        /// One sphere after the other: the way to compact aggregates.
+        Spheres = "spheres",
+    }
+}
+
+section! {
+    /// An aggregate from FLAGE, MSTM, FracVAL, PyFracVAL, soot-dem (VTK), LAMMPS, or an XYZ file.
+    pub struct Import {
+        /// The file.
+        file: PathBuf,
+        /// Its unit of length, where it has none of its own.
+        unit: Option<Quantity<Length>> = None,
+        /// The radius of all spheres, where it has none.
+        radius: Option<Quantity<Length>> = None,
+        /// Accepts spheres that do not hang together.
+        disconnected: bool = false,
     }
 }
 

@@ -5,6 +5,7 @@ mod completions;
 mod eq;
 #[cfg(feature = "verify")]
 mod golden;
+mod import;
 mod inspect;
 mod progress;
 mod reproduce;
@@ -49,6 +50,8 @@ enum Command {
     Sweep(sweep::Arguments),
     /// Compute a paper's claims
     Reproduce(reproduce::Arguments),
+    /// Read an aggregate from another program's file and describe it
+    Import(import::Arguments),
     /// Summarise a run, or compare two
     Inspect(inspect::Arguments),
     /// List, show and evaluate the equations
@@ -98,6 +101,7 @@ pub fn main() -> ExitCode {
         Command::Check(arguments) => check::run(&arguments, manner),
         Command::Reproduce(arguments) => reproduce::run(&arguments, manner),
         Command::Sweep(arguments) => sweep::run(&arguments, manner, command_line.threads),
+        Command::Import(arguments) => import::run(&arguments, manner),
         Command::Inspect(arguments) => inspect::run(&arguments, manner),
         Command::Eq(arguments) => eq::run(&arguments, manner),
         #[cfg(feature = "verify")]

@@ -2,7 +2,7 @@
 
 use super::progress::Progress;
 use super::{Manner, print};
-use crate::case::{Amorphous, Case, Sample};
+use crate::case::{Aggregate, Amorphous, Case, Sample};
 use crate::error::Error;
 use crate::output::{Finding, Manifest, RunFolder, sha256_file, write_atomically};
 use crate::run::{Control, Glance, Prepared};
@@ -55,7 +55,12 @@ pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
     let stem = || arguments.case.file_stem().unwrap_or_default().to_string_lossy().to_string();
     let root = arguments.out.join(arguments.name.clone().unwrap_or_else(stem));
     let mut inputs = BTreeMap::from([(arguments.case.display().to_string(), sha256_file(&arguments.case)?)]);
-    if let Sample::Amorphous(Amorphous { load: Some(sample), .. }) = &case.sample {
+    let read = match &case.sample {
+        Sample::Amorphous(Amorphous { load, .. }) => load.as_ref(),
+        Sample::Aggregate(Aggregate { import, .. }) => import.as_ref().map(|import| &import.file),
+        Sample::Hcp(_) => None,
+    };
+    if let Some(sample) = read {
         std::fs::metadata(sample).map_err(|cause| Error::NoInput(sample.clone(), cause))?;
         inputs.insert(sample.display().to_string(), sha256_file(sample)?);
     }

@@ -202,7 +202,7 @@ fn lay<M: PairModel>(
     };
     for row in in_rows(&near).into_iter().chain(in_rows(&far)) {
         let mut places = [[NOWHERE; LANES], [0; LANES]];
-        let mut coefficients = Vec::with_capacity(LANES);
+        let (mut coefficients, mut filler) = (Vec::with_capacity(LANES), None);
         let mut memory = Vec::with_capacity(LANES);
         for (lane, pair) in row.iter().enumerate() {
             let mut ends =
@@ -216,16 +216,17 @@ fn lay<M: PairModel>(
             places[1][lane] = j as u16;
             let (r, m) = (&particles.radius, &particles.mass);
             let constants = model.coefficients(r[p], r[q], m[p], m[q]);
+            filler.get_or_insert(constants);
             let joined = necks.binary_search(&(key.0, key.1)).is_ok();
             coefficients.push(if joined { model.joined(constants) } else { constants });
             memory.push(springs.of(key));
         }
         laid.i.push(places[0]);
         laid.j.push(places[1]);
-        // Lanes without a pair repeat the first one's constants; their partner is nowhere.
-        let constants: M::Coefficients<Lanes<LANES>> = Flat::from_fn(|k| {
-            Lanes(std::array::from_fn(|lane| *coefficients.get(lane).unwrap_or(&coefficients[0]).at(k)))
-        });
+        // Lanes without a pair have the constants of the first, but no neck, which would act at any distance: their partner is nowhere.
+        let filler = filler.expect("a row has a pair");
+        let constants: M::Coefficients<Lanes<LANES>> =
+            Flat::from_fn(|k| Lanes(std::array::from_fn(|lane| *coefficients.get(lane).unwrap_or(&filler).at(k))));
         let same = |last: &M::Coefficients<_>| (0..M::Coefficients::<f64>::LEN).all(|k| last.at(k) == constants.at(k));
         if !laid.coefficients.last().is_some_and(same) {
             laid.coefficients.push(constants);

@@ -10,11 +10,17 @@ impl Clusters {
     pub fn new(n: usize, links: impl IntoIterator<Item = (usize, usize)>) -> Self {
         let mut clusters = Self { parent: (0..n as u32).collect() };
         for (i, j) in links {
-            let (a, b) = (clusters.root(i), clusters.root(j));
-            // The smaller root wins, so that the result does not depend on the order of the links.
-            clusters.parent[a.max(b)] = a.min(b) as u32;
+            clusters.join(i, j);
         }
         clusters
+    }
+
+    /// Links two things; false if they hung together before.
+    pub fn join(&mut self, i: usize, j: usize) -> bool {
+        let (a, b) = (self.root(i), self.root(j));
+        // The smaller root wins, so that the result does not depend on the order of the links.
+        self.parent[a.max(b)] = a.min(b) as u32;
+        a != b
     }
 
     /// The smallest member of the cluster of `i`: its name.
@@ -25,6 +31,11 @@ impl Clusters {
             i = self.parent[i] as usize;
         }
         i
+    }
+
+    /// How many clusters there are.
+    pub fn count(&mut self) -> usize {
+        (0..self.parent.len()).filter(|&i| self.root(i) == i).count()
     }
 
     /// The members of the largest cluster among the things that `counts`; of equals the one with the smallest member.

@@ -2,6 +2,7 @@
 
 pub mod clusters;
 pub mod fate;
+pub mod hull;
 pub mod morphology;
 pub mod packing;
 pub mod patch;

@@ -14,7 +14,7 @@ pub fn picture(folder: &RunFolder, name: &str, system: &System, height: f64) -> 
 }
 
 /// The curves that a reader asks for first: name, stage, axes.
-const CURVES: [(&str, &str, &str, &str); 13] = [
+const CURVES: [(&str, &str, &str, &str); 16] = [
     ("friction", "shearing", "slid [nm]", "friction [pN]"),
     ("separation", "shearing", "slid [nm]", "separation [nm]"),
     ("turns", "shearing", "slid [nm]", "third body turns"),
@@ -22,6 +22,9 @@ const CURVES: [(&str, &str, &str, &str); 13] = [
     ("tension", "tension", "normal strain", "normal stress [MPa]"),
     ("shear", "shear", "shear strain", "shear stress [MPa]"),
     ("relaxation", "cohesion", "step", "volume fraction"),
+    ("coordination", "restructuring", "time [ns]", "coordination number"),
+    ("convexity", "restructuring", "time [ns]", "convexity"),
+    ("gyration", "restructuring", "time [ns]", "gyration radius [nm]"),
     ("approach", "approach", "time [ns]", "distance [nm]"),
     ("sliding friction", "sliding", "moved [nm]", "friction [pN]"),
     ("rolling resistance", "rolling", "moved [nm]", "rolling resistance [pN]"),

@@ -1,12 +1,14 @@
 //! The stages of a case of the soot paper: an aggregate collapses under its coating.
 
 use super::Study;
-use crate::build::aggregate::{self, Recipe, keep_fraction, necks};
+use crate::build::aggregate::necks::{keep_fraction, necks};
+use crate::build::aggregate::{Method, Radii, Recipe, Sphere, aggregate, import};
 use crate::build::protocol::Progress;
-use crate::case::{Aggregate, Case, Restructuring, Soot};
+use crate::case::quantity::{Length, Quantity};
+use crate::case::{Aggregate, Case, Growth, Import, Restructuring, Soot};
 use crate::error::Error;
 use crate::forces::Instructions;
-use crate::observe::morphology::{convexity, coordination_number, gyration_radius};
+use crate::observe::morphology::{Extent, centre_of_mass, convexity, coordination_number, gyration_radius};
 use crate::output::{Cell, Finding};
 use crate::simulation::{Settings, Simulation};
 use crate::spec::Vec3;
@@ -35,6 +37,44 @@ impl Plan {
     }
 }
 
+impl Plan {
+    /// The spheres of the sample, about their centre of mass.
+    fn spheres(&self) -> Result<Vec<Sphere>, Error> {
+        let sample = &self.sample;
+        if let Some(Import { file, unit, radius, disconnected }) = &sample.import {
+            let length = |quantity: &Option<Quantity<Length>>| quantity.as_ref().map(|length| length.value);
+            let (unit, radius, disconnected) = (length(unit), length(radius), *disconnected);
+            let options = import::Options { format: None, unit, radius, disconnected };
+            return Ok(centred(import::read(file, &options)?.spheres));
+        }
+        let median = sample.radius.value;
+        let recipe = Recipe {
+            number: sample.spheres as usize,
+            d_f: sample.fractal_dimension,
+            k_f: sample.prefactor,
+            radii: if sample.deviation == 1.0 {
+                Radii::Equal(median)
+            } else {
+                Radii::LogNormal { median, deviation: sample.deviation }
+            },
+            method: match sample.growth {
+                Growth::Clusters => Method::Clusters,
+                Growth::Spheres => Method::Spheres,
+            },
+        };
+        aggregate(&recipe, self.seed).map_err(|failure| Error::Usage(failure.to_string()))
+    }
+}
+
+/// The same spheres with their centre of mass at the origin.
+fn centred(mut spheres: Vec<Sphere>) -> Vec<Sphere> {
+    let centre = centre_of_mass(&spheres);
+    for sphere in &mut spheres {
+        sphere.centre = sphere.centre - centre;
+    }
+    spheres
+}
+
 const COLUMNS: [&str; 3] = ["coordination number", "convexity", "gyration radius [nm]"];
 
 /// What of an aggregate's shape is followed: coordination number, convexity, gyration radius.
@@ -42,7 +82,8 @@ type Shape = [f64; 3];
 
 fn shape(system: &System) -> Shape {
     let Particles { x, radius, .. } = &system.particles;
-    [coordination_number(x, radius), convexity(x, radius), gyration_radius(x, radius)]
+    let spheres: Vec<Sphere> = x.iter().zip(radius).map(|(&centre, &radius)| Sphere { centre, radius }).collect();
+    [coordination_number(&spheres), convexity(&spheres).value, gyration_radius(&spheres, Extent::Centres)]
 }
 
 impl Study for Plan {
@@ -54,18 +95,17 @@ impl Study for Plan {
     }
 
     fn initial(&self) -> Result<System, Error> {
-        let Aggregate { spheres, radius, fractal_dimension, prefactor, neck_fraction, neck_distance } = &self.sample;
-        let recipe = Recipe { n: *spheres as usize, radius: radius.value, d_f: *fractal_dimension, k_f: *prefactor };
-        let built = aggregate::aggregate(&recipe, self.seed)?;
-        let joined = necks(&built, neck_distance.value, true);
+        let spheres = self.spheres()?;
+        let joined = necks(&spheres, self.sample.neck_distance.value, true);
+        let kept = keep_fraction(&joined, self.sample.neck_fraction, self.seed);
         let mut particles = Particles::default();
-        let reach = built.iter().map(|sphere| sphere.x.norm() + sphere.r).fold(0.0, f64::max);
-        for sphere in &built {
-            let mass = sphere_mass(self.soot.density.value, sphere.r);
-            particles.push(sphere.x + Vec3([reach; 3]), sphere.r, mass, 0);
+        let reach = spheres.iter().map(|sphere| sphere.centre.norm() + sphere.radius).fold(0.0, f64::max);
+        for &Sphere { centre, radius } in &spheres {
+            particles.push(centre + Vec3([reach; 3]), radius, sphere_mass(self.soot.density.value, radius), 0);
         }
         let domain = Domain { sides: [2.0 * reach; 3], periodic: [false; 3] };
-        Ok(System { necks: keep_fraction(&joined, *neck_fraction, self.seed), ..System::new(particles, domain) })
+        let necks = kept.into_iter().map(|(i, j)| (i as u32, j as u32)).collect();
+        Ok(System { necks, ..System::new(particles, domain) })
     }
 
     fn starts_from_sample(&self, _: usize) -> bool {

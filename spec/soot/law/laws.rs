@@ -227,8 +227,9 @@ fn a_neck_is_stable_below_the_critical_time_step_and_not_above() {
                 [Vec3::new(2e-9, 3e-9, 1e-9), Vec3::zero()],
             );
             (0..400).for_each(|_| pair.step(dt));
-            pair.energy() > 1e-14
+            pair.energy().is_nan() || pair.energy() > 1e-14
         };
-        assert!(!grows(0.98 * limit) && grows(1.02 * limit));
+        assert!(!grows(0.98 * limit), "{springs:?}");
+        assert!(grows(1.02 * limit), "{springs:?}");
     }
 }

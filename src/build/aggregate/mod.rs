@@ -1,51 +1,192 @@
-//! interim
-use crate::error::Error;
-use crate::spec::Vec3;
-/// s
+//! Aggregates of touching spheres: grown by the fractal law (Eq. 24 of the soot paper) or imported, and the necks between them.
+//!
+//! An aggregate is grown by joining two clusters at a time. The law gives the gyration radius of what comes out, hence the
+//! distance of the two centres of mass; the clusters are then turned until they touch at one point and overlap nowhere.
+//! Who is joined to whom is all that tells the two methods apart.
+//!
+//! Choices for unequal spheres: one density, so that mass goes with the cube of the radius; `R_g` is that of the centres,
+//! weighted by mass, without the spheres' own extent; `r` is the geometric mean of the radii joined so far.
+
+mod cluster;
+pub mod import;
+mod join;
+pub mod necks;
+
+use super::random::Stream;
+use crate::spec::soot::eq24_fractal::gyration_radius;
+use crate::spec::{Real, Vec3};
+use cluster::Cluster;
+use join::join;
+use std::fmt;
+
+/// A primary particle.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sphere {
-    /// x
-    pub x: Vec3<f64>,
-    /// r
-    pub r: f64,
-}
-/// r
-pub struct Recipe {
-    /// n
-    pub n: usize,
-    /// r
+    /// Centre, nm.
+    pub centre: Vec3<f64>,
+    /// Radius, nm.
     pub radius: f64,
-    /// d
-    pub d_f: f64,
-    /// k
-    pub k_f: f64,
 }
-/// a
-pub fn aggregate(recipe: &Recipe, _seed: u64) -> Result<Vec<Sphere>, Error> {
-    // a staircase
-    let mut x = Vec3::zero();
-    Ok((0..recipe.n)
-        .map(|i| {
-            let at = x;
-            let mut step = [0.0; 3];
-            step[i % 3] = 2.0 * recipe.radius;
-            x = x + Vec3(step);
-            Sphere { x: at, r: recipe.radius }
-        })
-        .collect())
+
+impl Sphere {
+    /// Distance of the surfaces of two spheres, nm.
+    pub fn gap(&self, other: &Self) -> f64 {
+        crate::spec::soot::eq03_geometry::gap(self.centre, other.centre, self.radius, other.radius)
+    }
 }
-/// n
-pub fn necks(s: &[Sphere], d: f64, _: bool) -> Vec<(u32, u32)> {
-    let mut out = vec![];
-    for i in 0..s.len() {
-        for j in i + 1..s.len() {
-            if (s[i].x - s[j].x).norm() - s[i].r - s[j].r < d {
-                out.push((i as u32, j as u32));
-            }
+
+/// How large the spheres are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Radii {
+    /// All alike, nm.
+    Equal(f64),
+    /// Log-normal, cut off at two standard deviations of the logarithm.
+    LogNormal {
+        /// Median, which is also the geometric mean, nm.
+        median: f64,
+        /// Geometric standard deviation, at least 1.
+        deviation: f64,
+    },
+}
+
+impl Radii {
+    fn draw(self, stream: &mut Stream) -> f64 {
+        match self {
+            Self::Equal(radius) => radius,
+            Self::LogNormal { median, deviation } => loop {
+                let z = stream.normal();
+                if z.abs() <= 2.0 {
+                    return median * Real::exp(z * Real::ln(deviation));
+                }
+            },
         }
     }
-    out
+
+    fn are_valid(self) -> bool {
+        let (size, deviation) = match self {
+            Self::Equal(radius) => (radius, 1.0),
+            Self::LogNormal { median, deviation } => (median, deviation),
+        };
+        size > 0.0 && size.is_finite() && deviation >= 1.0 && deviation.is_finite()
+    }
 }
-/// k
-pub fn keep_fraction(n: &[(u32, u32)], f: f64, _: u64) -> Vec<(u32, u32)> {
-    n[..(n.len() as f64 * f) as usize].to_vec()
+
+/// In which order the spheres come together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// Halves of halves: clusters of like size are joined.
+    Clusters,
+    /// One sphere after the other; the way to compact aggregates. The work grows with the square of the number.
+    Spheres,
 }
+
+/// What to grow.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Recipe {
+    /// Number of spheres.
+    pub number: usize,
+    /// Fractal dimension.
+    pub d_f: f64,
+    /// Prefactor of the fractal law.
+    pub k_f: f64,
+    /// Sizes of the spheres.
+    pub radii: Radii,
+    /// Order of joining.
+    pub method: Method,
+}
+
+/// Why a recipe cannot be grown.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Failure {
+    /// A number in it is out of its range.
+    Recipe,
+    /// No arrangement was found that meets the law.
+    Unmet {
+        /// Number of spheres.
+        number: usize,
+        /// The gyration radius of the law, nm.
+        wanted: f64,
+        /// The nearest that was reached, nm.
+        reached: f64,
+    },
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Recipe => f.write_str(
+                "expected at least one sphere, a radius, a prefactor and a dimension above 0 and a geometric standard deviation of at least 1",
+            ),
+            Self::Unmet { number, wanted, reached } => write!(
+                f,
+                "no aggregate of {number} spheres with a gyration radius of {wanted:.6} nm was found, the nearest has {reached:.6} nm; \
+                 compact aggregates are easier grown one sphere after the other"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for Failure {}
+
+/// How often a whole aggregate is begun anew before the recipe is given up.
+const BEGINNINGS: usize = 20;
+
+/// Largest relative error of the gyration radius that is rounding.
+const ROUNDING: f64 = 1e-12;
+
+/// Grows an aggregate about its centre of mass. All its contacts touch to rounding, there are `number - 1` of them, nothing
+/// overlaps, and from three spheres on the fractal law is met to rounding. Clusters on the way meet it too, except
+/// where no arrangement of so few spheres does: these come as near as they can.
+pub fn aggregate(recipe: &Recipe, seed: u64) -> Result<Vec<Sphere>, Failure> {
+    let positive = |value: f64| value > 0.0 && value.is_finite();
+    if recipe.number == 0 || !positive(recipe.d_f) || !positive(recipe.k_f) || !recipe.radii.are_valid() {
+        return Err(Failure::Recipe);
+    }
+    let (mut sizes, mut places) = (Stream::new(seed, "aggregate radii"), Stream::new(seed, "aggregate places"));
+    let mut radii: Vec<f64> = (0..recipe.number).map(|_| recipe.radii.draw(&mut sizes)).collect();
+    let mut best: Option<Failure> = None;
+    for _ in 0..BEGINNINGS {
+        // Another order may do what this one cannot: the last sphere may be too small or too large to meet the law.
+        for k in (1..radii.len()).rev() {
+            radii.swap(k, (places.uniform() * (k + 1) as f64) as usize);
+        }
+        let grown = grow(recipe, &radii, &mut places);
+        let wanted = recipe.gyration_radius(recipe.number, grown.logarithms);
+        let reached = grown.square.sqrt();
+        if recipe.number < 3 || (reached / wanted - 1.0).abs() < ROUNDING {
+            return Ok(grown.spheres);
+        }
+        let nearer = |failure: &Failure| match *failure {
+            Failure::Unmet { reached: before, .. } => (reached - wanted).abs() < (before - wanted).abs(),
+            Failure::Recipe => true,
+        };
+        if best.as_ref().is_none_or(nearer) {
+            best = Some(Failure::Unmet { number: recipe.number, wanted, reached });
+        }
+    }
+    Err(best.expect("it was begun at least once"))
+}
+
+fn grow(recipe: &Recipe, radii: &[f64], stream: &mut Stream) -> Cluster {
+    match recipe.method {
+        Method::Spheres => radii[1..].iter().fold(Cluster::single(radii[0]), |grown, &radius| {
+            join(&Cluster::single(radius), &grown, |n, logarithms| recipe.gyration_radius(n, logarithms), stream)
+        }),
+        Method::Clusters if radii.len() == 1 => Cluster::single(radii[0]),
+        Method::Clusters => {
+            let (left, right) = radii.split_at(radii.len() / 2);
+            let (left, right) = (grow(recipe, left, stream), grow(recipe, right, stream));
+            join(&left, &right, |n, logarithms| recipe.gyration_radius(n, logarithms), stream)
+        }
+    }
+}
+
+impl Recipe {
+    /// The gyration radius that the law demands of `n` spheres, given the sum of the logarithms of their radii.
+    fn gyration_radius(&self, n: usize, logarithms: f64) -> f64 {
+        gyration_radius(self.k_f, n as f64, Real::exp(logarithms / n as f64), self.d_f)
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -22,6 +22,8 @@ pub fn problems(case: &Case, found: &mut Found) {
     let dimension = sample.fractal_dimension;
     expect(found, (1.0..=3.0).contains(&dimension), &at("fractal_dimension"), decimal(dimension), "1 to 3");
     expect(found, sample.prefactor > 0.0, &at("prefactor"), decimal(sample.prefactor), "more than zero");
+    let deviation = sample.deviation;
+    expect(found, deviation >= 1.0 && deviation.is_finite(), &at("deviation"), decimal(deviation), "at least 1");
     let fraction = sample.neck_fraction;
     expect(found, (0.0..=1.0).contains(&fraction), &at("neck_fraction"), decimal(fraction), "0 to 1");
     let distance = &sample.neck_distance;

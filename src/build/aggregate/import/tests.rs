@@ -1,0 +1,122 @@
+use super::*;
+use crate::build::aggregate::{Method, Radii, Recipe, aggregate};
+use quickcheck::quickcheck;
+use std::path::PathBuf;
+
+fn file(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/aggregates").join(name)
+}
+
+const UNIT: Options = Options { format: None, unit: Some(1.0), radius: None, disconnected: false };
+const RADIUS: Options = Options { format: None, unit: None, radius: Some(14.0), disconnected: false };
+const BOTH: Options = Options { format: None, unit: Some(1.0), radius: Some(14.0), disconnected: false };
+const NEITHER: Options = Options { format: None, unit: None, radius: None, disconnected: false };
+
+#[test]
+fn three_spheres_are_the_same_in_every_format() {
+    let expected: Vec<Sphere> =
+        [[-28.0, 0.0, 0.0], [0.0; 3], [0.0, 28.0, 0.0]].map(|x| Sphere { centre: Vec3(x), radius: 14.0 }).to_vec();
+    for (name, format, options) in [
+        ("flage.xml", Format::Flage, RADIUS),
+        ("mstm.txt", Format::Mstm, RADIUS),
+        ("fracval.dat", Format::FracVal, UNIT),
+        ("pyfracval.dat", Format::PyFracVal, UNIT),
+        ("soot_dem.vtk", Format::Vtk, RADIUS),
+        ("lammps.data", Format::Lammps, UNIT),
+        ("plain.xyz", Format::Xyz, BOTH),
+        ("extended.xyz", Format::Xyz, UNIT),
+    ] {
+        let found = read(&file(name), &options).unwrap();
+        assert_eq!((found.format, &found.spheres), (format, &expected), "{name}");
+        let Report { number, smallest_gap, overlaps, components, d_f, .. } = found.report;
+        assert_eq!((number, smallest_gap, overlaps, components, d_f), (3, Some(0.0), 0, 1, None));
+        let trouble = read(&file(name), &NEITHER).unwrap_err().to_string();
+        let key = if found.format == Format::Flage || found.format == Format::Vtk { "radius" } else { "unit" };
+        assert!(trouble.contains(&format!(" {key}: is missing, expected the ")), "{name}: {trouble}");
+    }
+}
+
+#[test]
+fn a_unit_replaces_the_radius_where_the_file_has_radii() {
+    let metres = Options { unit: Some(14.0), ..NEITHER };
+    assert_eq!(read(&file("mstm.txt"), &metres).unwrap().spheres, read(&file("mstm.txt"), &RADIUS).unwrap().spheres);
+    assert!(read(&file("mstm.txt"), &BOTH).unwrap_err().to_string().contains("expected one of them"));
+}
+
+#[test]
+fn necks_are_read_from_the_places_in_a_matrix() {
+    assert_eq!(read_necks(&file("soot_dem_necks.vtk"), 3).unwrap(), [(0, 1), (1, 2)]);
+    let trouble = read_necks(&file("soot_dem_necks.vtk"), 2).unwrap_err().to_string();
+    assert!(trouble.contains("necks.vtk:15: found `3`, expected i * 2 + j"), "{trouble}");
+}
+
+#[test]
+fn errors_name_file_line_and_what_was_expected() {
+    for (text, expected) in [
+        ("", "found nothing"),
+        ("1 0 0 0\n1 0 2\n", ":2: found 3 columns, expected 4"),
+        ("1 0 0 0\n1 0 2 x\n", ":2: found `x`, expected a number"),
+        ("3\n\nC 0 0 0\nC 0 0 2\n", ":5: found 2 spheres, expected 3"),
+        ("1\n\nC 0 0\n", ":3: found 3 columns, expected at least 4"),
+        (
+            "<geometry_complex>\n<particle><position>1, 2</position></particle></geometry_complex>",
+            ":2: found 2 numbers, expected the 3",
+        ),
+        ("<a>\n</b>", ":2: is not well-formed XML"),
+        (
+            "# vtk DataFile Version 4.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 2 FLOAT\n0 0 0 1",
+            ":6: the file ends here, expected coordinates of 2 points",
+        ),
+        ("# vtk DataFile Version 4.0\nt\nBINARY\n", ":3: found `BINARY`"),
+        ("2 atoms\n\nAtoms # sphere\n\n1 1 1 1 0 0 0\n", ":1: found `2 atoms` and 1 rows"),
+        ("1 atoms\n\nAtoms # full\n", ":3: found `Atoms # full`"),
+        ("3 40 0 5\n1 2 9 6\n", "format: is missing, expected `mstm`"),
+    ] {
+        let trouble = parse(Path::new("a.txt"), text, &BOTH).unwrap_err().to_string();
+        assert!(trouble.starts_with("a.txt:") && trouble.contains(expected), "{text}: {trouble}");
+    }
+}
+
+#[test]
+fn parts_that_do_not_touch_are_refused_unless_asked_for() {
+    let text = "2\n\nC 0 0 0\nC 0 0 30\n";
+    let trouble = parse(Path::new("a.xyz"), text, &BOTH).unwrap_err().to_string();
+    assert!(trouble.contains("found 2 parts that do not touch"), "{trouble}");
+    let found = parse(Path::new("a.xyz"), text, &Options { disconnected: true, ..BOTH }).unwrap();
+    assert_eq!((found.report.components, found.report.smallest_gap), (2, Some(2.0)));
+}
+
+#[test]
+fn the_report_estimates_the_dimension_of_a_chain_and_of_an_aggregate() {
+    let chain: Vec<Sphere> =
+        (0..300).map(|k| Sphere { centre: Vec3([f64::from(k) * 2.0, 0.0, 0.0]), radius: 1.0 }).collect();
+    let d_f = Report::of(&chain, 1).d_f.unwrap();
+    assert!((d_f - 1.0).abs() < 0.1, "{d_f}");
+    let recipe = Recipe { number: 600, d_f: 1.8, k_f: 1.4, radii: Radii::Equal(1.0), method: Method::Clusters };
+    let d_f = Report::of(&aggregate(&recipe, 1).unwrap(), 1).d_f.unwrap();
+    assert!((d_f - 1.8).abs() < 0.3, "{d_f}");
+}
+
+quickcheck! {
+    fn what_is_written_is_read_back(seed: u64) -> bool {
+        let radii = Radii::LogNormal { median: 14.0, deviation: 1.3 };
+        let spheres = aggregate(&Recipe { number: 25, d_f: 1.8, k_f: 1.4, radii, method: Method::Clusters }, seed).unwrap();
+        let rows = |row: &dyn Fn(usize, [f64; 3], f64) -> String| -> String {
+            spheres.iter().enumerate().map(|(k, s)| row(k + 1, s.centre.0, s.radius)).collect()
+        };
+        let files = [
+            (Format::Flage, format!("<geometry_complex><data_particle>{}</data_particle></geometry_complex>", rows(&|_, [x, y, z], r| {
+                format!("<particle><position>{x} , {y} , {z}</position><radius>{r}</radius></particle>")
+            }))),
+            (Format::Mstm, rows(&|_, [x, y, z], r| format!("{r} {x} {y} {z}\n"))),
+            (Format::FracVal, rows(&|_, [x, y, z], r| format!("{x:e} {y:e} {z:e} {r:e}\n"))),
+            (Format::PyFracVal, format!("# generation_info:\n{}", rows(&|_, [x, y, z], r| format!("{x:.17e} {y:.17e} {z:.17e} {r:.17e}\n")))),
+            (Format::Lammps, format!("25 atoms\n\nAtoms # bpm/sphere\n\n{}", rows(&|k, [x, y, z], r| format!("{k} 1 1 {} 1.7 {x} {y} {z}\n", 2.0 * r)))),
+            (Format::Xyz, format!("25\n\n{}", rows(&|_, [x, y, z], r| format!("C {x} {y} {z} {r}\n")))),
+        ];
+        files.iter().all(|(format, text)| {
+            let found = parse(Path::new("a"), text, &UNIT).unwrap();
+            found.format == *format && found.spheres == spheres
+        })
+    }
+}

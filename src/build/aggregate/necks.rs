@@ -1,0 +1,83 @@
+//! Which spheres of an aggregate are joined by necks.
+
+use super::Sphere;
+use crate::build::random::Stream;
+use crate::observe::clusters::Clusters;
+use crate::observe::morphology::pairs_within;
+
+/// A neck between the `i`-th and the `j`-th sphere, `i < j`.
+pub type Neck = (usize, usize);
+
+/// The pairs of spheres whose surfaces are less than `d_crit` (nm) apart or overlap by less, in ascending order. If `acyclic`,
+/// a neck between spheres that earlier necks already hang together by is left out: the necks then form a forest.
+pub fn necks(spheres: &[Sphere], d_crit: f64, acyclic: bool) -> Vec<Neck> {
+    let near = |i: usize, j: usize| spheres[i].gap(&spheres[j]).abs() < d_crit;
+    let mut all: Vec<Neck> =
+        pairs_within(spheres, |s, t| s + t + d_crit).into_iter().filter(|&(i, j)| near(i, j)).collect();
+    if acyclic {
+        let mut trees = Clusters::new(spheres.len(), []);
+        all.retain(|&(i, j)| trees.join(i, j));
+    }
+    all
+}
+
+/// `floor(n * fraction)` of the `n` necks, in their order: the others are removed one at a time, each time any one that is left
+/// with the same probability.
+pub fn keep_fraction(necks: &[Neck], fraction: f64, seed: u64) -> Vec<Neck> {
+    let mut stream = Stream::new(seed, "neck removal");
+    let mut left = necks.to_vec();
+    let kept = (necks.len() as f64 * fraction.clamp(0.0, 1.0)).floor() as usize;
+    while left.len() > kept {
+        left.remove((stream.uniform() * left.len() as f64) as usize);
+    }
+    left
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spec::Vec3;
+    use quickcheck::quickcheck;
+
+    fn at(places: &[[f64; 3]]) -> Vec<Sphere> {
+        places.iter().map(|&x| Sphere { centre: Vec3(x), radius: 1.0 }).collect()
+    }
+
+    #[test]
+    fn a_neck_that_would_close_a_cycle_is_left_out_by_order_of_the_indices() {
+        let triangle = at(&[[0.0; 3], [2.0, 0.0, 0.0], [1.0, 3f64.sqrt(), 0.0], [-2.1, 0.0, 0.0]]);
+        assert_eq!(necks(&triangle, 0.05, false), [(0, 1), (0, 2), (1, 2)]);
+        assert_eq!(necks(&triangle, 0.05, true), [(0, 1), (0, 2)]);
+        assert_eq!(necks(&triangle, 0.2, true), [(0, 1), (0, 2), (0, 3)]);
+    }
+
+    #[test]
+    fn a_deep_overlap_is_no_neck() {
+        assert!(necks(&at(&[[0.0; 3], [1.5, 0.0, 0.0]]), 0.1, false).is_empty());
+    }
+
+    #[test]
+    fn every_neck_is_removed_equally_often() {
+        let all: Vec<Neck> = (0..8).map(|i| (i, i + 1)).collect();
+        let mut kept = [0.0; 8];
+        for seed in 0..4000 {
+            for (i, _) in keep_fraction(&all, 0.5, seed) {
+                kept[i] += 1.0;
+            }
+        }
+        // Five standard deviations of the binomial distribution.
+        assert!(kept.iter().all(|&k: &f64| (k - 2000.0).abs() < 5.0 * 1000f64.sqrt()), "{kept:?}");
+    }
+
+    quickcheck! {
+        fn the_floor_of_the_share_is_kept_in_order_and_repeatably(n: u8, percent: u8, seed: u64) -> bool {
+            let all: Vec<Neck> = (0..usize::from(n)).map(|i| (i, i + 1)).collect();
+            let fraction = f64::from(percent % 101) / 100.0;
+            let kept = keep_fraction(&all, fraction, seed);
+            kept.len() == (f64::from(n) * fraction).floor() as usize
+                && kept.is_sorted()
+                && kept.iter().all(|neck| all.contains(neck))
+                && kept == keep_fraction(&all, fraction, seed)
+        }
+    }
+}

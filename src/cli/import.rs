@@ -1,0 +1,49 @@
+//! `veridem import`: what an aggregate of another program looks like, and its spheres as extended XYZ.
+
+use super::{Manner, print};
+use crate::build::aggregate::import::{Options, read};
+use crate::case::quantity::{Length, Quantity};
+use crate::error::Error;
+use crate::output::{extended_xyz, write_atomically};
+use crate::system::{Domain, Particles, System};
+use std::path::PathBuf;
+
+/// The arguments.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// FLAGE XML, MSTM, FracVAL, PyFracVAL, VTK, LAMMPS data or XYZ; told by its content
+    file: PathBuf,
+    /// Unit of length of the file, such as `1 nm`, where it has none of its own
+    #[arg(long, value_name = "LENGTH")]
+    unit: Option<String>,
+    /// Radius of all spheres, such as `14 nm`, where the file has none
+    #[arg(long, value_name = "LENGTH")]
+    radius: Option<String>,
+    /// Accept spheres that do not hang together
+    #[arg(long)]
+    disconnected: bool,
+    /// Write the spheres here as extended XYZ, in nm
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+}
+
+/// Reads, writes, describes.
+pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
+    let length = |text: &Option<String>| {
+        let parse = |text: &String| Quantity::<Length>::parse(text).map(|length| length.value).map_err(Error::Usage);
+        text.as_ref().map(parse).transpose()
+    };
+    let (unit, radius) = (length(&arguments.unit)?, length(&arguments.radius)?);
+    let options = Options { format: None, unit, radius, disconnected: arguments.disconnected };
+    let imported = read(&arguments.file, &options)?;
+    if let Some(path) = &arguments.out {
+        let mut particles = Particles::default();
+        for sphere in &imported.spheres {
+            particles.push(sphere.centre, sphere.radius, 1.0, 0);
+        }
+        let system = System::new(particles, Domain { sides: [0.0; 3], periodic: [false; 3] });
+        write_atomically(path, extended_xyz(&system, "imported").as_bytes())?;
+        manner.say(format!("written: {}", path.display()));
+    }
+    print(&format!("{:?}\n{}\n", imported.format, imported.report))
+}
