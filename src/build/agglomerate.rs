@@ -47,10 +47,8 @@ fn chain(recipe: &Recipe, stream: &mut Stream) -> Option<Vec<Particle>> {
     let Recipe { particles, smallest, largest, .. } = *recipe;
     let mut diameters = (0..particles).map(|_| smallest + (largest - smallest) * stream.uniform()).collect::<Vec<_>>();
     let rest = diameters.split_off(2);
-    let mut chain = vec![
-        (Vec3::zero(), diameters[0]),
-        (Vec3::new(0.5 * (diameters[0] + diameters[1]), 0.0, 0.0), diameters[1]),
-    ];
+    let mut chain =
+        vec![(Vec3::zero(), diameters[0]), (Vec3::new(0.5 * (diameters[0] + diameters[1]), 0.0, 0.0), diameters[1])];
     for d in rest {
         let [.., before, last] = chain[..] else { unreachable!("a chain begins with two particles") };
         let place = (0..PLACES).map(|_| touching(before, last, d, TAU * stream.uniform()));

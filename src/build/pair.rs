@@ -12,7 +12,8 @@ pub fn pair(titania: &Titania, diameters: [f64; 2], axis: usize, gap: f64) -> Sy
     let mut above = Vec3([0.5 * side; 3]);
     let mut below = above;
     above.0[axis] += 0.5 * first;
-    below.0[axis] = above.0[axis] - titania.law().equilibrium(titania.particle(first).0, titania.particle(second).0) - gap;
+    below.0[axis] =
+        above.0[axis] - titania.law().equilibrium(titania.particle(first).0, titania.particle(second).0) - gap;
     let mut particles = Particles::default();
     for (x, d, tag) in [(above, first, 0), (below, second, 1)] {
         let (radius, mass) = titania.particle(d);

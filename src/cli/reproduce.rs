@@ -41,11 +41,9 @@ impl Paper {
                 "Adhesive wear with a coarse-grained discrete element model: claims and results",
                 &[System::Exact, System::Lattice, System::Amorphous, System::Junction],
             ),
-            Self::Titania => (
-                "titania",
-                "A contact model for water-covered nanoparticles: claims and results",
-                &[System::Contact],
-            ),
+            Self::Titania => {
+                ("titania", "A contact model for water-covered nanoparticles: claims and results", &[System::Contact])
+            }
         }
     }
 }

@@ -47,14 +47,17 @@ fn pull_off(d: f64) -> (f64, f64) {
         let contact = Contact::new(Vec3::new(d + stretch, 0.0, 0.0), none, none, none, r, r);
         -law.pair(&contact, &constants, Flat::from_fn(|_| 0.0), 1e-4).wrench.force.0[0] * 1e-3
     };
-    stretches.map(|stretch| (force(stretch), stretch)).fold((0.0, 0.0), |most, one| if one.0 > most.0 { one } else { most })
+    stretches
+        .map(|stretch| (force(stretch), stretch))
+        .fold((0.0, 0.0), |most, one| if one.0 > most.0 { one } else { most })
 }
 
 fn constants(chapter: &mut Chapter) {
     let sizes: Vec<u32> = (4..=23).collect();
     let table: Vec<f64> = sizes.iter().map(|&d| stiffness(f64::from(d))).collect();
     let (least, most) = table.iter().fold((f64::INFINITY, 0.0f64), |(a, b), &k| (a.min(k), b.max(k)));
-    let listed: Vec<String> = [3.0, 4.0, 8.0, 12.0, 16.0, 20.0, 23.0].map(|d| format!("{d} nm: {:.1}", stiffness(d))).into();
+    let listed: Vec<String> =
+        [3.0, 4.0, 8.0, 12.0, 16.0, 20.0, 23.0].map(|d| format!("{d} nm: {:.1}", stiffness(d))).into();
     chapter.claims.push(Claim::new(
         "Section 2.3",
         "contact stiffness of equal particles of 4 to 23 nm",
@@ -65,7 +68,13 @@ fn constants(chapter: &mut Chapter) {
     for (d, figure) in SIZES.into_iter().zip([24.5, 33.7]) {
         let k_n = stiffness(d);
         let claim = format!("contact stiffness of particles with a radius of {} nm, within a tenth", 0.5 * d);
-        chapter.claims.push(Claim::new("Fig. 6", claim, format!("{figure} GPa"), format!("{k_n:.1} GPa"), near(k_n, figure, 0.1)));
+        chapter.claims.push(Claim::new(
+            "Fig. 6",
+            claim,
+            format!("{figure} GPa"),
+            format!("{k_n:.1} GPa"),
+            near(k_n, figure, 0.1),
+        ));
     }
     for d in SIZES {
         let (force, stretch) = pull_off(d);
@@ -198,7 +207,8 @@ fn sliding(chapter: &mut Chapter) -> Result<(), Halt> {
         "Eq. 10",
         "peak friction is shear strength times contact area",
         "0.65 GPa",
-        loads.iter().map(|run| format!("{:.4}", 0.65 * run.peak / run.strength)).collect::<Vec<_>>().join(", ") + " GPa",
+        loads.iter().map(|run| format!("{:.4}", 0.65 * run.peak / run.strength)).collect::<Vec<_>>().join(", ")
+            + " GPa",
         loads.iter().all(|run| near(run.peak, run.strength, 0.01)),
     ));
     let ratios: Vec<f64> = loads.iter().map(|run| run.peak / run.load).collect();
@@ -206,7 +216,12 @@ fn sliding(chapter: &mut Chapter) -> Result<(), Halt> {
         "Fig. 6",
         "peak friction over load falls with the load: no law of Amontons",
         "falls",
-        loads.iter().zip(&ratios).map(|(run, ratio)| format!("{ratio:.2} at {} nN", run.load * 1e-3)).collect::<Vec<_>>().join(", "),
+        loads
+            .iter()
+            .zip(&ratios)
+            .map(|(run, ratio)| format!("{ratio:.2} at {} nN", run.load * 1e-3))
+            .collect::<Vec<_>>()
+            .join(", "),
         ratios.windows(2).all(|pair| pair[1] < pair[0]) && ratios[0] > 2.0 * ratios[4],
     ));
     let points = loads.iter().map(|run| (run.load * 1e-3, run.peak * 1e-3)).collect();

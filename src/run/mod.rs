@@ -84,7 +84,9 @@ impl<'a> Prepared<'a> {
         match &case.model {
             Model::Wear(_) => Run::new(case, wear::Plan::of(case), folder, manifest, control, show).start(initial),
             Model::Soot(_) => Run::new(case, soot::Plan::of(case), folder, manifest, control, show).start(initial),
-            Model::Titania(_) => Run::new(case, titania::Plan::of(case), folder, manifest, control, show).start(initial),
+            Model::Titania(_) => {
+                Run::new(case, titania::Plan::of(case), folder, manifest, control, show).start(initial)
+            }
         }
     }
 }

@@ -148,12 +148,7 @@ impl Study for Plan {
         watch.look(simulation)
     }
 
-    fn findings(
-        &self,
-        stage: usize,
-        watch: &Watch,
-        simulation: &Simulation<Titania>,
-    ) -> Result<Vec<Finding>, Error> {
+    fn findings(&self, stage: usize, watch: &Watch, simulation: &Simulation<Titania>) -> Result<Vec<Finding>, Error> {
         Ok(watch.findings(&self.stages[stage].act, simulation))
     }
 }
