@@ -141,8 +141,7 @@ impl Titania {
             core_gap: 0.57 * nanometre,
             h_n: 0.36 * nanometre,
             humidity: 0.5,
-            // gas constant times temperature over the molar volume of water
-            thermal_pressure: 8.314462175 * 300.0 / 1.8047731e-5 * 1e-9 * gigapascal,
+            thermal_pressure: Self::thermal_pressure_of_water(300.0) * 1e-9 * gigapascal,
             contact_angle: 0.0,
             tension_scale: 0.072 / 0.04729279,
             nanometre,
@@ -157,6 +156,11 @@ impl Titania {
             lambda_t: 0.5 * nanometre,
             slip: Slip::Reset,
         }
+    }
+
+    /// Gas constant times temperature (K) over the molar volume of water, Pa.
+    pub fn thermal_pressure_of_water(temperature: f64) -> f64 {
+        8.314462175 * temperature / 1.8047731e-5
     }
 
     /// Radius of the contact sphere of a particle of a nominal diameter.
@@ -196,6 +200,11 @@ impl Titania {
     /// Distance of the centres of two particles at rest.
     pub fn equilibrium<R: Real>(&self, r_i: R, r_j: R) -> R {
         self.core(r_i) + self.core(r_j) + R::lit(self.core_gap)
+    }
+
+    /// Area over which two particles touch.
+    pub fn area<R: Real>(c: &Contact<R>) -> R {
+        section(c.r_i, c.r_j, c.distance, -c.gap)
     }
 
     /// The constants of the contact of a pair of given radii (m) and masses (kg).

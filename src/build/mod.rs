@@ -1,9 +1,11 @@
 //! Initial conditions: lattices, amorphous samples, the junction, and the stages that prepare and test them.
 
+pub mod agglomerate;
 pub mod aggregate;
 pub mod amorphous;
 pub mod junction;
 pub mod lattice;
+pub mod pair;
 pub mod protocol;
 pub mod random;
 pub mod stages;

@@ -73,12 +73,12 @@ impl Scales {
                 let d_0 = diameter.value(d_c);
                 (d_0, smallest.value(d_0), largest.value(d_0), size)
             }
-            Sample::Aggregate(_) => unreachable!("{OF_WEAR}"),
+            _ => unreachable!("{OF_WEAR}"),
         };
         let walls = match &case.experiment {
             Experiment::Patch(patch) => &patch.walls,
             Experiment::Junction(junction) => &junction.walls,
-            Experiment::Restructuring(_) => unreachable!("{OF_WEAR}"),
+            _ => unreachable!("{OF_WEAR}"),
         };
         Self { d_c, d_0, d_s, d_l, size: std::array::from_fn(|a| size[a].value(d_0)), walls: walls.value(d_0) }
     }
@@ -114,7 +114,7 @@ impl Case {
     pub fn time_steps(&self) -> Vec<(&'static str, &InCriticalSteps)> {
         let relaxation = match &self.sample {
             Sample::Amorphous(sample) => Some(("sample.amorphous.relaxation.dt", &sample.relaxation.dt)),
-            Sample::Hcp(_) | Sample::Aggregate(_) => None,
+            _ => None,
         };
         let experiments = match &self.experiment {
             Experiment::Patch(patch) => vec![
@@ -123,7 +123,7 @@ impl Case {
                 patch.shear.as_ref().map(|test| ("experiment.patch.shear.dt", &test.dt)),
             ],
             Experiment::Junction(junction) => vec![Some(("experiment.junction.dt", &junction.dt))],
-            Experiment::Restructuring(_) => Vec::new(),
+            _ => Vec::new(),
         };
         experiments.into_iter().chain([relaxation]).flatten().collect()
     }
@@ -135,7 +135,7 @@ impl Case {
                 ("sample.amorphous.relaxation.repulsion_damping", &sample.relaxation.repulsion_damping),
                 ("sample.amorphous.relaxation.cohesion_damping", &sample.relaxation.cohesion_damping),
             ],
-            Sample::Hcp(_) | Sample::Aggregate(_) => Vec::new(),
+            _ => Vec::new(),
         };
         let experiments = match &self.experiment {
             Experiment::Patch(patch) => vec![
@@ -144,7 +144,7 @@ impl Case {
                 patch.shear.as_ref().map(|test| ("experiment.patch.shear.damping", &test.damping)),
             ],
             Experiment::Junction(junction) => vec![Some(("experiment.junction.damping", &junction.damping))],
-            Experiment::Restructuring(_) => Vec::new(),
+            _ => Vec::new(),
         };
         experiments.into_iter().flatten().chain(relaxation).collect()
     }
@@ -153,7 +153,11 @@ impl Case {
     pub fn resolved(&self) -> String {
         let mut root = serde_yaml::to_value(self).expect("a case is plain data");
         let mapping = root.as_mapping_mut().expect("a case is a mapping");
-        let derived = if self.soot().is_some() { self.derived_of_soot() } else { self.derived() };
+        let derived = match &self.model {
+            Model::Wear(_) => self.derived(),
+            Model::Soot(_) => self.derived_of_soot(),
+            Model::Titania(_) => self.derived_of_titania(),
+        };
         mapping.insert("derived".into(), Value::Mapping(derived));
         serde_yaml::to_string(&root).expect("a mapping can be written")
     }

@@ -6,9 +6,11 @@ mod read;
 pub mod schema;
 pub mod section;
 mod soot;
+mod titania;
 pub mod units;
 mod validation;
 
 pub use derived::{Critical, OF_WEAR, Scales};
 pub use schema::*;
 pub use soot::*;
+pub use titania::*;

@@ -35,17 +35,19 @@ macro_rules! kinds {
     )*};
 }
 kinds! {
-    Length: "a length" [0, 1, 0] "14 nm";
-    Time: "a time" [0, 0, 1] "10 ns";
-    Velocity: "a velocity" [0, 1, -1] "10 m/s";
-    Pressure: "a pressure" [1, -1, -2] "73 GPa";
-    SurfaceEnergy: "a surface energy" [1, 0, -2] "1.5 N/m";
-    Density: "a density" [1, -3, 0] "2200 kg/m^3";
-    Drag: "a damping coefficient" [1, 0, -1] "1e-12 kg/s";
-    Stiffness: "a stiffness" [1, 0, -2] "1e6 N/m";
-    Energy: "an energy" [1, 2, -2] "1e-19 J";
-    Force: "a force" [1, 1, -2] "1 nN";
-    Sharpness: "an inverse length" [0, -1, 0] "0.18 1/nm";
+    Length: "a length" [0, 1, 0, 0] "14 nm";
+    Time: "a time" [0, 0, 1, 0] "10 ns";
+    Velocity: "a velocity" [0, 1, -1, 0] "10 m/s";
+    Pressure: "a pressure" [1, -1, -2, 0] "73 GPa";
+    SurfaceEnergy: "a surface energy" [1, 0, -2, 0] "1.5 N/m";
+    Density: "a density" [1, -3, 0, 0] "2200 kg/m^3";
+    Drag: "a damping coefficient" [1, 0, -1, 0] "1e-12 kg/s";
+    Stiffness: "a stiffness" [1, 0, -2, 0] "1e6 N/m";
+    Energy: "an energy" [1, 2, -2, 0] "1e-19 J";
+    Force: "a force" [1, 1, -2, 0] "1 nN";
+    Sharpness: "an inverse length" [0, -1, 0, 0] "0.18 1/nm";
+    DampingPerArea: "a damping constant" [1, -2, -1, 0] "0.5e6 N s/m^3";
+    Temperature: "a temperature" [0, 0, 0, 1] "300 K";
 }
 
 macro_rules! scales {

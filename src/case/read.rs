@@ -51,6 +51,7 @@ fn problem(file: &Path, error: &serde_yaml::Error) -> Problem {
         ("found unit value", "found nothing"),
         ("expected f64", "expected a number"),
         ("expected u64", "expected a whole number"),
+        ("expected an array of length 2", "expected two values"),
         ("expected an array of length 3", "expected three values"),
     ] {
         what = what.replace(theirs, ours);

@@ -6,6 +6,7 @@ use super::quantity::{
 };
 use super::section::{choice, defaults, section};
 use super::soot::{Aggregate, Restructuring, Soot};
+use super::titania::{Agglomerate, ContactTests, Stretching, Titania, TwoParticles};
 use std::path::PathBuf;
 
 /// A length, or a multiple of the most frequent particle diameter.
@@ -46,6 +47,8 @@ choice! {
         Wear = "wear": Material,
         /// Demidov, Gor & Khalizov 2024: soot aggregates with necks.
         Soot = "soot": Soot,
+        /// Laube et al. 2018: water-covered oxide nanoparticles.
+        Titania = "titania": Titania,
     }
 }
 
@@ -83,6 +86,10 @@ choice! {
         Amorphous = "amorphous": Amorphous,
         /// A fractal aggregate.
         Aggregate = "aggregate": Aggregate,
+        /// Two water-covered particles.
+        Pair = "pair": TwoParticles,
+        /// A chain of water-covered particles of many sizes.
+        Agglomerate = "agglomerate": Agglomerate,
     }
 }
 
@@ -145,6 +152,10 @@ choice! {
         Junction = "junction": Junction,
         /// A coated aggregate collapses.
         Restructuring = "restructuring": Restructuring,
+        /// A particle is released near another, and moved over a slab.
+        Contact = "contact": ContactTests,
+        /// An agglomerate is stretched.
+        Stretching = "stretching": Stretching,
     }
 }
 

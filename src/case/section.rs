@@ -63,6 +63,11 @@ impl<T: Field> Field for Option<T> {
         T::keys()
     }
 }
+impl<T: Field> Field for [T; 2] {
+    fn expects() -> String {
+        format!("two of: {}", T::expects())
+    }
+}
 impl<T: Field> Field for [T; 3] {
     fn expects() -> String {
         format!("three of: {}", T::expects())

@@ -14,7 +14,7 @@ use serde_yaml::{Mapping, Value};
 use std::path::PathBuf;
 
 /// A quantity that is written in this file, not by a user.
-fn quantity<K: super::quantity::Kind>(text: &str) -> Quantity<K> {
+pub(super) fn quantity<K: super::quantity::Kind>(text: &str) -> Quantity<K> {
     Quantity::parse(text).expect("a quantity of the right kind")
 }
 

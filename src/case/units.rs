@@ -3,26 +3,27 @@
 //! The engine counts in nanometres, nanoseconds and attograms (1e-21 kg), hence in piconewtons, zeptojoules and megapascals.
 //! Every unit accepted here is a power of ten of those, so a conversion only moves the decimal point and nothing is rounded twice.
 
-/// Exponents of kilogram, metre and second.
+/// Exponents of kilogram, metre, second and kelvin.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Dimension(pub [i32; 3]);
+pub struct Dimension(pub [i32; 4]);
 
 impl Dimension {
     /// Power of ten of the coherent SI unit of this dimension, counted in engine units.
     pub const fn engine_power(self) -> i32 {
-        let [kilogram, metre, second] = self.0;
+        let [kilogram, metre, second, _] = self.0;
         21 * kilogram + 9 * metre + 9 * second
     }
 }
 
 /// Units that may carry a prefix: symbol, dimension, power of ten of the coherent SI unit.
-const UNITS: [(&str, Dimension, i32); 6] = [
-    ("m", Dimension([0, 1, 0]), 0),
-    ("s", Dimension([0, 0, 1]), 0),
-    ("g", Dimension([1, 0, 0]), -3),
-    ("N", Dimension([1, 1, -2]), 0),
-    ("J", Dimension([1, 2, -2]), 0),
-    ("Pa", Dimension([1, -1, -2]), 0),
+const UNITS: [(&str, Dimension, i32); 7] = [
+    ("m", Dimension([0, 1, 0, 0]), 0),
+    ("s", Dimension([0, 0, 1, 0]), 0),
+    ("g", Dimension([1, 0, 0, 0]), -3),
+    ("N", Dimension([1, 1, -2, 0]), 0),
+    ("J", Dimension([1, 2, -2, 0]), 0),
+    ("Pa", Dimension([1, -1, -2, 0]), 0),
+    ("K", Dimension([0, 0, 0, 1]), 0),
 ];
 const PREFIXES: [(&str, i32); 14] = [
     ("z", -21),
@@ -56,7 +57,7 @@ fn symbol(text: &str) -> Option<(Dimension, i32)> {
 /// A product of powers such as `kg m^2/s`; a slash divides by the one factor after it.
 pub fn unit(text: &str) -> Option<(Dimension, i32)> {
     let spaced = text.replace('/', " / ").replace(['*', '·'], " ");
-    let (mut total, mut power, mut sign, mut factors) = ([0; 3], 0, 1, 0);
+    let (mut total, mut power, mut sign, mut factors) = ([0; 4], 0, 1, 0);
     for word in spaced.split_whitespace() {
         if word == "/" {
             if sign < 0 {

@@ -1,6 +1,7 @@
 //! What a case must satisfy beyond its grammar.
 
 mod soot;
+mod titania;
 
 use super::derived::{Critical, Scales};
 use super::units::{decimal, in_unit, rounded};
@@ -16,6 +17,7 @@ pub fn problems(case: &Case) -> Found {
     match &case.model {
         Model::Wear(_) => wear(case, &mut found),
         Model::Soot(_) => soot::problems(case, &mut found),
+        Model::Titania(_) => titania::problems(case, &mut found),
     }
     output(case, &mut found);
     found
@@ -29,8 +31,8 @@ fn belongs(found: &mut Found, holds: bool, key: &str, expected: &str, model: &st
 }
 
 fn wear(case: &Case, found: &mut Found) {
-    let (sampled, tested) =
-        (!matches!(case.sample, Sample::Aggregate(_)), !matches!(case.experiment, Experiment::Restructuring(_)));
+    let sampled = matches!(case.sample, Sample::Hcp(_) | Sample::Amorphous(_));
+    let tested = matches!(case.experiment, Experiment::Patch(_) | Experiment::Junction(_));
     belongs(found, sampled, "sample", "`hcp` or `amorphous`", "wear");
     belongs(found, tested, "experiment", "`patch` or `junction`", "wear");
     if !found.is_empty() {
@@ -74,7 +76,7 @@ fn sample(case: &Case, found: &mut Found) {
     let (section, diameter, size) = match &case.sample {
         Sample::Hcp(hcp) => ("sample.hcp", &hcp.diameter, &hcp.size),
         Sample::Amorphous(amorphous) => ("sample.amorphous", &amorphous.diameter, &amorphous.size),
-        Sample::Aggregate(_) => return,
+        _ => return,
     };
     expect(found, diameter.number() > 0.0, &format!("{section}.diameter"), diameter, "more than zero");
     for (axis, side) in size.iter().enumerate() {
@@ -163,7 +165,7 @@ fn experiment(case: &Case, found: &mut Found) {
             expect(found, walls > 0.0, &at("walls"), &junction.walls, "more than zero");
             expect(found, junction.duration.number() > 0.0, &at("duration"), &junction.duration, "more than zero");
         }
-        Experiment::Restructuring(_) => {}
+        _ => {}
     }
 }
 

@@ -4,7 +4,7 @@ use super::{Manner, print};
 use crate::error::{AtPath, Error};
 use crate::figures::Report;
 use crate::output::write_atomically;
-use crate::reproduce::{Chapter, Claim, Extent, Verdict, amorphous, exact, junction, lattice};
+use crate::reproduce::{Chapter, Claim, Extent, Verdict, amorphous, contact, exact, junction, lattice};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -19,15 +19,33 @@ pub struct Arguments {
     /// Only the claims about one kind of system
     #[arg(long, value_name = "SYSTEM")]
     only: Option<System>,
-    /// Where table and figures go
-    #[arg(long, default_value = "run/reproduce-wear")]
-    out: PathBuf,
+    /// Where table and figures go; `run/reproduce-` with the paper's name by default
+    #[arg(long)]
+    out: Option<PathBuf>,
 }
 
 #[derive(Clone, Copy, clap::ValueEnum)]
 enum Paper {
     /// Pham-Ba & Molinari 2022
     Wear,
+    /// Laube et al. 2018
+    Titania,
+}
+
+impl Paper {
+    /// Its name, what its page is called, and the systems that it makes claims about.
+    fn about(self) -> (&'static str, &'static str, &'static [System]) {
+        match self {
+            Self::Wear => (
+                "wear",
+                "Adhesive wear with a coarse-grained discrete element model: claims and results",
+                &[System::Exact, System::Lattice, System::Amorphous, System::Junction],
+            ),
+            Self::Titania => {
+                ("titania", "A contact model for water-covered nanoparticles: claims and results", &[System::Contact])
+            }
+        }
+    }
 }
 
 #[derive(Clone, Copy, PartialEq, clap::ValueEnum)]
@@ -40,15 +58,18 @@ enum System {
     Amorphous,
     /// Sheared junctions, Section 4
     Junction,
+    /// Two water-covered particles, Section 2 of the titania paper
+    Contact,
 }
 
 /// Computes the claims and writes table, figures and report.
 pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
-    let Paper::Wear = arguments.paper;
+    let (name, title_of_page, systems) = arguments.paper.about();
+    let out = arguments.out.clone().unwrap_or_else(|| PathBuf::from(format!("run/reproduce-{name}")));
     let extent = if arguments.full { Extent::Full } else { Extent::Reduced };
     let mut claims: Vec<Claim> = Vec::new();
-    let mut page = Report::new("Adhesive wear with a coarse-grained discrete element model: claims and results");
-    for system in [System::Exact, System::Lattice, System::Amorphous, System::Junction] {
+    let mut page = Report::new(title_of_page);
+    for &system in systems {
         if arguments.only.is_some_and(|only| only != system) {
             continue;
         }
@@ -59,18 +80,22 @@ pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
             System::Lattice => lattice::chapter(extent),
             System::Amorphous => amorphous::chapter(extent),
             System::Junction => junction::chapter(extent),
+            System::Contact => contact::chapter(),
         }
         .map_err(|halt| Error::Halted(halt, None))?;
         manner.say(format!("{title}: {} claims in {:.0} s", chapter.claims.len(), begin.elapsed().as_secs_f64()));
-        write_chapter(title, &chapter, &mut page, &arguments.out)?;
+        write_chapter(title, &chapter, &mut page, &out)?;
         claims.extend(chapter.claims);
     }
     let json = serde_json::to_string_pretty(&claims).expect("claims are plain data") + "\n";
-    write(&arguments.out.join("claims.json"), &json)?;
-    write(&arguments.out.join("claims.md"), &markdown(&claims))?;
-    write(&arguments.out.join("report.html"), &page.finish())?;
-    manner.say(format!("table, figures and report are in {}", arguments.out.display()));
+    write(&out.join("claims.json"), &json)?;
+    write(&out.join("claims.md"), &markdown(&claims))?;
+    write(&out.join("report.html"), &page.finish())?;
+    manner.say(format!("table, figures and report are in {}", out.display()));
     print(&if manner.json { json } else { markdown(&claims) })?;
+    if !systems.contains(&System::Exact) {
+        return Ok(());
+    }
     let failed = exact::chapter()
         .claims
         .iter()
@@ -88,6 +113,7 @@ fn title(system: System) -> &'static str {
         System::Lattice => "Lattices",
         System::Amorphous => "Amorphous samples",
         System::Junction => "Junctions",
+        System::Contact => "Two particles",
     }
 }
 

@@ -58,7 +58,7 @@ pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
     let read = match &case.sample {
         Sample::Amorphous(Amorphous { load, .. }) => load.as_ref(),
         Sample::Aggregate(Aggregate { import, .. }) => import.as_ref().map(|import| &import.file),
-        Sample::Hcp(_) => None,
+        Sample::Hcp(_) | Sample::Pair(_) | Sample::Agglomerate(_) => None,
     };
     if let Some(sample) = read {
         std::fs::metadata(sample).map_err(|cause| Error::NoInput(sample.clone(), cause))?;

@@ -144,8 +144,8 @@ pub fn advance<M: PairModel>(blocks: &[Block<M>], number: usize, spheres: Sphere
             }
             (x, after, spin)
         } else {
-            let v = step.walls[spheres.wall[p] as usize - 1].velocity;
-            (x + v * dt, v, Vec3::zero())
+            let Wall { velocity, spin, .. } = step.walls[spheres.wall[p] as usize - 1];
+            (x + velocity * dt, velocity, spin)
         };
         let x = Vec3(std::array::from_fn(|a| x.0[a] * step.growth[a]));
         let listed = Vec3(std::array::from_fn(|a| spheres.listed[p].0[a] * step.stretch[a]));

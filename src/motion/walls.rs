@@ -2,7 +2,7 @@
 
 use crate::spec::Vec3;
 use crate::spec::wear::eq01_symplectic_euler::kick;
-use crate::system::{Motion, Wall};
+use crate::system::Wall;
 
 /// Energy that crossed the walls in one step, zJ.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -19,26 +19,30 @@ pub struct WallWork {
 
 /// Kinetic energy of a wall along the axes on which a load drives it, zJ.
 pub fn kinetic_energy(wall: &Wall) -> f64 {
-    let moved = |a: &usize| matches!(wall.motion[*a], Motion::Load(_));
+    let moved = |a: &usize| wall.load(*a).is_some();
     (0..3).filter(moved).map(|a| 0.5 * wall.mass * wall.velocity.0[a] * wall.velocity.0[a]).sum()
 }
 
-/// Advances the velocities of the walls by one step under the forces of the spheres on them.
-pub fn drive(walls: &mut [Wall], forces: &[Vec3<f64>], dt: f64) -> WallWork {
+/// Advances the velocities of the walls by one step under the forces and torques of the spheres on them.
+pub fn drive(walls: &mut [Wall], acting: &[(Vec3<f64>, Vec3<f64>)], dt: f64) -> WallWork {
     let mut work = WallWork::default();
-    for (wall, &force) in walls.iter_mut().zip(forces) {
-        wall.force = force;
+    for (wall, &(force, torque)) in walls.iter_mut().zip(acting) {
+        (wall.force, wall.torque) = (force, torque);
+        work.prescribed -= torque.dot(wall.spin) * dt;
         let mut total = Vec3::zero();
         for a in 0..3 {
-            match wall.motion[a] {
-                Motion::Velocity(v) => work.prescribed -= force.0[a] * v * dt,
-                Motion::Load(load) => {
+            let v = wall.velocity.0[a];
+            match wall.load(a) {
+                None => work.prescribed -= force.0[a] * v * dt,
+                Some(load) => {
                     total.0[a] = force.0[a] + load;
-                    work.load += load * wall.velocity.0[a] * dt;
+                    work.load += load * v * dt;
                 }
             }
         }
         wall.velocity = kick(wall.velocity, total, wall.mass, dt);
+        wall.travel = wall.travel + wall.velocity * dt;
+        wall.age += dt;
         work.scheme += 0.5 * total.dot(total) / wall.mass * dt * dt;
         work.kinetic += kinetic_energy(wall);
     }

@@ -1,6 +1,7 @@
 //! The papers' claims, tested: `veridem reproduce`.
 
 pub mod amorphous;
+pub mod contact;
 pub mod exact;
 pub mod experiment;
 pub mod junction;

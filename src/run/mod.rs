@@ -7,6 +7,7 @@ mod row;
 mod soot;
 mod start;
 mod study;
+mod titania;
 mod wear;
 
 pub use control::Control;
@@ -200,6 +201,9 @@ impl<'a, S: Study> Run<'a, S> {
             }
             self.taken += 1;
             course.steps += 1;
+            for event in self.study.follow(number, &mut current.watch, &current.simulation) {
+                course.record.event(name, current.simulation.system(), &event)?;
+            }
             let step = current.simulation.system().step;
             let progress = self.study.progress(number, &current.watch, &current.simulation);
             let last = progress != Progress::Going;

@@ -14,7 +14,7 @@ pub fn picture(folder: &RunFolder, name: &str, system: &System, height: f64) -> 
 }
 
 /// The curves that a reader asks for first: name, stage, axes.
-const CURVES: [(&str, &str, &str, &str); 11] = [
+const CURVES: [(&str, &str, &str, &str); 16] = [
     ("friction", "shearing", "slid [nm]", "friction [pN]"),
     ("separation", "shearing", "slid [nm]", "separation [nm]"),
     ("turns", "shearing", "slid [nm]", "third body turns"),
@@ -25,6 +25,11 @@ const CURVES: [(&str, &str, &str, &str); 11] = [
     ("coordination", "restructuring", "time [ns]", "coordination number"),
     ("convexity", "restructuring", "time [ns]", "convexity"),
     ("gyration", "restructuring", "time [ns]", "gyration radius [nm]"),
+    ("approach", "approach", "time [ns]", "distance [nm]"),
+    ("sliding friction", "sliding", "moved [nm]", "friction [pN]"),
+    ("rolling resistance", "rolling", "moved [nm]", "rolling resistance [pN]"),
+    ("pulling force", "pulling", "pulled [nm]", "pulling force [pN]"),
+    ("contacts", "pulling", "pulled [nm]", "contacts"),
     ("ledger", "", "time [ns]", "relative residual"),
 ];
 

@@ -1,6 +1,6 @@
 //! From a case to the run of its paper.
 
-use super::{Control, Glance, Run, Study, soot, wear};
+use super::{Control, Glance, Run, Study, soot, titania, wear};
 use crate::case::{Case, Model};
 use crate::error::Error;
 use crate::output::{Finding, Manifest, RunFolder};
@@ -18,6 +18,7 @@ impl<'a> Prepared<'a> {
         let initial = match &case.model {
             Model::Wear(_) => wear::Plan::of(case).initial()?,
             Model::Soot(_) => soot::Plan::of(case).initial()?,
+            Model::Titania(_) => titania::Plan::of(case).initial()?,
         };
         Ok(Self { case, initial })
     }
@@ -34,6 +35,9 @@ impl<'a> Prepared<'a> {
         match &case.model {
             Model::Wear(_) => Run::new(case, wear::Plan::of(case), folder, manifest, control, show).start(initial),
             Model::Soot(_) => Run::new(case, soot::Plan::of(case), folder, manifest, control, show).start(initial),
+            Model::Titania(_) => {
+                Run::new(case, titania::Plan::of(case), folder, manifest, control, show).start(initial)
+            }
         }
     }
 }
@@ -49,5 +53,6 @@ pub fn resume(
     match &case.model {
         Model::Wear(_) => Run::new(case, wear::Plan::of(case), folder, manifest, control, show).resume(),
         Model::Soot(_) => Run::new(case, soot::Plan::of(case), folder, manifest, control, show).resume(),
+        Model::Titania(_) => Run::new(case, titania::Plan::of(case), folder, manifest, control, show).resume(),
     }
 }

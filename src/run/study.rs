@@ -43,6 +43,10 @@ pub trait Study {
     fn columns(&self) -> Vec<&'static str>;
     /// Begins to watch a stage.
     fn watch(&self, stage: usize, simulation: &Simulation<Self::Model>) -> Self::Watch;
+    /// Sees every step; says what happened in it.
+    fn follow(&self, _stage: usize, _watch: &mut Self::Watch, _simulation: &Simulation<Self::Model>) -> Vec<String> {
+        Vec::new()
+    }
     /// Measures: the cells of the columns of all observers, those of other stages empty.
     fn look(&self, watch: &mut Self::Watch, simulation: &Simulation<Self::Model>) -> Vec<Cell>;
     /// What it amounts to.

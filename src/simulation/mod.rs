@@ -134,8 +134,8 @@ impl<M: PairModel> Simulation<M> {
             None => [1.0; 3],
         };
         let box_work: f64 = (0..3).map(|a| totals.virial[a] * (growth[a] - 1.0)).sum();
-        let forces = self.forces_on_walls();
-        let wall_work = motion::drive(&mut self.system.walls, &forces, dt);
+        let acting = self.acting_on_walls();
+        let wall_work = motion::drive(&mut self.system.walls, &acting, dt);
         let moved = self.advance(growth, dt, damping);
         for (side, factor) in self.system.domain.sides.iter_mut().zip(growth) {
             *side *= factor;
@@ -181,21 +181,25 @@ impl<M: PairModel> Simulation<M> {
         moved.into_iter().fold(Moved::default(), Moved::and)
     }
 
-    fn forces_on_walls(&self) -> Vec<Vec3<f64>> {
-        let mut forces = vec![Vec3::zero(); self.system.walls.len()];
-        if forces.is_empty() {
-            return forces;
+    /// Forces on the walls and torques on their spheres.
+    fn acting_on_walls(&self) -> Vec<(Vec3<f64>, Vec3<f64>)> {
+        let mut acting = vec![(Vec3::zero(), Vec3::zero()); self.system.walls.len()];
+        if acting.is_empty() {
+            return acting;
         }
         for block in &self.blocks {
             let own = block.own.clone();
             let halo = block.halo.iter().map(|&(q, _)| q as usize);
             for (p, load) in own.chain(halo).zip(block.loads.iter()) {
-                if let Some(force) = (self.system.particles.wall[p] as usize).checked_sub(1).map(|k| &mut forces[k]) {
-                    *force = *force + Vec3([load.0[0], load.0[1], load.0[2]]);
+                let number = (self.system.particles.wall[p] as usize).checked_sub(1);
+                if let Some((force, torque)) = number.map(|k| &mut acting[k]) {
+                    let [fx, fy, fz, tx, ty, tz, ..] = load.0;
+                    *force = *force + Vec3([fx, fy, fz]);
+                    *torque = *torque + Vec3([tx, ty, tz]);
                 }
             }
         }
-        forces
+        acting
     }
 
     /// Whether spheres may have come into range that the neighbour list does not hold.

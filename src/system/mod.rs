@@ -116,4 +116,15 @@ impl System {
             }
         }
     }
+
+    /// Sets all spheres free.
+    pub fn remove_walls(&mut self) {
+        self.walls.clear();
+        self.particles.wall.fill(0);
+    }
+
+    /// The place of the sphere with this id.
+    pub fn place(&self, id: u32) -> usize {
+        self.particles.id.iter().position(|&other| other == id).expect("a sphere of the system")
+    }
 }

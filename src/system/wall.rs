@@ -1,6 +1,7 @@
 //! Rigid walls made of spheres.
 
 use crate::spec::Vec3;
+use crate::spec::titania::def_drive::steering;
 use serde::{Deserialize, Serialize};
 
 /// What drives a wall along one axis.
@@ -10,9 +11,16 @@ pub enum Motion {
     Velocity(f64),
     /// Is pushed by this force, pN, besides its spheres' neighbours, and moves as one body of its mass.
     Load(f64),
+    /// Is drawn by a spring and moves as one body of its mass; the spring is relaxed at first.
+    Steered {
+        /// Stiffness of the spring, pN/nm.
+        stiffness: f64,
+        /// Velocity of its other end, m/s.
+        velocity: f64,
+    },
 }
 
-/// Spheres that move as one body and do not turn.
+/// Spheres that move as one body, which does not turn.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Wall {
     /// What drives it, axis by axis.
@@ -21,17 +29,37 @@ pub struct Wall {
     pub velocity: Vec3<f64>,
     /// Its mass, ag.
     pub mass: f64,
+    /// At which each of its spheres turns about its own centre, whatever acts on it, 1/ns.
+    pub spin: Vec3<f64>,
     /// The force of the other spheres on it in the last step, pN.
     pub force: Vec3<f64>,
+    /// The sum of their torques on its spheres in the last step, pN nm.
+    pub torque: Vec3<f64>,
+    /// How far it has moved, nm.
+    pub travel: Vec3<f64>,
+    /// For how long, ns.
+    pub age: f64,
 }
 
 impl Wall {
-    /// A wall at its prescribed velocity, at rest where it is load-controlled.
+    /// A wall at its prescribed velocity, at that of the spring's end where it is steered, at rest where it is load-controlled.
     pub fn new(motion: [Motion; 3], mass: f64) -> Self {
         let velocity = motion.map(|m| match m {
-            Motion::Velocity(v) => v,
+            Motion::Velocity(velocity) | Motion::Steered { velocity, .. } => velocity,
             Motion::Load(_) => 0.0,
         });
-        Self { motion, velocity: Vec3(velocity), mass, force: Vec3::zero() }
+        let zero = Vec3::zero();
+        Self { motion, velocity: Vec3(velocity), mass, spin: zero, force: zero, torque: zero, travel: zero, age: 0.0 }
+    }
+
+    /// The force that drives it along an axis, pN; none where its velocity is prescribed.
+    pub fn load(&self, axis: usize) -> Option<f64> {
+        match self.motion[axis] {
+            Motion::Velocity(_) => None,
+            Motion::Load(force) => Some(force),
+            Motion::Steered { stiffness, velocity } => {
+                Some(steering(stiffness, self.travel.0[axis], 0.0, velocity, self.age))
+            }
+        }
     }
 }

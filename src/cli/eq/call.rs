@@ -122,10 +122,12 @@ fn with_unit(quantity: &Quantity, text: &str) -> Result<Vec<f64>, String> {
         rest = after;
     }
     let unit = rest.replace("rad", "1");
+    let [kg, m, s] = quantity.exponents.map(i32::from);
     let power = match units::unit(if unit.is_empty() { "1" } else { &unit }) {
         None => return Err(wrong(&format!("`{rest}` is not a unit"))),
         Some(_) if unit.is_empty() => 0,
-        Some((dimension, _)) if dimension.0.map(|e| e * i32::from(WHOLE)) != quantity.exponents.map(i32::from) => {
+        // No equation is given a temperature.
+        Some((dimension, _)) if dimension.0.map(|e| e * i32::from(WHOLE)) != [kg, m, s, 0] => {
             return Err(wrong(&format!("`{rest}` has another dimension")));
         }
         Some((dimension, power)) => power - dimension.engine_power(),

@@ -50,7 +50,7 @@ impl Plan {
                 let shear = patch.shear.as_ref().map(|test| stages::shear(test, scales.walls));
                 [compression, tension, shear].into_iter().flatten().collect()
             }
-            Experiment::Restructuring(_) => unreachable!("{OF_WEAR}"),
+            _ => unreachable!("{OF_WEAR}"),
         };
         Self { case: case.clone(), scales, preparation: preparation.len(), stages: [preparation, experiments].concat() }
     }
@@ -81,7 +81,6 @@ impl Study for Plan {
         let Scales { d_0, d_s, d_l, size, .. } = self.scales;
         let density = self.case.material().density.value;
         match &self.case.sample {
-            Sample::Aggregate(_) => unreachable!("{OF_WEAR}"),
             Sample::Hcp(_) => Ok(hcp(d_0, hcp_cells(d_0, size), density)),
             Sample::Amorphous(Amorphous { load: Some(path), .. }) => {
                 let Equilibrated { origin, system } = kept(path, Kept::Sample)?;
@@ -93,6 +92,7 @@ impl Study for Plan {
             Sample::Amorphous(amorphous) => {
                 Ok(random_packing(Sizes { d_0, d_s, d_l }, size, amorphous.volume_fraction, density, self.case.seed))
             }
+            _ => unreachable!("{OF_WEAR}"),
         }
     }
 

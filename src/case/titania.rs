@@ -1,0 +1,289 @@
+//! The sections of a case of the titania paper. Defaults are its published values, and those of the authors' program where it
+//! is silent.
+
+use super::quantity::{
+    DampingPerArea, Density, Drag, Force, Length, Pressure, Quantity, Scaled, Stiffness, Temperature, Time, Velocity,
+};
+use super::schema::InSteps;
+use super::section::{section, words};
+use super::soot::quantity;
+use super::units::{in_unit, rounded};
+use super::{Case, Experiment, Model, Sample};
+use crate::build::agglomerate::Recipe;
+use crate::spec::PairModel;
+use crate::spec::titania::def_radius::radii;
+use crate::spec::titania::{self, eq03_attraction, eq12_sliding};
+use crate::spec::wear::def_sphere::sphere_mass;
+use serde_yaml::{Mapping, Value};
+
+section! {
+    /// Oxide particles of a few nanometres in humid air.
+    pub struct Titania {
+        /// Density of the particles.
+        density: Quantity<Density> = quantity("4230 kg/m^3"),
+        /// Relative humidity, between 0 and 1.
+        humidity: f64 = 0.5,
+        /// Temperature.
+        temperature: Quantity<Temperature> = quantity("300 K"),
+        /// Surface tension of the water.
+        surface_tension: Tension = Tension::Experimental,
+        /// Contact angle of the meniscus, in radians.
+        contact_angle: f64 = 0.0,
+        /// Distance of the bare surfaces of two particles at rest.
+        core_gap: Quantity<Length> = quantity("0.57 nm"),
+        /// Thickness h_n of the compressed water layer.
+        layer: Quantity<Length> = quantity("0.36 nm"),
+        /// Which way the solvation force acts.
+        solvation: Convention = Convention::Israelachvili,
+        /// Amplitude F_00 of the solvation force of vanishing particles.
+        solvation_force: Quantity<Force> = quantity("-11 nN"),
+        /// Its growth F_01 with the effective radius.
+        solvation_growth: Quantity<Stiffness> = quantity("-2.4 N/m"),
+        /// Period and decay length of the solvation force.
+        solvation_period: Quantity<Length> = quantity("0.21 nm"),
+        /// Damping constant gamma_0 of Eq. 7; the authors' program has ten times that of the paper.
+        damping_constant: Quantity<DampingPerArea> = quantity("0.5e6 N s/m^3"),
+        /// Shear strength tau_S of sliding.
+        sliding_strength: Quantity<Pressure> = quantity("0.65 GPa"),
+        /// Shear strength tau_R of rolling.
+        rolling_strength: Quantity<Pressure> = quantity("0.25 GPa"),
+        /// Period lambda_t of stick and slip.
+        slip_period: Quantity<Length> = quantity("0.5 nm"),
+        /// What a slip leaves of the tangential spring.
+        slip: Slip = Slip::Reset,
+    }
+}
+
+words! {
+    /// The surface tension of adsorbed water.
+    pub enum Tension {
+        /// Scaled to that of water.
+        Experimental = "experimental",
+        /// That of the water model TIP3P.
+        Tip3p = "tip3p",
+    }
+}
+
+words! {
+    /// The sign of the solvation force.
+    pub enum Convention {
+        /// As in the earlier work that the paper refers to.
+        Israelachvili = "israelachvili",
+        /// As Eqs. 3 to 5 have it.
+        Printed = "printed",
+    }
+}
+
+words! {
+    /// What a slip leaves of the tangential spring.
+    pub enum Slip {
+        /// Nothing, as in the authors' program.
+        Reset = "reset",
+        /// What exceeds whole periods, as in Eq. 12.
+        Remainder = "remainder",
+    }
+}
+
+section! {
+    /// Two particles.
+    pub struct TwoParticles {
+        /// Their nominal diameters: half their sum is the distance of their centres at rest.
+        diameters: [Quantity<Length>; 2] = [quantity("8 nm"), quantity("8 nm")],
+    }
+}
+
+section! {
+    /// A chain in which every particle touches the two before it, Section 3.1.
+    pub struct Agglomerate {
+        /// Number of particles.
+        particles: u64 = 14,
+        /// Smallest nominal diameter.
+        smallest: Quantity<Length> = quantity("8 nm"),
+        /// Largest nominal diameter.
+        largest: Quantity<Length> = quantity("20 nm"),
+        /// Length of the chain, met within a twentieth.
+        length: Quantity<Length> = quantity("100 nm"),
+    }
+}
+
+section! {
+    /// Tests of one contact, each from the start.
+    pub struct ContactTests {
+        /// Both particles released at a distance, Fig. 3.
+        approach: Option<Approach> = None,
+        /// The first particle slid over a slab without turning, Fig. 8.
+        slide: Option<Dragging> = None,
+        /// The first particle rolled over a slab without sliding, Fig. 8.
+        roll: Option<Dragging> = None,
+        /// Time step: a fifth of the authors', for friction may at most stop a rolling particle in one step.
+        dt: Quantity<Time> = quantity("0.1 ps"),
+    }
+}
+
+section! {
+    /// Two particles released.
+    pub struct Approach {
+        /// How far from their distance at rest.
+        from: Quantity<Length> = quantity("0.5 nm"),
+        /// How long they are watched.
+        duration: InSteps = Scaled::Absolute(quantity("3 ns")),
+    }
+}
+
+section! {
+    /// A particle moved over a slab under a load.
+    pub struct Dragging {
+        /// Nominal diameter of the sphere that stands for the slab.
+        slab: Quantity<Length> = quantity("1 µm"),
+        /// Load on the particle.
+        load: Quantity<Force> = quantity("2 nN"),
+        /// How long the particle has to come to rest under the load.
+        settling: InSteps = Scaled::Absolute(quantity("2 ns")),
+        /// Velocity of the particle.
+        velocity: Quantity<Velocity> = quantity("1 m/s"),
+        /// How far it is moved.
+        distance: Quantity<Length> = quantity("3 nm"),
+    }
+}
+
+section! {
+    /// An agglomerate drawn at two of its particles, two others at the far end being held, Section 3.1.
+    pub struct Stretching {
+        /// How long it has to come to rest before, held at both ends.
+        relaxation: InSteps = Scaled::Absolute(quantity("2 ns")),
+        /// Drag on every particle meanwhile.
+        drag: Quantity<Drag> = quantity("1e-11 kg/s"),
+        /// Stiffness of the spring that draws.
+        stiffness: Quantity<Stiffness> = quantity("160 N/m"),
+        /// Velocity of its other end.
+        velocity: Quantity<Velocity> = quantity("5 m/s"),
+        /// How far that end moves.
+        distance: Quantity<Length> = quantity("60 nm"),
+        /// Time step: a fifth of the authors', for friction may at most stop a rolling particle in one step.
+        dt: Quantity<Time> = quantity("0.1 ps"),
+    }
+}
+
+/// What is done in a case of the titania paper, and to what.
+#[derive(Clone, Copy, Debug)]
+pub enum TitaniaTest<'a> {
+    /// Two particles.
+    Contact(&'a TwoParticles, &'a ContactTests),
+    /// An agglomerate.
+    Stretching(&'a Agglomerate, &'a Stretching),
+}
+
+impl TitaniaTest<'_> {
+    /// The smallest nominal diameter, nm.
+    pub fn smallest(&self) -> f64 {
+        match self {
+            Self::Contact(TwoParticles { diameters: [first, second] }, _) => first.value.min(second.value),
+            Self::Stretching(agglomerate, _) => agglomerate.smallest.value,
+        }
+    }
+
+    /// The time step, and its key.
+    pub fn dt(&self) -> (&'static str, &Quantity<Time>) {
+        match self {
+            Self::Contact(_, tests) => ("experiment.contact.dt", &tests.dt),
+            Self::Stretching(_, stretching) => ("experiment.stretching.dt", &stretching.dt),
+        }
+    }
+}
+
+impl Agglomerate {
+    /// How it is built, in engine units.
+    pub fn recipe(&self) -> Recipe {
+        Recipe {
+            particles: self.particles as usize,
+            smallest: self.smallest.value,
+            largest: self.largest.value,
+            length: self.length.value,
+        }
+    }
+}
+
+impl Titania {
+    /// The contact law in engine units.
+    pub fn law(&self) -> titania::Titania {
+        let megapascal = 1e-6;
+        let paper = titania::Titania::paper(1.0, 1e3, 1.0);
+        titania::Titania {
+            core_gap: self.core_gap.value,
+            h_n: self.layer.value,
+            humidity: self.humidity,
+            thermal_pressure: titania::Titania::thermal_pressure_of_water(self.temperature.value) * megapascal,
+            contact_angle: self.contact_angle,
+            tension_scale: match self.surface_tension {
+                Tension::Experimental => paper.tension_scale,
+                Tension::Tip3p => 1.0,
+            },
+            solvation: match self.solvation {
+                Convention::Israelachvili => eq03_attraction::Solvation::Israelachvili,
+                Convention::Printed => eq03_attraction::Solvation::Printed,
+            },
+            f_00: self.solvation_force.value,
+            f_01: self.solvation_growth.value,
+            sigma: self.solvation_period.value,
+            gamma_0: self.damping_constant.value,
+            tau_s: self.sliding_strength.value,
+            tau_r: self.rolling_strength.value,
+            lambda_t: self.slip_period.value,
+            slip: match self.slip {
+                Slip::Reset => eq12_sliding::Slip::Reset,
+                Slip::Remainder => eq12_sliding::Slip::Remainder,
+            },
+            ..paper
+        }
+    }
+
+    /// Radius of the contact sphere and mass of a particle of a nominal diameter.
+    pub fn particle(&self, diameter: f64) -> (f64, f64) {
+        let r = self.law().contact_radius(diameter);
+        (r, sphere_mass(self.density.value, r))
+    }
+}
+
+impl Case {
+    /// The sections of a case of the titania paper, if it is one.
+    pub fn titania(&self) -> Option<(&Titania, TitaniaTest<'_>)> {
+        let Model::Titania(titania) = &self.model else { return None };
+        let test = match (&self.sample, &self.experiment) {
+            (Sample::Pair(pair), Experiment::Contact(tests)) => TitaniaTest::Contact(pair, tests),
+            (Sample::Agglomerate(chain), Experiment::Stretching(test)) => TitaniaTest::Stretching(chain, test),
+            _ => return None,
+        };
+        Some((titania, test))
+    }
+
+    /// The largest stable time step of a case of the titania paper, ns.
+    pub fn titania_step_limit(&self) -> f64 {
+        let (titania, test) = self.titania().expect(OF_TITANIA);
+        let (r, mass) = titania.particle(test.smallest());
+        titania.law().critical_time_step(r, mass)
+    }
+
+    /// What follows from a case of the titania paper, with units.
+    pub(super) fn derived_of_titania(&self) -> Mapping {
+        let (titania, test) = self.titania().expect(OF_TITANIA);
+        let (law, d, limit) = (titania.law(), test.smallest(), self.titania_step_limit());
+        let (r, mass) = titania.particle(d);
+        let attraction = law.attraction(r, r);
+        let (key, dt) = test.dt();
+        let share = rounded(dt.value / limit);
+        let rows = [
+            ("smallest diameter", in_unit(d, "nm")),
+            ("its bare radius", in_unit(radii(d, law.core_gap, law.h_n).0, "nm")),
+            ("its contact radius", in_unit(r, "nm")),
+            ("its mass", in_unit(mass, "kg")),
+            ("contact stiffness of two such particles", in_unit(law.parameters(r, r, mass, mass).k_n, "GPa")),
+            ("attraction at rest", in_unit(-attraction.force(law.equilibrium(r, r)), "nN")),
+            ("distance at which the meniscus ruptures", in_unit(attraction.rupture(), "nm")),
+            ("largest stable time step", in_unit(limit, "fs")),
+            (key, format!("{} = {share} of the largest stable step", in_unit(dt.value, "fs"))),
+        ];
+        rows.into_iter().map(|(key, value)| (Value::String(key.into()), Value::String(value))).collect()
+    }
+}
+
+const OF_TITANIA: &str = "asked only of checked cases of the titania paper";
