@@ -259,13 +259,22 @@ macro_rules! words {
 
         impl<'de> serde::Deserialize<'de> for $name {
             fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-                let word = String::deserialize(deserializer)?;
-                match &*word {
-                    $($word => Ok(Self::$variant),)*
-                    _ => Err(serde::de::Error::custom(
-                        format!("found `{word}`, expected {}", <Self as $crate::case::section::Field>::expects())
-                    )),
+                struct Word;
+                impl serde::de::Visitor<'_> for Word {
+                    type Value = $name;
+                    fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                        f.write_str(&<$name as $crate::case::section::Field>::expects())
+                    }
+                    fn visit_str<E: serde::de::Error>(self, word: &str) -> Result<$name, E> {
+                        match word {
+                            $($word => Ok($name::$variant),)*
+                            _ => Err(E::custom(
+                                format!("found `{word}`, expected {}", <$name as $crate::case::section::Field>::expects())
+                            )),
+                        }
+                    }
                 }
+                deserializer.deserialize_str(Word)
             }
         }
 
