@@ -52,6 +52,7 @@ fn problem(file: &Path, error: &serde_yaml::Error) -> Problem {
         ("expected f64", "expected a number"),
         ("expected u64", "expected a whole number"),
         ("expected an array of length 2", "expected two values"),
+        ("expected sequence of 2 elements", "expected two values"),
         ("expected an array of length 3", "expected three values"),
     ] {
         what = what.replace(theirs, ours);
