@@ -39,11 +39,11 @@ fn two_spheres_and_a_sphere_and_a_plane_fall_onto_each_other() {
         let what = run["name"].as_str().unwrap();
         let mass = 4.0 / 3.0 * std::f64::consts::PI * rho * r * r * r;
         // the gap closes with the acceleration of both spheres, or of one
-        let (energy, force, m): (fn(f64, f64, f64) -> f64, fn(f64, f64, f64) -> f64, f64) =
-            match run["partner"].as_str() {
-                Some("plane") => (plane_energy, plane_force, mass),
-                _ => (|r, d, a| hamaker_energy(r, r, d, a), |r, d, a| hamaker_force(r, r, d, a), 0.5 * mass),
-            };
+        type Law = fn(f64, f64, f64) -> f64;
+        let (energy, force, m): (Law, Law, f64) = match run["partner"].as_str() {
+            Some("plane") => (plane_energy, plane_force, mass),
+            _ => (|r, d, a| hamaker_energy(r, r, d, a), |r, d, a| hamaker_force(r, r, d, a), 0.5 * mass),
+        };
         let at_start = energy(r, start, a);
         let (steps, total) = (200_000, number(&run["total_time"]));
         let dt = total / f64::from(steps);

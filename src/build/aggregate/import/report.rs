@@ -15,7 +15,7 @@ pub struct Report {
     pub number: usize,
     /// Gyration radius of the centres, nm.
     pub r_g: f64,
-    /// Fractal dimension, see [`dimension`].
+    /// Fractal dimension, estimated from the distances of pairs.
     pub d_f: Option<f64>,
     /// Prefactor of the fractal law with this dimension and the geometric mean radius.
     pub k_f: Option<f64>,
