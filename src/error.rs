@@ -91,6 +91,12 @@ impl fmt::Display for Error {
 
 impl std::error::Error for Error {}
 
+impl From<Halt> for Error {
+    fn from(halt: Halt) -> Self {
+        Self::Halted(halt, None)
+    }
+}
+
 /// Names the path in an I/O failure.
 pub trait AtPath<T> {
     /// The path that the failure is about.

@@ -48,6 +48,8 @@ pub enum Mark {
     Dots,
     /// A thin grey line: a target, a theory.
     Guide,
+    /// A closed line around a shaded area, in the colour of the next curve.
+    Band,
 }
 
 /// A curve and its name.
@@ -65,6 +67,13 @@ impl Curve {
     /// A named curve.
     pub fn new(label: impl Into<String>, mark: Mark, points: Vec<(f64, f64)>) -> Self {
         Self { label: label.into(), points, mark }
+    }
+
+    /// The area within `(x, y, margin)` of a curve.
+    pub fn band(points: &[(f64, f64, f64)]) -> Self {
+        let upper = points.iter().map(|&(x, y, margin)| (x, y + margin));
+        let lower = points.iter().rev().map(|&(x, y, margin)| (x, y - margin));
+        Self::new("", Mark::Band, upper.chain(lower).collect())
     }
 }
 
@@ -114,13 +123,13 @@ impl Plot {
             .draw()?;
         let mut next = 0;
         for (curve, points) in self.curves.iter().zip(placed) {
-            let colour = if curve.mark == Mark::Guide {
-                RGBColor(140, 140, 140)
-            } else {
-                let (r, g, b) = COLOURS[next % COLOURS.len()];
-                next += 1;
-                RGBColor(r, g, b)
-            };
+            let (r, g, b) = COLOURS[next % COLOURS.len()];
+            let colour = if curve.mark == Mark::Guide { RGBColor(140, 140, 140) } else { RGBColor(r, g, b) };
+            if curve.mark == Mark::Band {
+                chart.draw_series(std::iter::once(Polygon::new(points, colour.mix(0.15))))?;
+                continue;
+            }
+            next += usize::from(curve.mark != Mark::Guide);
             let style = ShapeStyle::from(&colour).stroke_width(if curve.mark == Mark::Line { 2 } else { 1 });
             if curve.mark == Mark::Dots {
                 chart.draw_series(points.iter().map(|&p| Circle::new(p, 4, colour.filled())))?;
@@ -173,6 +182,14 @@ mod tests {
         assert_eq!(dots(plot(false, vec![(0.0, 1.0), (1.0, -2.0), (f64::NAN, 1.0)])), 2);
         assert_eq!(dots(plot(true, vec![(0.0, 1.0), (1.0, 2.0), (10.0, 3.0), (1.0, -1.0)])), 2);
         assert_eq!(dots(plot(false, Vec::new())), 0);
+    }
+
+    #[test]
+    fn a_band_is_one_area_in_the_colour_of_its_curve() {
+        let mut plot = plot(false, vec![(0.0, 1.0), (1.0, 2.0)]);
+        plot.curves.insert(0, Curve::band(&[(0.0, 1.0, 0.5), (1.0, 2.0, 0.5)]));
+        let svg = plot.svg();
+        assert_eq!((svg.matches("<polygon").count(), svg.matches("#0072B2").count() > 2), (1, true), "{svg}");
     }
 
     #[test]

@@ -7,6 +7,7 @@ pub mod morphology;
 pub mod packing;
 pub mod patch;
 pub mod rotation;
+pub mod statistics;
 pub mod strain;
 pub mod stress;
 pub mod third_body;

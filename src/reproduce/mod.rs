@@ -1,13 +1,8 @@
 //! The papers' claims, tested: `veridem reproduce`.
 
-pub mod amorphous;
-pub mod contact;
-pub mod exact;
-pub mod experiment;
-pub mod junction;
-pub mod lattice;
-
-use crate::spec::wear::Material;
+pub mod soot;
+pub mod titania;
+pub mod wear;
 
 /// How much is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -62,6 +57,22 @@ impl Claim {
         let verdict = if holds { Verdict::Holds } else { Verdict::Differs };
         Self { id, claim: claim.into(), paper: paper.into(), measured: measured.into(), verdict }
     }
+
+    /// A claim that the figure of the `paper`, in its `unit`, is met to within one of its last place: printed figures are rounded or
+    /// cut off.
+    pub fn number(
+        id: &'static str,
+        claim: impl Into<String>,
+        paper: &str,
+        value: f64,
+        unit: &str,
+        places: f64,
+    ) -> Self {
+        let figure: f64 = paper.parse().expect("the paper's figure is a number");
+        let text = |number: &str| format!("{number} {unit}").trim_end().to_string();
+        let holds = (value - figure).abs() < libm::exp10(-places);
+        Self::new(id, claim, text(paper), text(&format!("{value:.5}")), holds)
+    }
 }
 
 /// A picture.
@@ -86,53 +97,9 @@ pub struct Chapter {
     pub figures: Vec<Figure>,
 }
 
-/// The material of the patch tests (Table 4), in any coherent units.
-pub fn patch_material(poisson_ratio: f64, scaling: f64) -> Material {
-    Material {
-        young_modulus: 1.0,
-        poisson_ratio,
-        tensile_strength: 0.2,
-        shear_strength: 0.1,
-        surface_energy: 1.5,
-        restitution: 0.95,
-        scaling,
-        forget_stretched_springs: false,
-    }
-}
-
-/// The density of the patch tests.
-pub const PATCH_DENSITY: f64 = 1.0;
-
-/// Amorphous silica (Table 5) in engine units: MPa, and mN/m for the surface energy.
-pub fn silica() -> Material {
-    Material {
-        young_modulus: 73e3,
-        poisson_ratio: 0.17,
-        tensile_strength: 16e3,
-        shear_strength: 9e3,
-        surface_energy: 1500.0,
-        restitution: 0.9,
-        scaling: 0.5,
-        forget_stretched_springs: false,
-    }
-}
-
-/// The density of silica, ag/nm^3.
-pub const SILICA_DENSITY: f64 = 2.2e-3;
-
 /// `|a / b - 1| <= tolerance`; false for a NaN.
 pub(crate) fn near(a: f64, b: f64, tolerance: f64) -> bool {
     (a / b - 1.0).abs() <= tolerance
-}
-
-/// The slope of the straight line through the logarithms of the points.
-pub(crate) fn log_slope(points: &[(f64, f64)]) -> f64 {
-    let n = points.len() as f64;
-    let logs: Vec<(f64, f64)> = points.iter().map(|&(x, y)| (libm::log(x), libm::log(y))).collect();
-    let (mx, my) = logs.iter().fold((0.0, 0.0), |(a, b), (x, y)| (a + x / n, b + y / n));
-    let (top, bottom) =
-        logs.iter().fold((0.0, 0.0), |(t, b), (x, y)| (t + (x - mx) * (y - my), b + (x - mx) * (x - mx)));
-    top / bottom
 }
 
 #[cfg(test)]
@@ -140,23 +107,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_slope_of_a_power_law_is_its_exponent() {
-        let points: Vec<(f64, f64)> = (1..6).map(|k| (f64::from(k), 3.0 / f64::from(k).sqrt())).collect();
-        assert!((log_slope(&points) + 0.5).abs() < 1e-14);
-    }
-
-    #[test]
-    fn silica_in_engine_units_has_the_wave_velocity_and_critical_diameter_of_the_paper() {
-        use crate::spec::wear::eq18_critical_diameter::critical_diameter;
-        use crate::spec::wear::eq22_critical_length::wave_velocity;
-        let material = silica();
-        assert!(near(wave_velocity(material.young_modulus, SILICA_DENSITY), 5760.4, 1e-4));
-        let d_c = critical_diameter(material.surface_energy, material.young_modulus, material.tensile_strength);
-        assert!(near(d_c, 1.7109, 1e-4));
-    }
-
-    #[test]
     fn nothing_is_near_a_nan() {
         assert!(!near(f64::NAN, 1.0, 1.0) && !near(1.0, f64::NAN, 1.0));
+    }
+
+    #[test]
+    fn a_figure_is_met_within_its_last_place() {
+        let verdict = |value| Claim::number("", "", "4.48", value, "nm", 2.0).verdict;
+        assert_eq!((verdict(4.4701), verdict(4.4899)), (Verdict::Holds, Verdict::Holds));
+        assert_eq!((verdict(4.4699), verdict(f64::NAN)), (Verdict::Differs, Verdict::Differs));
     }
 }

@@ -4,7 +4,7 @@ mod control;
 mod record;
 mod report;
 mod row;
-mod soot;
+pub mod soot;
 mod start;
 mod study;
 mod titania;

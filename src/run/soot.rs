@@ -18,11 +18,16 @@ use crate::system::{Domain, Particles, System};
 
 /// The plan of a case.
 pub struct Plan {
-    seed: u64,
-    max_overlap: f64,
-    soot: Soot,
-    sample: Aggregate,
-    test: Restructuring,
+    /// Seed of every random stream.
+    pub seed: u64,
+    /// Largest overlap allowed, as a part of the sum of the radii.
+    pub max_overlap: f64,
+    /// The interactions.
+    pub soot: Soot,
+    /// The aggregate.
+    pub sample: Aggregate,
+    /// What is done to it.
+    pub test: Restructuring,
 }
 
 /// How much farther than their range neighbours are listed, in radii: a collapse moves spheres by a few diameters.
@@ -78,7 +83,7 @@ fn centred(mut spheres: Vec<Sphere>) -> Vec<Sphere> {
 const COLUMNS: [&str; 3] = ["coordination number", "convexity", "gyration radius [nm]"];
 
 /// What of an aggregate's shape is followed: coordination number, convexity, gyration radius.
-type Shape = [f64; 3];
+pub type Shape = [f64; 3];
 
 fn shape(system: &System) -> Shape {
     let Particles { x, radius, .. } = &system.particles;

@@ -145,7 +145,7 @@ pub fn shear_junction(
 mod tests {
     use super::*;
     use crate::build::hcp;
-    use crate::reproduce::patch_material;
+    use crate::reproduce::wear::patch_material;
 
     #[test]
     fn a_lattice_without_poisson_effect_has_the_modulus_of_its_target() {

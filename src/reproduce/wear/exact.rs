@@ -1,8 +1,8 @@
 //! What the equations alone give.
 
-use super::{Chapter, Claim, near};
 use crate::build::amorphous::FILL;
 use crate::build::sphere_volume;
+use crate::reproduce::{Chapter, Claim, near};
 use crate::spec::wear::def_lognormal::truncated_moments;
 use crate::spec::wear::def_sphere::sphere_mass;
 use crate::spec::wear::eq06_critical_time_step::critical_time_step;
@@ -15,22 +15,16 @@ use crate::spec::wear::eq22_critical_length::{critical_length, shear_modulus, wa
 
 /// Lengths, velocities and limits of Sections 3 and 4, and the counts and time steps of Table 6.
 pub fn chapter() -> Chapter {
-    let digits = |id, claim: &str, paper: &str, value: f64, unit: &str, places: f64| {
-        let figure: f64 = paper.parse().expect("the paper's figure is a number");
-        let last = libm::exp10(-places);
-        // Printed figures are rounded or, twice, cut off: within one unit of the last place.
-        Claim::new(id, claim, format!("{paper} {unit}"), format!("{value:.5} {unit}"), (value - figure).abs() < last)
-    };
     let silica = [73e9, 16e9, 9e9, 1.5];
     let [e, sigma_n, sigma_t, gamma] = silica;
     let g = shear_modulus(e, 0.17);
     let mut claims = vec![
-        digits("d_min", "Eq. 19, Table 4", "30", minimum_diameter(1.5, 0.2), "", 9.0),
-        digits("d_c", "Eq. 18, Table 4", "150", critical_diameter(1.5, 1.0, 0.2), "", 9.0),
-        digits("d_min", "Eq. 19, silica", "0.37", minimum_diameter(gamma, sigma_n) * 1e9, "nm", 2.0),
-        digits("d_c", "Eq. 18, silica", "1.7", critical_diameter(gamma, e, sigma_n) * 1e9, "nm", 1.0),
-        digits("d*", "Eq. 22, silica", "18", critical_length(gamma, g, sigma_t) * 1e9, "nm", 0.0),
-        digits("wave velocity", "Section 4, silica", "5760", wave_velocity(e, 2200.0), "m/s", 0.0),
+        Claim::number("d_min", "Eq. 19, Table 4", "30", minimum_diameter(1.5, 0.2), "", 9.0),
+        Claim::number("d_c", "Eq. 18, Table 4", "150", critical_diameter(1.5, 1.0, 0.2), "", 9.0),
+        Claim::number("d_min", "Eq. 19, silica", "0.37", minimum_diameter(gamma, sigma_n) * 1e9, "nm", 2.0),
+        Claim::number("d_c", "Eq. 18, silica", "1.7", critical_diameter(gamma, e, sigma_n) * 1e9, "nm", 1.0),
+        Claim::number("d*", "Eq. 22, silica", "18", critical_length(gamma, g, sigma_t) * 1e9, "nm", 0.0),
+        Claim::number("wave velocity", "Section 4, silica", "5760", wave_velocity(e, 2200.0), "m/s", 0.0),
         Claim::new(
             "nu <= 1/4",
             "no tangential stiffness is left at nu = 1/4, a negative one beyond",

@@ -2,10 +2,11 @@
 
 use super::experiment::{Pull, Relaxed, elasticity, relax, strength};
 use super::lattice::range;
-use super::{Chapter, Claim, Extent, Figure, PATCH_DENSITY, patch_material};
+use super::{PATCH_DENSITY, patch_material};
 use crate::build::Sizes;
 use crate::figures::{Axis, Curve, Mark, Plot};
 use crate::observe::patch::Elasticity;
+use crate::reproduce::{Chapter, Claim, Extent, Figure};
 use crate::spec::wear::Material;
 use crate::spec::wear::eq18_critical_diameter::critical_diameter;
 use crate::spec::wear::eq20_matched_strength::matched_strength;

@@ -1,11 +1,12 @@
 //! Section 4: sheared junctions of silica, and their cost (Table 6).
 
 use super::experiment::{Relaxed, relax, shear_junction};
-use super::{Chapter, Claim, Extent, Figure, SILICA_DENSITY, silica};
+use super::{SILICA_DENSITY, silica};
 use crate::build::{Sizes, stages};
 use crate::case;
 use crate::figures::{Axis, Curve, Mark, Plot, snapshot};
 use crate::observe::fate::{Fate, Row, WINDOW};
+use crate::reproduce::{Chapter, Claim, Extent, Figure};
 use crate::system::Halt;
 use rayon::prelude::*;
 use std::time::Instant;

@@ -1,11 +1,12 @@
 //! Section 3.1: hexagonal close-packed lattices.
 
 use super::experiment::{Pull, Strength, elasticity, strength};
-use super::{Chapter, Claim, Extent, Figure, PATCH_DENSITY, log_slope, near, patch_material};
+use super::{PATCH_DENSITY, log_slope, patch_material};
 use crate::build::hcp;
 use crate::build::lattice::hcp_cells;
 use crate::figures::{Axis, Curve, Mark, Plot};
 use crate::observe::patch::Elasticity;
+use crate::reproduce::{Chapter, Claim, Extent, Figure, near};
 use crate::spec::wear::eq18_critical_diameter::critical_diameter;
 use crate::spec::wear::eq20_matched_strength::matched_strength;
 use crate::system::{Halt, System};

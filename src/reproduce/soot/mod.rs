@@ -1,0 +1,5 @@
+//! Demidov, Gor & Khalizov 2024.
+
+pub mod ensemble;
+pub mod exact;
+pub mod restructuring;
