@@ -2,15 +2,14 @@
 
 use super::{Found, belongs, expect};
 use crate::case::units::{decimal, in_unit};
-use crate::case::{Case, FourSprings, Soot};
+use crate::case::{Case, Experiment, FourSprings, Sample, Soot};
 
 /// All that is wrong with a case of the soot paper.
 pub fn problems(case: &Case, found: &mut Found) {
     let Some((soot, sample, test)) = case.soot() else {
-        let fits = |holds| (holds, "`aggregate`");
-        let (sampled, expected) = fits(matches!(case.sample, crate::case::Sample::Aggregate(_)));
-        belongs(found, sampled, "sample", expected, "soot");
-        let tested = matches!(case.experiment, crate::case::Experiment::Restructuring(_));
+        let (sampled, tested) =
+            (matches!(case.sample, Sample::Aggregate(_)), matches!(case.experiment, Experiment::Restructuring(_)));
+        belongs(found, sampled, "sample", "`aggregate`", "soot");
         belongs(found, tested, "experiment", "`restructuring`", "soot");
         return;
     };
