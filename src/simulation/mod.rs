@@ -236,9 +236,12 @@ impl<M: PairModel> Simulation<M> {
             })
             .collect();
         let necks = &self.system.necks;
-        let listed = pairs.iter().map(|pair| forces::bond(particles, pair.p as usize, pair.q as usize, pair.image));
         let mut missing: std::collections::BTreeSet<_> = necks.iter().copied().collect();
-        for (i, j, _) in listed {
+        for pair in &pairs {
+            if missing.is_empty() {
+                break;
+            }
+            let (i, j, _) = forces::bond(particles, pair.p as usize, pair.q as usize, pair.image);
             missing.remove(&(i, j));
         }
         if let Some(&pair) = missing.first() {
