@@ -25,7 +25,9 @@
 
 pub mod attraction;
 pub mod def_aggregate;
+pub mod def_capacity;
 pub mod def_capillary;
+pub mod def_diffusion;
 pub mod def_drive;
 pub mod def_inertia;
 pub mod def_lognormal;
@@ -90,7 +92,9 @@ fn equations() -> Vec<Equation> {
         def_aggregate::equations(),
         def_rotation::equations(),
         def_inertia::equations(),
+        def_capacity::equations(),
         eq14_friction_factor::equations(),
+        def_diffusion::equations(),
     ]
     .into_iter()
     .flatten()

@@ -3,6 +3,8 @@
 pub mod agglomerate;
 pub mod aggregate;
 pub mod amorphous;
+pub mod directions;
+pub mod film;
 pub mod junction;
 pub mod lattice;
 pub mod pair;

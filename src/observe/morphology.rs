@@ -3,6 +3,7 @@
 use super::clusters::Clusters;
 use super::hull::{inner_radius, measures};
 use crate::build::aggregate::Sphere;
+use crate::build::directions::spread;
 use crate::build::sphere_volume;
 use crate::forces::neighbours;
 use crate::spec::soot::def_convexity::{convexity as filled, hull_volume};
@@ -21,6 +22,8 @@ pub enum Extent {
     Centres,
     /// Each sphere adds the mean square distance from its own centre, 3/5 of its squared radius.
     Spheres,
+    /// Each sphere adds its squared radius, so that one alone has its radius as gyration radius (Filippov, Zurita & Rosner 2000).
+    Radii,
 }
 
 /// Mass of a sphere, in units in which one of radius 1 nm has mass 1.
@@ -46,7 +49,11 @@ pub fn gyration_tensor(spheres: &[Sphere], extent: Extent) -> Tensor<f64> {
     let mut sum = [Vec3::zero(); 3];
     for s in spheres {
         let from_centre = s.centre - centre;
-        let own = if extent == Extent::Spheres { s.radius.squared() / 5.0 } else { 0.0 };
+        let own = match extent {
+            Extent::Centres => 0.0,
+            Extent::Spheres => s.radius.squared() / 5.0,
+            Extent::Radii => s.radius.squared() / 3.0,
+        };
         for (k, row) in from_centre.outer(from_centre).into_iter().enumerate() {
             sum[k] = sum[k] + row * (mass(s) / total);
             sum[k].0[k] += own * mass(s) / total;
@@ -124,7 +131,7 @@ pub fn convexity(spheres: &[Sphere]) -> Bounded {
         let hull = measures(&centres);
         return Bounded { value: filled(own, hull_volume(hull.volume, hull.surface, hull.curvature, r)), error: 0.0 };
     }
-    let corners = on_the_unit_sphere();
+    let corners = spread(POINTS);
     // Volume of the hull of the polyhedra, which are `scale` times as large as those inscribed.
     let hull = |scale: f64| {
         let points: Vec<Vec3<f64>> =
@@ -133,17 +140,6 @@ pub fn convexity(spheres: &[Sphere]) -> Bounded {
     };
     let (least, most) = (filled(own, hull(1.0 / inner_radius(&corners))), filled(own, hull(1.0)));
     Bounded { value: 0.5 * (least + most), error: 0.5 * (most - least) }
-}
-
-/// Points of a spiral, spread evenly.
-fn on_the_unit_sphere() -> Vec<Vec3<f64>> {
-    let golden = f64::pi() * (3.0 - 5f64.sqrt());
-    let point = |k: usize| {
-        let z = 1.0 - (2 * k + 1) as f64 / POINTS as f64;
-        let (rho, angle) = ((1.0 - z * z).sqrt(), golden * k as f64);
-        Vec3([rho * Real::cos(angle), rho * Real::sin(angle), z])
-    };
-    (0..POINTS).map(point).collect()
 }
 
 #[cfg(test)]

@@ -2,6 +2,8 @@
 
 use super::Sphere;
 use super::cluster::Cluster;
+use super::law::Law;
+use crate::build::directions::{Covered, cone, direction, frame, turn};
 use crate::build::random::Stream;
 use crate::spec::{Real, Vec3};
 
@@ -14,31 +16,32 @@ const WIDENING: f64 = 1.02;
 /// Spheres that are not meant to touch stay apart by this fraction of their distance.
 const NEAR: f64 = 1.0 + 1e-9;
 
-/// Joins two clusters to one with the gyration radius that is `lawful` for so many spheres with such a sum of the logarithms of
-/// the radii, or, where they cannot be placed so, with one as near as they can.
-pub fn join(a: &Cluster, b: &Cluster, lawful: impl Fn(usize, f64) -> f64, stream: &mut Stream) -> Cluster {
+/// Joins two clusters to one with the gyration radius of the law, or, where they cannot be placed so, with one as near as they can.
+pub fn join(a: &Cluster, b: &Cluster, law: &Law, stream: &mut Stream) -> Cluster {
     let farthest = a.reach + b.reach;
-    let number = a.spheres.len() + b.spheres.len();
-    if number == 2 {
-        return united(a, &b.spheres, direction(stream) * farthest);
+    let sums = a.sums.with(&b.sums);
+    let whole = |spheres| Cluster::new(spheres, law.extent());
+    if sums.number == 2 {
+        return whole(united(a, &b.spheres, direction(stream) * farthest));
     }
     // Steiner: M R^2 = m_a R_a^2 + m_b R_b^2 + (m_a m_b / M) distance^2.
-    let total = a.mass + b.mass;
-    let between = total * lawful(number, a.logarithms + b.logarithms).squared() - a.mass * a.square - b.mass * b.square;
-    let mut distance = (between.max(0.0) * total / (a.mass * b.mass)).sqrt().min(farthest);
+    let (mass_a, mass_b, total) = (a.sums.cubes, b.sums.cubes, sums.cubes);
+    let between = total * law.gyration_radius(&sums).squared() - mass_a * a.square - mass_b * b.square;
+    let mut distance = (between.max(0.0) * total / (mass_a * mass_b)).sqrt().min(farthest);
     loop {
-        if let Some(joined) = (0..TRIES).find_map(|_| place(a, b, distance, stream)) {
-            return joined;
+        if let Some(spheres) = (0..TRIES).find_map(|_| place(a, b, distance, stream)) {
+            return whole(spheres);
         }
         // The outermost spheres, placed in one line, always fit.
-        distance = if distance < farthest { (distance * WIDENING).min(farthest) } else { return in_line(a, b) };
+        distance =
+            if distance < farthest { (distance * WIDENING).min(farthest) } else { return whole(in_line(a, b)) };
         distance = distance.max(1e-3 * farthest);
     }
 }
 
 /// One attempt: a random sphere of `a` touches a random sphere of `b`, and `b` is turned about the line through the former
 /// and its own centre, which keeps them in touch, to where nothing overlaps.
-fn place(a: &Cluster, b: &Cluster, distance: f64, stream: &mut Stream) -> Option<Cluster> {
+fn place(a: &Cluster, b: &Cluster, distance: f64, stream: &mut Stream) -> Option<Vec<Sphere>> {
     let (i, j) = (pick(a, stream), pick(b, stream));
     let (p, q) = (a.spheres[i], b.spheres[j]);
     let touch = p.radius + q.radius;
@@ -88,13 +91,13 @@ fn place(a: &Cluster, b: &Cluster, distance: f64, stream: &mut Stream) -> Option
     Some(united(a, &turned, at))
 }
 
-fn united(a: &Cluster, b: &[Sphere], at: Vec3<f64>) -> Cluster {
+fn united(a: &Cluster, b: &[Sphere], at: Vec3<f64>) -> Vec<Sphere> {
     let moved = b.iter().map(|s| Sphere { centre: s.centre + at, ..*s });
-    Cluster::new(a.spheres.iter().copied().chain(moved).collect())
+    a.spheres.iter().copied().chain(moved).collect()
 }
 
 /// The two clusters with their outermost spheres touching and the centres of mass in line with them.
-fn in_line(a: &Cluster, b: &Cluster) -> Cluster {
+fn in_line(a: &Cluster, b: &Cluster) -> Vec<Sphere> {
     let outermost = |c: &Cluster| {
         let far = |s: &Sphere| s.centre.norm() + s.radius;
         c.spheres.iter().copied().max_by(|s, t| far(s).total_cmp(&far(t))).expect("a cluster has spheres").centre
@@ -129,10 +132,9 @@ impl Ring {
 
 /// An angle by which the rings can be turned so that no two spheres overlap, each such angle as likely as any other.
 fn free_angle(fixed: &[Ring], mut turning: Vec<Ring>, stream: &mut Stream) -> Option<f64> {
-    let full = 2.0 * f64::pi();
     let largest = turning.iter().map(|ring| ring.radius).fold(0.0, f64::max);
     turning.sort_unstable_by(|s, t| s.height.total_cmp(&t.height));
-    let mut taken: Vec<(f64, f64)> = Vec::new();
+    let mut taken = Covered::default();
     for k in fixed {
         let window = NEAR * (k.radius + largest);
         let first = turning.partition_point(|l| l.height < k.height - window);
@@ -146,29 +148,13 @@ fn free_angle(fixed: &[Ring], mut turning: Vec<Ring>, stream: &mut Stream) -> Op
             }
             let half =
                 Real::acos((k.distance.squared() + l.distance.squared() - level) / (2.0 * k.distance * l.distance));
-            let from = k.angle - l.angle - half;
-            let from = from - full * (from / full).floor();
-            taken.push((from, from + 2.0 * half));
-            if from + 2.0 * half > full {
-                taken.push((0.0, from + 2.0 * half - full));
-            }
+            taken.cover(k.angle - l.angle - half, 2.0 * half);
         }
     }
-    taken.sort_unstable_by(|s, t| s.0.total_cmp(&t.0));
-    taken.push((full, full));
-    let gaps = || {
-        taken
-            .iter()
-            .scan(0.0, |end: &mut f64, &(from, to)| {
-                let gap = (*end, from - *end);
-                *end = end.max(to);
-                Some(gap)
-            })
-            .filter(|gap| gap.1 > 0.0)
-    };
-    let free: f64 = gaps().map(|gap| gap.1).sum();
+    let gaps = taken.gaps();
+    let free: f64 = gaps.iter().map(|gap| gap.1).sum();
     let mut left = free * stream.uniform();
-    for (from, length) in gaps() {
+    for (from, length) in gaps {
         if left < length {
             return Some(from + left);
         }
@@ -181,16 +167,6 @@ fn pick(cluster: &Cluster, stream: &mut Stream) -> usize {
     (stream.uniform() * cluster.spheres.len() as f64) as usize
 }
 
-fn turn(stream: &mut Stream) -> f64 {
-    2.0 * f64::pi() * stream.uniform()
-}
-
-/// A random direction.
-fn direction(stream: &mut Stream) -> Vec3<f64> {
-    let z = 2.0 * stream.uniform() - 1.0;
-    cone(Vec3([0.0, 0.0, 1.0]), z, stream)
-}
-
 /// The direction of `v`; of the null vector, any.
 fn unit(v: Vec3<f64>, stream: &mut Stream) -> Vec3<f64> {
     let length = v.norm();
@@ -200,26 +176,4 @@ fn unit(v: Vec3<f64>, stream: &mut Stream) -> Vec3<f64> {
 /// Cosine of the angle between the sides `a` and `b` of a triangle, given the square of the third.
 fn cosine(a: f64, b: f64, square: f64) -> f64 {
     if a * b > 0.0 { ((a.squared() + b.squared() - square) / (2.0 * a * b)).clamp(-1.0, 1.0) } else { 1.0 }
-}
-
-/// A random direction at an angle to the axis.
-fn cone(axis: Vec3<f64>, cosine: f64, stream: &mut Stream) -> Vec3<f64> {
-    axis * cosine + frame(axis, turn(stream))[1] * (1.0 - cosine.squared()).sqrt()
-}
-
-/// A right-handed orthonormal frame with a given first axis, turned about it.
-fn frame(axis: Vec3<f64>, angle: f64) -> [Vec3<f64>; 3] {
-    let [x, y, z] = axis.0.map(f64::abs);
-    let least = if x <= y && x <= z {
-        [1.0, 0.0, 0.0]
-    } else if y <= z {
-        [0.0, 1.0, 0.0]
-    } else {
-        [0.0, 0.0, 1.0]
-    };
-    let across = axis.cross(Vec3(least));
-    let across = across * (1.0 / across.norm());
-    let third = axis.cross(across);
-    let (s, c) = (Real::sin(angle), Real::cos(angle));
-    [axis, across * c + third * s, third * c - across * s]
 }

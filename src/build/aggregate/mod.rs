@@ -1,22 +1,23 @@
-//! Aggregates of touching spheres: grown by the fractal law (Eq. 24 of the soot paper) or imported, and the necks between them.
+//! Aggregates of touching spheres: grown by a fractal law or imported, and the necks between them.
 //!
 //! An aggregate is grown by joining two clusters at a time. The law gives the gyration radius of what comes out, hence the
 //! distance of the two centres of mass; the clusters are then turned until they touch at one point and overlap nowhere.
 //! Who is joined to whom is all that tells the two methods apart.
 //!
-//! Choices for unequal spheres: one density, so that mass goes with the cube of the radius; `R_g` is that of the centres,
-//! weighted by mass, without the spheres' own extent; `r` is the geometric mean of the radii joined so far.
+//! Choices for unequal spheres: one density, so that mass goes with the cube of the radius, and gyration radii weighted by mass.
+//! What of the spheres' own extent counts, and what mean size of theirs, [`law`] tells for each paper.
 
 mod cluster;
 pub mod import;
 mod join;
+pub mod law;
 pub mod necks;
 
 use super::random::Stream;
-use crate::spec::soot::eq24_fractal::gyration_radius;
 use crate::spec::{Real, Vec3};
 use cluster::Cluster;
 use join::join;
+use law::{Form, Law};
 use std::fmt;
 
 /// A primary particle.
@@ -144,17 +145,34 @@ pub fn aggregate(recipe: &Recipe, seed: u64) -> Result<Vec<Sphere>, Failure> {
         return Err(Failure::Recipe);
     }
     let (mut sizes, mut places) = (Stream::new(seed, "aggregate radii"), Stream::new(seed, "aggregate places"));
-    let mut radii: Vec<f64> = (0..recipe.number).map(|_| recipe.radii.draw(&mut sizes)).collect();
+    let radii = (0..recipe.number).map(|_| recipe.radii.draw(&mut sizes)).collect();
+    let largest_cluster = match recipe.method {
+        Method::Clusters => 1,
+        Method::Spheres => recipe.number,
+    };
+    grown(radii, largest_cluster, &recipe.law(), &mut places)
+}
+
+/// Grows an aggregate of given spheres, in any order: one after the other up to clusters of `largest_cluster`, as few and as equal
+/// as can be, which are then joined, halves of halves.
+pub fn grown(
+    mut radii: Vec<f64>,
+    largest_cluster: usize,
+    law: &Law,
+    places: &mut Stream,
+) -> Result<Vec<Sphere>, Failure> {
+    let number = radii.len();
+    let clusters = number.div_ceil(largest_cluster);
     let mut best: Option<Failure> = None;
     for _ in 0..BEGINNINGS {
         // Another order may do what this one cannot: the last sphere may be too small or too large to meet the law.
-        for k in (1..radii.len()).rev() {
+        for k in (1..number).rev() {
             radii.swap(k, (places.uniform() * (k + 1) as f64) as usize);
         }
-        let grown = grow(recipe, &radii, &mut places);
-        let wanted = recipe.gyration_radius(recipe.number, grown.logarithms);
+        let grown = grow(law, &radii, clusters, places);
+        let wanted = law.gyration_radius(&grown.sums);
         let reached = grown.square.sqrt();
-        if recipe.number < 3 || (reached / wanted - 1.0).abs() < ROUNDING {
+        if number < 3 || (reached / wanted - 1.0).abs() < ROUNDING {
             return Ok(grown.spheres);
         }
         let nearer = |failure: &Failure| match *failure {
@@ -162,30 +180,29 @@ pub fn aggregate(recipe: &Recipe, seed: u64) -> Result<Vec<Sphere>, Failure> {
             Failure::Recipe => true,
         };
         if best.as_ref().is_none_or(nearer) {
-            best = Some(Failure::Unmet { number: recipe.number, wanted, reached });
+            best = Some(Failure::Unmet { number, wanted, reached });
         }
     }
     Err(best.expect("it was begun at least once"))
 }
 
-fn grow(recipe: &Recipe, radii: &[f64], stream: &mut Stream) -> Cluster {
-    match recipe.method {
-        Method::Spheres => radii[1..].iter().fold(Cluster::single(radii[0]), |grown, &radius| {
-            join(&Cluster::single(radius), &grown, |n, logarithms| recipe.gyration_radius(n, logarithms), stream)
-        }),
-        Method::Clusters if radii.len() == 1 => Cluster::single(radii[0]),
-        Method::Clusters => {
-            let (left, right) = radii.split_at(radii.len() / 2);
-            let (left, right) = (grow(recipe, left, stream), grow(recipe, right, stream));
-            join(&left, &right, |n, logarithms| recipe.gyration_radius(n, logarithms), stream)
-        }
+fn grow(law: &Law, radii: &[f64], clusters: usize, stream: &mut Stream) -> Cluster {
+    let single = |radius| Cluster::single(radius, law.extent());
+    if clusters == 1 {
+        return radii[1..]
+            .iter()
+            .fold(single(radii[0]), |grown, &radius| join(&single(radius), &grown, law, stream));
     }
+    let half = clusters / 2;
+    let (left, right) = radii.split_at(radii.len() * half / clusters);
+    let (left, right) = (grow(law, left, half, stream), grow(law, right, clusters - half, stream));
+    join(&left, &right, law, stream)
 }
 
 impl Recipe {
-    /// The gyration radius that the law demands of `n` spheres, given the sum of the logarithms of their radii.
-    fn gyration_radius(&self, n: usize, logarithms: f64) -> f64 {
-        gyration_radius(self.k_f, n as f64, Real::exp(logarithms / n as f64), self.d_f)
+    /// The law that the aggregate is to obey.
+    pub fn law(&self) -> Law {
+        Law { k_f: self.k_f, d_f: self.d_f, form: Form::Soot }
     }
 }
 

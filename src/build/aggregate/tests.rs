@@ -1,5 +1,6 @@
 use super::*;
 use crate::observe::morphology::{Extent, components, gyration_radius as measured, pairs_within};
+use law::Sums;
 use proptest::prelude::*;
 
 /// The aggregates of the paper.
@@ -29,7 +30,7 @@ fn gaps(spheres: &[Sphere]) -> Vec<f64> {
 }
 
 fn lawful(recipe: &Recipe, spheres: &[Sphere]) -> f64 {
-    recipe.gyration_radius(spheres.len(), spheres.iter().map(|s| s.radius.ln()).sum())
+    recipe.law().gyration_radius(&Sums::of(spheres))
 }
 
 proptest! {
@@ -66,12 +67,12 @@ fn the_law_is_met_at_every_joining() {
             let mut misses = 0;
             let mut stream = Stream::new(number as u64, "test");
             let mut check = |a: &Cluster, b: &Cluster, stream: &mut Stream| {
-                let whole = join(a, b, |n, logarithms| recipe.gyration_radius(n, logarithms), stream);
-                let wanted = recipe.gyration_radius(whole.spheres.len(), whole.logarithms);
+                let whole = join(a, b, &recipe.law(), stream);
+                let wanted = recipe.law().gyration_radius(&whole.sums);
                 misses += usize::from(whole.spheres.len() > 2 && (whole.square.sqrt() / wanted - 1.0).abs() > 1e-12);
                 whole
             };
-            let mut grown: Vec<Cluster> = (0..number).map(|_| Cluster::single(14.0)).collect();
+            let mut grown: Vec<Cluster> = (0..number).map(|_| Cluster::single(14.0, Extent::Centres)).collect();
             while grown.len() > 1 {
                 let (a, b) = (grown.remove(0), grown.remove(0));
                 grown.push(check(&a, &b, &mut stream));

@@ -1,0 +1,84 @@
+//! The aggregates of a film before they fall, and how fast they diffuse.
+
+use super::{Diameters, Failure, FilmPlan, Numbers};
+use crate::build::aggregate::law::{Form, Law};
+use crate::build::aggregate::{Sphere, grown};
+use crate::build::random::Stream;
+use crate::observe::capacity::capacity;
+use crate::observe::projection::mean_projected_area;
+use crate::spec::Real;
+use crate::spec::titania::def_diffusion::diffusion;
+use crate::spec::titania::def_lognormal::lognormal_share;
+use crate::spec::titania::eq14_friction_factor::friction_factor;
+use rayon::prelude::*;
+
+/// Boltzmann's constant, zJ/K.
+const BOLTZMANN: f64 = 1.380649e-2;
+/// Walks that measure the hydrodynamic radius: its standard error is 2 % where half of them hit.
+const WALKS: usize = 2000;
+/// Directions in which the projected area is taken.
+const DIRECTIONS: usize = 56;
+
+/// An aggregate about its centre of mass.
+pub struct Aggregate {
+    pub spheres: Vec<Sphere>,
+    /// Coefficient of diffusion.
+    pub diffusion: f64,
+}
+
+/// The aggregates of a film, in the order in which they fall.
+pub fn aggregates(plan: &FilmPlan, seed: u64) -> Result<Vec<Aggregate>, Failure> {
+    let mut stream = Stream::new(seed, "film numbers");
+    let (mut sizes, mut total) = (Vec::new(), 0);
+    while total < plan.spheres {
+        sizes.push(plan.numbers.draw(&mut stream));
+        total += sizes[sizes.len() - 1];
+    }
+    let classes = plan.diameters.classes();
+    let one = |(k, &number): (usize, &usize)| {
+        let mut stream = Stream::new(seed, &format!("film aggregate {k}"));
+        let radii = (0..number).map(|_| 0.5 * draw(&classes, &mut stream)).collect();
+        let law = Law { k_f: plan.k_f, d_f: plan.d_f, form: Form::Titania };
+        let spheres = grown(radii, plan.cluster, &law, &mut stream).map_err(Failure::Ungrown)?;
+        let diffusion = plan.diffusion(&spheres, &mut stream);
+        Ok(Aggregate { spheres, diffusion })
+    };
+    sizes.par_iter().enumerate().map(one).collect()
+}
+
+impl FilmPlan {
+    fn diffusion(&self, spheres: &[Sphere], stream: &mut Stream) -> f64 {
+        let (r_h, area) = (capacity(spheres, WALKS, stream), mean_projected_area(spheres, DIRECTIONS));
+        let (_, _, friction) = friction_factor(self.gas.viscosity, self.gas.free_path, r_h, area);
+        diffusion(BOLTZMANN * self.gas.temperature, friction)
+    }
+}
+
+impl Numbers {
+    fn draw(&self, stream: &mut Stream) -> usize {
+        loop {
+            let number = (self.median * Real::exp(self.deviation * stream.normal())).round();
+            if number >= 1.0 && number <= f64::from(self.largest) {
+                return number as usize;
+            }
+        }
+    }
+}
+
+impl Diameters {
+    /// The diameters and the shares of those up to each.
+    fn classes(&self) -> Vec<(f64, f64)> {
+        let (lo, hi) = (f64::from(self.smallest), f64::from(self.largest));
+        let mut up_to = 0.0;
+        let class = |d| {
+            up_to += lognormal_share(f64::from(d), self.median, self.deviation, lo, hi);
+            (f64::from(d), up_to)
+        };
+        (self.smallest..=self.largest).map(class).collect()
+    }
+}
+
+fn draw(classes: &[(f64, f64)], stream: &mut Stream) -> f64 {
+    let share = stream.uniform();
+    classes[classes.partition_point(|class| class.1 <= share).min(classes.len() - 1)].0
+}
