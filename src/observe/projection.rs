@@ -12,7 +12,8 @@ pub fn mean_projected_area(spheres: &[Sphere], directions: usize) -> f64 {
 /// Area (nm^2) of the shadow of spheres along a unit vector.
 pub fn projected_area(spheres: &[Sphere], along: Vec3<f64>) -> f64 {
     let [_, e, f] = frame(along, 0.0);
-    let discs: Vec<Disc> = spheres.iter().map(|s| Disc { x: s.centre.dot(e), y: s.centre.dot(f), r: s.radius }).collect();
+    let discs: Vec<Disc> =
+        spheres.iter().map(|s| Disc { x: s.centre.dot(e), y: s.centre.dot(f), r: s.radius }).collect();
     (0..discs.len()).map(|i| share(&discs, i)).sum()
 }
 

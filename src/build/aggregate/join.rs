@@ -33,8 +33,7 @@ pub fn join(a: &Cluster, b: &Cluster, law: &Law, stream: &mut Stream) -> Cluster
             return whole(spheres);
         }
         // The outermost spheres, placed in one line, always fit.
-        distance =
-            if distance < farthest { (distance * WIDENING).min(farthest) } else { return whole(in_line(a, b)) };
+        distance = if distance < farthest { (distance * WIDENING).min(farthest) } else { return whole(in_line(a, b)) };
         distance = distance.max(1e-3 * farthest);
     }
 }

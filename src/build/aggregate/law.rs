@@ -3,9 +3,9 @@
 use super::Sphere;
 use crate::build::sphere_volume;
 use crate::observe::morphology::Extent;
+use crate::spec::Real;
 use crate::spec::soot::eq24_fractal;
 use crate::spec::titania::def_aggregate::{fractal_diameter, sauter_diameter};
-use crate::spec::Real;
 
 /// A law with its prefactor and dimension.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -189,9 +189,7 @@ pub fn grown(
 fn grow(law: &Law, radii: &[f64], clusters: usize, stream: &mut Stream) -> Cluster {
     let single = |radius| Cluster::single(radius, law.extent());
     if clusters == 1 {
-        return radii[1..]
-            .iter()
-            .fold(single(radii[0]), |grown, &radius| join(&single(radius), &grown, law, stream));
+        return radii[1..].iter().fold(single(radii[0]), |grown, &radius| join(&single(radius), &grown, law, stream));
     }
     let half = clusters / 2;
     let (left, right) = radii.split_at(radii.len() * half / clusters);

@@ -82,7 +82,9 @@ impl Column {
             return Room { gap: bound, nearest: Nearest::Unknown };
         }
         let away = i64::from(self.away[self.index(place)]);
-        let beyond = |cells: i64| (cells - 1) as f64 * self.cell.into_iter().fold(f64::INFINITY, f64::min) - radius - self.largest;
+        let beyond = |cells: i64| {
+            (cells - 1) as f64 * self.cell.into_iter().fold(f64::INFINITY, f64::min) - radius - self.largest
+        };
         if away >= 2 {
             let bound = bound.max(beyond(away));
             return if bound < best.gap { Room { gap: bound, nearest: Nearest::Unknown } } else { best };
@@ -102,7 +104,10 @@ impl Column {
                         let square = to.dot(to);
                         if square < reach * reach {
                             let distance = square.sqrt();
-                            best = Room { gap: distance - radius - other.radius, nearest: Nearest::Sphere(to * (1.0 / distance)) };
+                            best = Room {
+                                gap: distance - radius - other.radius,
+                                nearest: Nearest::Sphere(to * (1.0 / distance)),
+                            };
                         }
                         next = other.next;
                     }

@@ -124,6 +124,21 @@ impl fmt::Display for Failure {
 impl std::error::Error for Failure {}
 
 impl FilmPlan {
+    /// The film of the paper in a column of these sides; the gas is air at 300 K and atmospheric pressure, of which the paper does not tell.
+    pub fn paper(spheres: usize, sides: [f64; 2]) -> Self {
+        Self {
+            spheres,
+            sides,
+            diameters: Diameters { median: 9.0, deviation: 1.45, smallest: 3, largest: 23 },
+            numbers: Numbers { median: 36.0, deviation: 0.5, largest: 128 },
+            cluster: 6,
+            k_f: 1.0,
+            d_f: 1.8,
+            gas: Gas { temperature: 300.0, viscosity: 1.85e-2, free_path: 68.0 },
+            drift: 0.1,
+        }
+    }
+
     /// Builds the film: the same for the same seed, on any number of threads.
     pub fn build(&self, seed: u64) -> Result<Film, Failure> {
         let aggregates = aggregates::aggregates(self, seed)?;
@@ -137,6 +152,3 @@ impl Film {
         self.on_floor.len()
     }
 }
-
-#[cfg(test)]
-mod tests;
