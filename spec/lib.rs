@@ -20,7 +20,7 @@ pub mod wear;
 
 pub use contact::Contact;
 use equation::{Equation, Paper};
-pub use model::{Flat, Named, Outcome, PairModel, Wrench};
+pub use model::{Flat, Named, Outcome, PairModel, Touch, Wrench};
 pub use real::{Real, piecewise};
 pub use vec3::{Tensor, Vec3};
 

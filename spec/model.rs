@@ -32,6 +32,21 @@ pub struct Outcome<R, M, L> {
     pub losses: L,
 }
 
+/// A sphere at a point of a surface that moves as it is told.
+#[derive(Clone, Copy, Debug)]
+pub struct Touch<R> {
+    /// Unit vector from the surface to the centre.
+    pub n: Vec3<R>,
+    /// Distance between surface and sphere, m: negative for an overlap.
+    pub gap: R,
+    /// Velocity of the centre relative to the surface, m/s.
+    pub v: Vec3<R>,
+    /// Angular velocity of the sphere, 1/s.
+    pub omega: Vec3<R>,
+    /// Radius of the sphere, m.
+    pub r: R,
+}
+
 /// A fixed number of `R`, in order: how an engine keeps what a model remembers without knowing what it means.
 pub trait Flat<R>: Copy + Send + Sync {
     /// How many numbers.
@@ -159,4 +174,35 @@ pub trait PairModel: Sync {
     fn stored<R: Real>(&self, c: &Contact<R>, k: &Self::Coefficients<R>, memory: &Self::Memory<R>) -> Self::Stored<R>;
     /// Largest stable time step of two equal spheres in contact, s.
     fn critical_time_step(&self, r: f64, m: f64) -> f64;
+
+    /// Distance of a centre from a surface of this material up to which the surface acts, m; zero for a model without surfaces.
+    fn surface_range(&self, _material: usize, _r: f64) -> f64 {
+        0.0
+    }
+    /// A contact of a sphere and a surface: advances its springs by `dt` and says what they do to the sphere.
+    fn surface_contact(
+        &self,
+        _material: usize,
+        _touch: &Touch<f64>,
+        memory: Self::Memory<f64>,
+        _dt: f64,
+    ) -> Outcome<f64, Self::Memory<f64>, Self::Losses<f64>> {
+        let zero = Vec3::zero();
+        let wrench = Wrench { force: zero, torque_i: zero, torque_j: zero };
+        Outcome { wrench, memory, losses: Flat::from_fn(|_| 0.0) }
+    }
+    /// The force with which a surface attracts a sphere from its nearest point, N.
+    fn surface_pull(&self, _material: usize, _touch: &Touch<f64>) -> f64 {
+        0.0
+    }
+    /// The energy that the springs of a contact hold, and, at the `nearest` point of the surface, its attraction.
+    fn surface_stored(
+        &self,
+        _material: usize,
+        _touch: &Touch<f64>,
+        _memory: &Self::Memory<f64>,
+        _nearest: bool,
+    ) -> Self::Stored<f64> {
+        Flat::from_fn(|_| 0.0)
+    }
 }

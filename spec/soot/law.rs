@@ -2,11 +2,12 @@
 
 use super::def_body_forces::Attraction;
 use super::def_frequency::neck_frequencies;
-use super::def_grip::{Friction, Grip, Losses, Memory, Springs, never};
+use super::def_grip::{Friction, Grip, Losses, Memory, Springs};
 use super::def_meeting::Meeting;
 use super::def_sphere::solid_inertia;
-use super::eq21_hamaker_plane::{plane_force, saturated_plane};
-use crate::{Contact, Flat, PairModel, Real, Vec3, flat_struct};
+use crate::{Contact, Flat, PairModel, Real, Touch, Vec3, flat_struct};
+
+pub use wall::Wall;
 
 /// How a twist of a contact is resisted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,6 +45,11 @@ flat_struct! {
     }
 }
 
+/// Which of the walls a surface is.
+pub const SUBSTRATE: usize = 0;
+/// Which of the walls a surface is.
+pub const TIP: usize = 1;
+
 /// Soot: necks, frictional contacts, van der Waals and capillary attraction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Soot {
@@ -57,6 +63,8 @@ pub struct Soot {
     pub attraction: Attraction<f64>,
     /// How a twist is resisted.
     pub torsion: Torsion,
+    /// The [substrate](SUBSTRATE) and the [tip](TIP).
+    pub walls: [Wall; 2],
 }
 
 /// The same numbers in another arithmetic.
@@ -134,6 +142,26 @@ impl PairModel for Soot {
         };
         limit(&self.neck).min(limit(&self.contact))
     }
+
+    fn surface_range(&self, material: usize, r: f64) -> f64 {
+        let Wall { hamaker, cutoff, .. } = self.walls[material];
+        if hamaker > 0.0 { cutoff.max(r) } else { r }
+    }
+
+    fn surface_contact(&self, material: usize, touch: &Touch<f64>, memory: Memory<f64>, dt: f64) -> Grip<f64> {
+        self.walls[material].grip(touch, memory, dt)
+    }
+
+    fn surface_pull(&self, material: usize, touch: &Touch<f64>) -> f64 {
+        self.walls[material].pull(touch.gap, touch.r)
+    }
+
+    fn surface_stored(&self, material: usize, touch: &Touch<f64>, memory: &Memory<f64>, nearest: bool) -> Stored<f64> {
+        let (wall, &Touch { gap, r, .. }) = (&self.walls[material], touch);
+        let van_der_waals = if nearest { wall.energy(gap, r) } else { 0.0 };
+        let [normal, tangential, rolling, torsion] = wall.stored(gap, memory);
+        Stored { normal, tangential, rolling, torsion, van_der_waals, capillary: 0.0 }
+    }
 }
 
 impl Soot {
@@ -154,68 +182,7 @@ fn is_bonded<R: Real>(k: &Coefficients<R>) -> R::Mask {
     k.bonded.gt(R::lit(0.5))
 }
 
-/// A wall: the substrate, or a facet of the tip. It has a motion of its own that no force changes.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Wall {
-    /// The four springs of its contacts.
-    pub contact: Springs<f64>,
-    /// Their friction.
-    pub friction: Friction<f64>,
-    /// Hamaker constant, J.
-    pub hamaker: f64,
-    /// Saturation distance, m.
-    pub delta_0: f64,
-    /// Distance of a centre from the wall beyond which nothing acts, m.
-    pub cutoff: f64,
-    /// How a twist is resisted.
-    pub torsion: Torsion,
-}
-
-impl Wall {
-    /// A sphere of radius `r` at the distance `gap`, `n` pointing from the wall to it: advances its springs by `dt` and says what the wall does to it. `v` is its velocity relative to the wall at the
-    /// closest point.
-    #[inline(always)]
-    pub fn act<R: Real>(
-        &self,
-        n: Vec3<R>,
-        gap: R,
-        v: Vec3<R>,
-        omega: Vec3<R>,
-        r: R,
-        memory: Memory<R>,
-        dt: R,
-    ) -> Grip<R> {
-        let at = Meeting::of_wall(n, gap, v, omega, r);
-        let mut grip = self.springs().grip(&lifted(&self.friction), never::<R>(), &at, memory, dt);
-        let pull = plane_force(r, gap.max(R::lit(self.delta_0)), R::lit(self.hamaker));
-        grip.wrench.force = grip.wrench.force + at.n * self.within(r + gap, pull);
-        grip
-    }
-
-    /// The energy that a sphere and the wall hold.
-    #[inline(always)]
-    pub fn stored<R: Real>(&self, gap: R, r: R, memory: &Memory<R>) -> Stored<R> {
-        let [normal, tangential, rolling, torsion] = self.springs().stored(never::<R>(), gap, memory);
-        let [a, delta_0, cutoff] = [self.hamaker, self.delta_0, self.cutoff].map(R::lit);
-        let energy = |gap| saturated_plane(r, gap, a, delta_0).1;
-        let van_der_waals = self.within(r + gap, energy(gap) - energy(cutoff - r));
-        Stored { normal, tangential, rolling, torsion, van_der_waals, capillary: R::zero() }
-    }
-
-    #[inline(always)]
-    fn within<R: Real>(&self, distance: R, value: R) -> R {
-        R::select(distance.le(R::lit(self.cutoff)), value, R::zero())
-    }
-
-    #[inline(always)]
-    fn springs<R: Real>(&self) -> Springs<R> {
-        let springs: Springs<R> = lifted(&self.contact);
-        match self.torsion {
-            Torsion::Spring => springs,
-            Torsion::AsPublished => Springs { k_o: R::zero(), ..springs },
-        }
-    }
-}
+mod wall;
 
 #[cfg(test)]
 mod laws;

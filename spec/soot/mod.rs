@@ -50,7 +50,7 @@ mod samples;
 
 pub use def_body_forces::Attraction;
 pub use def_grip::{Friction, Losses, Memory, Springs};
-pub use law::{Coefficients, Soot, Stored, Torsion, Wall};
+pub use law::{Coefficients, SUBSTRATE, Soot, Stored, TIP, Torsion, Wall};
 
 use crate::equation::{Equation, Paper};
 

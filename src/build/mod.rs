@@ -11,6 +11,7 @@ pub mod pair;
 pub mod protocol;
 pub mod random;
 pub mod stages;
+pub mod surface;
 
 pub use amorphous::{Sizes, random_packing};
 pub use junction::{Body, Junction};

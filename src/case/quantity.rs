@@ -37,6 +37,7 @@ macro_rules! kinds {
 kinds! {
     Length: "a length" [0, 1, 0, 0] "14 nm";
     Time: "a time" [0, 0, 1, 0] "10 ns";
+    Rate: "a frequency" [0, 0, -1, 0] "0.1 1/ns";
     Velocity: "a velocity" [0, 1, -1, 0] "10 m/s";
     Pressure: "a pressure" [1, -1, -2, 0] "73 GPa";
     SurfaceEnergy: "a surface energy" [1, 0, -2, 0] "1.5 N/m";
@@ -64,6 +65,7 @@ scales! {
     CriticalDiameter: "d_c" "the critical diameter of Eq. 18";
     ModeDiameter: "d_0" "the most frequent particle diameter";
     JunctionDiameter: "D" "the diameter of the junction";
+    SphereRadius: "r" "the radius of the spheres";
     YoungModulus: "E" "Young's modulus";
     CriticalStep: "dt_c" "the critical time step of the smallest particle, Eq. 6";
     CriticalDamping: "c_c" "the critical damping of the smallest particle, Eq. 21";

@@ -5,7 +5,7 @@ use super::quantity::{
     Quantity, Scaled, Step, SurfaceEnergy, Time, Velocity, YoungModulus,
 };
 use super::section::{choice, defaults, section};
-use super::soot::{Aggregate, Restructuring, Soot};
+use super::soot::{Aggregate, Deposition, Restructuring, Soot, SootStage};
 use super::titania::{Agglomerate, ContactTests, Stretching, Titania, TwoParticles};
 use std::path::PathBuf;
 
@@ -150,8 +150,12 @@ choice! {
         Patch = "patch": Patch,
         /// A junction between two bodies is sheared, Section 4.
         Junction = "junction": Junction,
+        /// An aggregate falls on a substrate.
+        Deposition = "deposition": Deposition,
         /// A coated aggregate collapses.
         Restructuring = "restructuring": Restructuring,
+        /// Depositions, indentations and restructurings, one after the other.
+        Sequence = "sequence": Vec<SootStage>,
         /// A particle is released near another, and moved over a slab.
         Contact = "contact": ContactTests,
         /// An agglomerate is stretched.

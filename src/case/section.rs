@@ -63,6 +63,14 @@ impl<T: Field> Field for Option<T> {
         T::keys()
     }
 }
+impl<T: Field> Field for Vec<T> {
+    fn expects() -> String {
+        format!("a list of: {}", T::expects())
+    }
+    fn keys() -> Vec<Key> {
+        T::keys()
+    }
+}
 impl<T: Field> Field for [T; 2] {
     fn expects() -> String {
         format!("two of: {}", T::expects())

@@ -1,11 +1,13 @@
 //! The sections of a case of the soot paper. Defaults are the authors' published inputs.
 
-use super::quantity::{Density, Drag, Energy, Force, Length, Quantity, Sharpness, Stiffness, Time};
-use super::schema::InSteps;
+mod stages;
+
+pub use stages::*;
+
+use super::quantity::{Density, Drag, Energy, Force, Length, Quantity, Sharpness, Stiffness};
 use super::section::{defaults, section, words};
 use super::units::{in_unit, rounded};
 use super::{Case, Experiment, Model, Sample};
-use crate::case::quantity::Scaled;
 use crate::spec::soot::def_sphere::solid_inertia;
 use crate::spec::soot::eq24_fractal::gyration_radius;
 use crate::spec::wear::def_sphere::sphere_mass;
@@ -33,15 +35,19 @@ section! {
         friction: Rubbing = defaults(),
         /// Hamaker constant.
         hamaker_constant: Quantity<Energy> = quantity("1e-19 J"),
+        /// Hamaker constant between a sphere and the substrate.
+        substrate_hamaker_constant: Quantity<Energy> = quantity("1e-19 J"),
+        /// Hamaker constant between a sphere and the tip.
+        tip_hamaker_constant: Quantity<Energy> = quantity("1e-18 J"),
         /// Gap at which the van der Waals force stops growing.
         saturation: Quantity<Length> = quantity("1 nm"),
-        /// Largest capillary force of two spheres; `0 nN` for dry soot.
+        /// Largest capillary force of two spheres while the coating acts, in a restructuring; `0 nN` for dry soot.
         capillary_force: Quantity<Force> = quantity("1 nN"),
         /// Distance of centres at which half of it is left.
         capillary_reach: Quantity<Length> = quantity("56 nm"),
         /// How sharply it drops there.
         capillary_sharpness: Quantity<Sharpness> = quantity("0.178571429 1/nm"),
-        /// Distance of centres beyond which neither attraction acts.
+        /// Distance of centres, and of a centre from a surface, beyond which no attraction acts.
         cutoff: Quantity<Length> = quantity("70 nm"),
         /// How a twist of a contact or neck is resisted.
         torsion: Torsion = Torsion::Spring,
@@ -149,16 +155,6 @@ section! {
     }
 }
 
-section! {
-    /// A coating pulls the spheres together.
-    pub struct Restructuring {
-        /// How long it is watched.
-        duration: InSteps = Scaled::Absolute(quantity("50 ns")),
-        /// Time step.
-        dt: Quantity<Time> = quantity("5 fs"),
-    }
-}
-
 fn springs(stiffness: [&str; 4], damping: [&str; 4]) -> FourSprings {
     let ([k_n, k_t, k_r, k_o], [c_n, c_t, c_r, c_o]) = (stiffness, damping);
     FourSprings {
@@ -210,35 +206,58 @@ impl Soot {
     pub fn law(&self) -> soot::Soot {
         let ([static_t, static_r, static_o], [dynamic_t, dynamic_r, dynamic_o]) =
             (self.friction.at_rest, self.friction.in_motion);
+        let torsion = match self.torsion {
+            Torsion::Spring => soot::Torsion::Spring,
+            Torsion::AsPublished => soot::Torsion::AsPublished,
+        };
+        let friction = soot::Friction { static_t, static_r, static_o, dynamic_t, dynamic_r, dynamic_o };
+        let (contact, delta_0, cutoff) = (self.contact.spec(), self.saturation.value, self.cutoff.value);
+        let wall = |hamaker: f64| soot::Wall { contact, friction, hamaker, delta_0, cutoff, torsion };
         soot::Soot {
             neck: self.neck_springs.clone().unwrap_or_else(|| self.necks.springs()).spec(),
-            contact: self.contact.spec(),
-            friction: soot::Friction { static_t, static_r, static_o, dynamic_t, dynamic_r, dynamic_o },
+            contact,
+            friction,
             attraction: soot::Attraction {
                 a: self.hamaker_constant.value,
-                delta_0: self.saturation.value,
+                delta_0,
                 psi: self.capillary_force.value,
                 kappa: self.capillary_sharpness.value,
                 d_cutoff: self.capillary_reach.value,
-                cutoff: self.cutoff.value,
+                cutoff,
             },
-            torsion: match self.torsion {
-                Torsion::Spring => soot::Torsion::Spring,
-                Torsion::AsPublished => soot::Torsion::AsPublished,
-            },
+            torsion,
+            walls: [&self.substrate_hamaker_constant, &self.tip_hamaker_constant].map(|a| wall(a.value)),
         }
     }
 }
 
 impl Case {
     /// The sections of a case of the soot paper, if it is one.
-    pub fn soot(&self) -> Option<(&Soot, &Aggregate, &Restructuring)> {
-        match (&self.model, &self.sample, &self.experiment) {
-            (Model::Soot(soot), Sample::Aggregate(sample), Experiment::Restructuring(test)) => {
-                Some((soot, sample, test))
-            }
+    pub fn soot(&self) -> Option<(&Soot, &Aggregate, Vec<SootStage>)> {
+        let stages = match &self.experiment {
+            Experiment::Deposition(test) => vec![SootStage::Deposition(test.clone())],
+            Experiment::Restructuring(test) => vec![SootStage::Restructuring(test.clone())],
+            Experiment::Sequence(stages) => stages.clone(),
+            _ => return None,
+        };
+        match (&self.model, &self.sample) {
+            (Model::Soot(soot), Sample::Aggregate(sample)) => Some((soot, sample, stages)),
             _ => None,
         }
+    }
+
+    /// The key of a stage of a case of the soot paper.
+    pub fn soot_key(&self, number: usize, stage: &SootStage) -> String {
+        match &self.experiment {
+            Experiment::Sequence(_) => format!("experiment.sequence[{number}].{}", stage.name()),
+            _ => format!("experiment.{}", stage.name()),
+        }
+    }
+
+    /// The files with surfaces that a case of the soot paper needs.
+    pub fn soot_surfaces(&self) -> Vec<PathBuf> {
+        let stages = self.soot().map(|(_, _, stages)| stages).unwrap_or_default();
+        stages.iter().filter_map(|stage| stage.solid().map(|solid| solid.stl.clone())).collect()
     }
 
     /// The largest stable time step of a case of the soot paper, ns.
@@ -250,22 +269,23 @@ impl Case {
 
     /// What follows from a case of the soot paper, with units.
     pub(super) fn derived_of_soot(&self) -> Mapping {
-        let (soot, sample, test) = self.soot().expect(OF_SOOT);
+        let (soot, sample, stages) = self.soot().expect(OF_SOOT);
         let (r, limit) = (sample.radius.value, self.soot_step_limit());
         let mass = sphere_mass(soot.density.value, r);
         let gyration = gyration_radius(sample.prefactor, sample.spheres as f64, r, sample.fractal_dimension);
-        let share = rounded(test.dt.value / limit);
         let rows = [
             ("mass of a sphere", in_unit(mass, "kg")),
             ("moment of inertia of a sphere", in_unit(solid_inertia(mass, r), "kg m^2")),
             ("gyration radius R_g", in_unit(gyration, "nm")),
             ("largest stable time step", in_unit(limit, "fs")),
-            (
-                "experiment.restructuring.dt",
-                format!("{} = {share} of the largest stable step", in_unit(test.dt.value, "fs")),
-            ),
         ];
-        rows.into_iter().map(|(key, value)| (Value::String(key.into()), Value::String(value))).collect()
+        let steps = stages.iter().enumerate().map(|(number, stage)| {
+            let dt = stage.dt().value;
+            let text = format!("{} = {} of the largest stable step", in_unit(dt, "fs"), rounded(dt / limit));
+            (format!("{}.dt", self.soot_key(number, stage)), text)
+        });
+        let rows = rows.into_iter().map(|(key, value)| (String::from(key), value)).chain(steps);
+        rows.map(|(key, value)| (Value::String(key), Value::String(value))).collect()
     }
 }
 

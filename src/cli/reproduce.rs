@@ -45,6 +45,8 @@ enum Name {
     Amorphous,
     /// wear: sheared junctions, Section 4
     Junction,
+    /// soot: aggregates deposited, and torn at by a tip, Section 3.1
+    Indentation,
     /// soot: aggregates under a coating, Section 3.2
     Restructuring,
     /// titania: two water-covered particles, Section 2
@@ -73,6 +75,7 @@ impl Paper {
             ],
             Self::Soot => vec![
                 (Name::Exact, "Equations alone", |_| Ok(soot::exact::chapter())),
+                (Name::Indentation, "Deposition and indentation", soot::indentation::chapter),
                 (Name::Restructuring, "Restructuring", soot::restructuring::chapter),
             ],
             Self::Titania => vec![(Name::Contact, "Two particles", |_| Ok(titania::chapter()?))],

@@ -60,9 +60,9 @@ pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
         Sample::Aggregate(Aggregate { import, .. }) => import.as_ref().map(|import| &import.file),
         Sample::Hcp(_) | Sample::Pair(_) | Sample::Agglomerate(_) => None,
     };
-    if let Some(sample) = read {
-        std::fs::metadata(sample).map_err(|cause| Error::NoInput(sample.clone(), cause))?;
-        inputs.insert(sample.display().to_string(), sha256_file(sample)?);
+    for file in read.into_iter().chain(&case.soot_surfaces()) {
+        std::fs::metadata(file).map_err(|cause| Error::NoInput(file.clone(), cause))?;
+        inputs.insert(file.display().to_string(), sha256_file(file)?);
     }
     // Whatever is wrong with the input is found before anything is written.
     let prepared = Prepared::new(&case)?;

@@ -1,7 +1,8 @@
 //! A picture of the spheres, a solid cut open at the middle, coloured by the body they belonged to at the beginning.
 
 use super::COLOURS;
-use crate::system::System;
+use crate::spec::Vec3;
+use crate::system::{Shape, Surface, System};
 use std::fmt::Write;
 
 /// Width of the picture, pixels.
@@ -9,20 +10,22 @@ const WIDTH: f64 = 640.0;
 /// Resolution at which hidden spheres are found, pixels per pixel of the picture.
 const RESOLUTION: f64 = 0.5;
 
-/// The spheres seen along z, x to the right, y up; of a solid, which goes on along z, the half behind the middle plane. The frame follows `heights`, the
-/// lowest and the highest y to be shown, so that the pictures of one run can be compared.
+/// The spheres seen along z, x to the right, y up, or, where they lean on surfaces, along y with z up; of a solid, which goes on along z, the half behind the middle plane. The frame follows `heights`, the
+/// lowest and the highest place to be shown, so that the pictures of one run can be compared.
 pub fn snapshot(system: &System, heights: [f64; 2]) -> String {
     let scale = WIDTH / system.domain.sides[0];
     let height = (heights[1] - heights[0]) * scale;
     let p = &system.particles;
+    let (up, towards) =
+        if system.surfaces.is_empty() { (1, Vec3([0.0, 0.0, 1.0])) } else { (2, Vec3([0.0, -1.0, 0.0])) };
     let middle = if system.domain.periodic[2] { 0.5 * system.domain.sides[2] } else { f64::INFINITY };
     let mut order: Vec<(f64, usize)> =
-        (0..p.len()).map(|i| (system.domain.folded(p.x[i]).0[2], i)).filter(|&(z, _)| z <= middle).collect();
+        (0..p.len()).map(|i| (system.domain.folded(p.x[i]).dot(towards), i)).filter(|&(z, _)| z <= middle).collect();
     order.sort_by(|a, b| a.0.total_cmp(&b.0).then(p.id[a.1].cmp(&p.id[b.1])));
     // A sphere that is cut by the side of the box is drawn at both.
     let mut discs = Vec::new();
     for &(_, i) in &order {
-        let (x, y) = (system.domain.folded(p.x[i]).0[0] * scale, (heights[1] - p.x[i].0[1]) * scale);
+        let (x, y) = (system.domain.folded(p.x[i]).0[0] * scale, (heights[1] - p.x[i].0[up]) * scale);
         let r = p.radius[i] * scale;
         let colour = p.tag[i] as usize % COLOURS.len() + if p.wall[i] > 0 { COLOURS.len() } else { 0 };
         for x in [x, x - WIDTH, x + WIDTH] {
@@ -47,9 +50,31 @@ pub fn snapshot(system: &System, heights: [f64; 2]) -> String {
             disc.x, disc.y, disc.r, disc.colour
         );
     }
+    for surface in &system.surfaces {
+        silhouette(&mut svg, surface, |x| [x.0[0] * scale, (heights[1] - x.0[up]) * scale]);
+    }
     svg.push_str("</svg>\n");
     svg
 }
+
+/// A surface as a shadow; of a plane, what lies behind it as far as the picture goes.
+fn silhouette(svg: &mut String, surface: &Surface, place: impl Fn(Vec3<f64>) -> [f64; 2]) {
+    let mut polygon = |corners: &[Vec3<f64>]| {
+        let points: Vec<String> =
+            corners.iter().map(|&x| place(x + surface.way)).map(|[x, y]| format!("{x:.1},{y:.1}")).collect();
+        let _ = writeln!(svg, "<polygon points=\"{}\" fill=\"#555\" fill-opacity=\".35\"/>", points.join(" "));
+    };
+    match &surface.shape {
+        Shape::Mesh(mesh) => (0..mesh.triangles().len()).for_each(|t| polygon(&mesh.triangle(t))),
+        Shape::Plane { point, normal } => {
+            let (along, down) = (Vec3([normal.0[2], 0.0, -normal.0[0]]) * FAR, -(*normal * FAR));
+            polygon(&[*point - along, *point + along, *point + along + down, *point - along + down]);
+        }
+    }
+}
+
+/// Beyond the frame of any picture, nm.
+const FAR: f64 = 1e5;
 
 struct Disc {
     x: f64,

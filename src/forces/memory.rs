@@ -6,7 +6,7 @@ use crate::system::Image;
 pub type Bond = (u32, u32, Image);
 
 /// The springs of the pairs that have any, found again by who the two spheres are.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Springs {
     /// Sorted; each with the place of its springs.
     bonds: Vec<(Bond, u32)>,
@@ -32,6 +32,11 @@ impl Springs {
     pub fn sorted(mut self) -> Self {
         self.bonds.sort_unstable();
         self
+    }
+
+    /// Forgets the springs of some pairs of spheres.
+    pub fn forget(&mut self, pair: impl Fn((u32, u32)) -> bool) {
+        self.bonds.retain(|&((i, j, _), _)| !pair((i, j)));
     }
 
     /// The springs of a pair, if it has any.

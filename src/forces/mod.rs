@@ -8,6 +8,7 @@ mod kernel;
 mod memory;
 mod order;
 mod pairs;
+mod surfaces;
 mod transpose;
 
 pub use blocks::{Block, CAPACITY, LANES, bond, partition};
@@ -17,3 +18,4 @@ pub use kernel::{Load, Totals, evaluate};
 pub use memory::{Bond, Springs};
 pub use order::spatial_order;
 pub use pairs::Pairs;
+pub use surfaces::{Leaning, each_touch, lean};

@@ -10,6 +10,6 @@ mod series;
 pub use checkpoint::{Checkpoints, Kept, keep, kept};
 pub use files::{Appending, read, sha256_file, write_atomically};
 pub use folder::RunFolder;
-pub use frames::{extended_xyz, frame_name};
+pub use frames::{SURFACES, extended_xyz, frame_name, wavefront};
 pub use manifest::{Manifest, Status};
 pub use series::{Cell, Finding, row};

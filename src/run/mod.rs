@@ -169,7 +169,7 @@ impl<'a, S: Study> Run<'a, S> {
             course.sample = Some(sample);
         }
         let from = course.sample.clone().or(before).expect("a run begins with particles");
-        let system = self.study.set_up(number, from);
+        let system = self.study.set_up(number, from)?;
         let settings = self.study.settings(number, &system);
         let begun = Simulation::new(self.study.model(number), system, settings);
         let simulation = begun.map_err(|halt| Error::Halted(halt, None))?;

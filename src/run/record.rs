@@ -1,7 +1,7 @@
 //! Writes what a run leaves behind while it goes.
 
 use crate::error::Error;
-use crate::output::{Appending, Cell, RunFolder, extended_xyz, frame_name, row, write_atomically};
+use crate::output::{Appending, Cell, RunFolder, SURFACES, extended_xyz, frame_name, row, wavefront, write_atomically};
 use crate::system::System;
 use serde::{Deserialize, Serialize};
 use serde_json::json;
@@ -35,8 +35,10 @@ impl Record {
         let series = Appending::resume(folder.series(), extent.series)?;
         let events = Appending::resume(folder.events(), extent.events)?;
         let outdated = (extent.frames..).map(|number| folder.frames().join(frame_name(number)));
-        for path in outdated.take_while(|path| path.exists()) {
-            std::fs::remove_file(&path).map_err(|cause| Error::Io(path, cause))?;
+        for frame in outdated.take_while(|path| path.exists()) {
+            for path in [frame.with_extension(SURFACES), frame].into_iter().filter(|path| path.exists()) {
+                std::fs::remove_file(&path).map_err(|cause| Error::Io(path, cause))?;
+            }
         }
         Ok(Self { folder: folder.clone(), series, events, frames: extent.frames })
     }
@@ -57,9 +59,13 @@ impl Record {
         self.events.line(&event.to_string())
     }
 
-    /// Writes the next frame.
+    /// Writes the next frame, and next to it the surfaces.
     pub fn frame(&mut self, stage: &str, system: &System) -> Result<(), Error> {
         let path = self.folder.frames().join(frame_name(self.frames));
+        // The surfaces first: a frame that is there is complete.
+        if !system.surfaces.is_empty() {
+            write_atomically(&path.with_extension(SURFACES), wavefront(system).as_bytes())?;
+        }
         write_atomically(&path, extended_xyz(system, stage).as_bytes())?;
         self.frames += 1;
         Ok(())

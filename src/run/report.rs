@@ -14,7 +14,7 @@ pub fn picture(folder: &RunFolder, name: &str, system: &System, height: f64) -> 
 }
 
 /// The curves that a reader asks for first: name, stage, axes.
-const CURVES: [(&str, &str, &str, &str); 16] = [
+const CURVES: [(&str, &str, &str, &str); 20] = [
     ("friction", "shearing", "slid [nm]", "friction [pN]"),
     ("separation", "shearing", "slid [nm]", "separation [nm]"),
     ("turns", "shearing", "slid [nm]", "third body turns"),
@@ -25,6 +25,10 @@ const CURVES: [(&str, &str, &str, &str); 16] = [
     ("coordination", "restructuring", "time [ns]", "coordination number"),
     ("convexity", "restructuring", "time [ns]", "convexity"),
     ("gyration", "restructuring", "time [ns]", "gyration radius [nm]"),
+    ("height", "deposition", "time [ns]", "height [nm]"),
+    ("deposition energy", "deposition", "time [ns]", "kinetic energy [zJ]"),
+    ("force curve", "indentation", "tip displacement [nm]", "cantilever reading [pN]"),
+    ("force on the tip", "indentation", "tip displacement [nm]", "pull on the tip [pN]"),
     ("approach", "approach", "time [ns]", "distance [nm]"),
     ("sliding friction", "sliding", "moved [nm]", "friction [pN]"),
     ("rolling resistance", "rolling", "moved [nm]", "rolling resistance [pN]"),

@@ -25,7 +25,7 @@ pub trait Study {
     /// Keeps the sample, if the case wants it.
     fn keep_sample(&self, system: &System) -> Result<(), Error>;
     /// What a stage makes of the system that it is given.
-    fn set_up(&self, stage: usize, system: System) -> System;
+    fn set_up(&self, stage: usize, system: System) -> Result<System, Error>;
     /// The model of a stage.
     fn model(&self, stage: usize) -> Self::Model;
     /// How a stage advances its system.

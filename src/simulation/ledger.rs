@@ -33,8 +33,32 @@ pub struct Ledger {
     pub stored_at_start: Vec<f64>,
     /// Work of all pairs, at the velocities they saw.
     pub work_pairs: f64,
+    /// What surfaces did.
+    pub surfaces: SurfaceAccount,
     /// What the integration scheme added to the kinetic energy.
     pub scheme: f64,
+}
+
+/// Energies of the contacts with surfaces and of the surfaces' attraction, zJ.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct SurfaceAccount {
+    /// What they hold, by cause, as of the last look.
+    pub stored: Vec<f64>,
+    /// What they held at the start, by cause.
+    pub stored_at_start: Vec<f64>,
+    /// What they lost, by cause.
+    pub lost: Vec<f64>,
+    /// Work of the surfaces as they moved.
+    pub work: f64,
+    /// Work on the spheres, at the velocities they had.
+    pub work_on_spheres: f64,
+}
+
+impl SurfaceAccount {
+    /// What they hold more than at the start.
+    pub fn gained(&self) -> f64 {
+        self.stored.iter().sum::<f64>() - self.stored_at_start.iter().sum::<f64>()
+    }
 }
 
 impl Ledger {
@@ -60,18 +84,21 @@ impl Ledger {
 
     /// All that was lost.
     pub fn lost(&self) -> f64 {
-        self.lost_by_pairs.iter().sum::<f64>() + self.lost_drag
+        self.lost_by_pairs.iter().chain(&self.surfaces.lost).sum::<f64>() + self.lost_drag
     }
 
     /// All work done from outside.
     pub fn work(&self) -> f64 {
-        self.work_walls + self.work_loads + self.work_box
+        self.work_walls + self.work_loads + self.work_box + self.surfaces.work
     }
 
     /// The energy that the residuals are to be compared with: all that moved between accounts.
     pub fn turnover(&self) -> f64 {
         let absolute = |energies: &[f64]| energies.iter().map(|e| e.abs()).sum::<f64>();
-        let held = absolute(&self.stored) + absolute(&self.stored_at_start);
+        let held = absolute(&self.stored)
+            + absolute(&self.stored_at_start)
+            + absolute(&self.surfaces.stored)
+            + absolute(&self.surfaces.stored_at_start);
         self.kinetic
             + self.kinetic_at_start
             + held
@@ -79,17 +106,19 @@ impl Ledger {
             + self.work_walls.abs()
             + self.work_loads.abs()
             + self.work_box.abs()
+            + self.surfaces.work.abs()
     }
 
     /// What the discrete account does not explain, zJ: rounding.
     pub fn discrete_residual(&self) -> f64 {
-        let gained = self.work_pairs + self.work_walls + self.work_loads + self.scheme - self.lost_drag;
+        let gained = self.work_pairs + self.surfaces.work_on_spheres + self.work_walls + self.work_loads + self.scheme
+            - self.lost_drag;
         self.kinetic - self.kinetic_at_start - gained
     }
 
     /// What the physical account does not explain, zJ: first order in the time step.
     pub fn physical_residual(&self) -> f64 {
         let held = self.stored.iter().sum::<f64>() - self.stored_at_start.iter().sum::<f64>();
-        self.kinetic - self.kinetic_at_start + held + self.lost() - self.work()
+        self.kinetic - self.kinetic_at_start + held + self.surfaces.gained() + self.lost() - self.work()
     }
 }

@@ -4,8 +4,9 @@ mod checks;
 mod ledger;
 mod pairs;
 mod snapshot;
+mod surfaces;
 
-pub use ledger::Ledger;
+pub use ledger::{Ledger, SurfaceAccount};
 pub use pairs::Pair;
 pub use snapshot::Snapshot;
 
@@ -59,8 +60,9 @@ struct Listed {
 
 impl<M: PairModel> Simulation<M> {
     /// Puts a system under a model. The step must be below the stability limit of every free sphere.
-    pub fn new(model: M, system: System, settings: Settings) -> Result<Self, Halt> {
+    pub fn new(model: M, mut system: System, settings: Settings) -> Result<Self, Halt> {
         let listed = Listed { x: Vec::new(), sides: system.domain.sides };
+        let springs = std::mem::take(&mut system.springs);
         let mut simulation = Self {
             model,
             settings,
@@ -74,7 +76,7 @@ impl<M: PairModel> Simulation<M> {
             system,
         };
         simulation.check_time_step()?;
-        simulation.list_neighbours()?;
+        simulation.list_neighbours(&springs)?;
         simulation.open_ledger();
         Ok(simulation)
     }
@@ -87,6 +89,11 @@ impl<M: PairModel> Simulation<M> {
     /// Ends the simulation and hands back the state.
     pub fn into_system(self) -> System {
         self.system
+    }
+
+    /// Ends the simulation and hands back the state, with the springs of all pairs for a simulation that is to go on.
+    pub fn into_system_with_springs(self) -> System {
+        System { springs: self.springs(), ..self.system }
     }
 
     /// The model.
@@ -134,6 +141,7 @@ impl<M: PairModel> Simulation<M> {
             None => [1.0; 3],
         };
         let box_work: f64 = (0..3).map(|a| totals.virial[a] * (growth[a] - 1.0)).sum();
+        self.lean_on_surfaces()?;
         let acting = self.acting_on_walls();
         let wall_work = motion::drive(&mut self.system.walls, &acting, dt);
         let moved = self.advance(growth, dt, damping);
@@ -146,7 +154,7 @@ impl<M: PairModel> Simulation<M> {
         self.system.time += dt;
         self.check_finite(moved.kinetic + wall_work.kinetic)?;
         if self.stale(&moved) {
-            self.list_neighbours()?;
+            self.list_neighbours(&self.springs())?;
         }
         Ok(())
     }
@@ -212,12 +220,11 @@ impl<M: PairModel> Simulation<M> {
         stale
     }
 
-    fn list_neighbours(&mut self) -> Result<(), Halt> {
-        let springs = self.springs();
+    fn list_neighbours(&mut self, springs: &Springs) -> Result<(), Halt> {
         let order = forces::spatial_order(&self.system.particles.x, &self.system.domain, self.mean_diameter());
         self.system.particles = self.system.particles.pick(&order);
         self.listed = Listed { x: self.system.particles.x.clone(), sides: self.system.domain.sides };
-        self.relist(&springs)
+        self.relist(springs)
     }
 
     /// Builds the list from what it was built from, which the particles are already in the order of.

@@ -49,7 +49,9 @@ impl<M: PairModel> Simulation<M> {
 
     /// Where the energy went, up to now.
     pub fn ledger(&self) -> Ledger {
-        Ledger { stored: self.stored(), ..self.ledger.clone() }
+        let mut ledger = Ledger { stored: self.stored(), ..self.ledger.clone() };
+        ledger.surfaces.stored = self.stored_at_surfaces();
+        ledger
     }
 
     /// What all pairs hold, zJ, by cause.
@@ -79,6 +81,7 @@ impl<M: PairModel> Simulation<M> {
             kinetic_at_start: kinetic,
             stored_at_start: self.stored(),
             lost_by_pairs: vec![0.0; M::Losses::<f64>::LEN],
+            surfaces: self.open_surface_account(),
             ..Ledger::default()
         };
     }

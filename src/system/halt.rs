@@ -30,6 +30,15 @@ pub enum Reason {
         /// The largest fraction allowed.
         limit: f64,
     },
+    /// A sphere is too deep in a surface.
+    Sunk {
+        /// Id of the sphere.
+        particle: u32,
+        /// Overlap as a fraction of its radius.
+        ratio: f64,
+        /// The largest fraction allowed.
+        limit: f64,
+    },
     /// The time step is above the stability limit.
     TimeStep {
         /// The step asked for, ns.
@@ -58,6 +67,9 @@ impl fmt::Display for Halt {
             Reason::NotFinite { particle } => write!(f, "particle {particle} has no finite position or velocity"),
             Reason::Overlap { pair: (i, j), ratio, limit } => {
                 write!(f, "particles {i} and {j} overlap by {ratio:.3} of the sum of their radii (limit {limit})")
+            }
+            Reason::Sunk { particle, ratio, limit } => {
+                write!(f, "particle {particle} is in a surface by {ratio:.3} of its radius (limit {limit})")
             }
             Reason::TimeStep { dt, limit, particle } => {
                 write!(f, "time step {dt} ns is not below the stability limit {limit} ns of particle {particle}")

@@ -2,12 +2,16 @@
 
 mod domain;
 mod halt;
+pub mod mesh;
+mod surface;
 mod wall;
 
 pub use domain::{Domain, Image};
 pub use halt::{Halt, Reason};
+pub use surface::{Course, Forces, Grips, Shape, Surface};
 pub use wall::{Motion, Wall};
 
+use crate::forces::Springs;
 use crate::spec::Vec3;
 use serde::{Deserialize, Serialize};
 
@@ -83,8 +87,12 @@ pub struct System {
     pub domain: Domain,
     /// The rigid walls.
     pub walls: Vec<Wall>,
+    /// The surfaces that spheres lean on.
+    pub surfaces: Vec<Surface>,
     /// Necks between spheres: ids, the lower first, in ascending order.
     pub necks: Vec<(u32, u32)>,
+    /// Springs of pairs that the next simulation is to begin with; none while one goes on.
+    pub springs: Springs,
     /// Simulated time, ns.
     pub time: f64,
     /// Steps taken.
@@ -94,7 +102,16 @@ pub struct System {
 impl System {
     /// Spheres at rest in a box, at time zero.
     pub fn new(particles: Particles, domain: Domain) -> Self {
-        Self { particles, domain, walls: Vec::new(), necks: Vec::new(), time: 0.0, step: 0 }
+        Self {
+            particles,
+            domain,
+            walls: Vec::new(),
+            surfaces: Vec::new(),
+            necks: Vec::new(),
+            springs: Springs::default(),
+            time: 0.0,
+            step: 0,
+        }
     }
 
     /// Makes the spheres that `member` picks into one rigid wall, whose mass is theirs.

@@ -18,7 +18,9 @@ const NONE: Attraction<f64> = Attraction { a: 0.0, delta_0: 0.1, psi: 0.0, kappa
 const ATTRACTION: Attraction<f64> = Attraction { a: 0.5, psi: 0.2, ..NONE };
 
 fn law(springs: Springs<f64>, attraction: Attraction<f64>) -> Soot {
-    Soot { neck: springs, contact: springs, friction: ROUGH, attraction, torsion: Torsion::Spring }
+    let torsion = Torsion::Spring;
+    let wall = Wall { contact: springs, friction: ROUGH, hamaker: 2.0, delta_0: 0.1, cutoff: 4.0, torsion };
+    Soot { neck: springs, contact: springs, friction: ROUGH, attraction, torsion, walls: [wall; 2] }
 }
 fn memory() -> impl Strategy<Value = Memory<f64>> {
     (vector(), vector(), -1.0..1.0).prop_map(|(tangential, rolling, torsion)| Memory { tangential, rolling, torsion })
@@ -152,12 +154,14 @@ proptest! {
 
     #[test]
     fn a_wall_attracts_with_the_slope_of_what_it_stores(gap in -0.2..2.0f64, torsion in prop_oneof![Just(Torsion::Spring), Just(Torsion::AsPublished)]) {
-        let wall = Wall { contact: UNDAMPED, friction: ROUGH, hamaker: 2.0, delta_0: 0.1, cutoff: 4.0, torsion };
-        let none = Vec3::zero();
-        let force = wall.act(Vec3::new(0.0, 0.0, 1.0), gap, none, none, 1.0, Memory::zero(), 0.1).wrench.force.0[2];
-        let stored = wall.stored(Dual::variable(gap), Dual::constant(1.0), &Memory::zero());
-        prop_assert!((force + stored.normal.slope + stored.van_der_waals.slope).abs() < 1e-10 * (1.0 + force.abs()));
-        prop_assert_eq!(wall.stored(3.0, 1.0, &Memory::zero()).van_der_waals, 0.0);
+        let wall = Wall { torsion, ..law(UNDAMPED, NONE).walls[SUBSTRATE] };
+        let (n, none) = (Vec3::new(0.0, 0.0, 1.0), Vec3::zero());
+        let touch = Touch { n, gap, v: none, omega: none, r: 1.0 };
+        let force = wall.grip(&touch, Memory::zero(), 0.1).wrench.force.0[2] - wall.pull(gap, 1.0);
+        let (gap, r) = (Dual::variable(gap), Dual::constant(1.0));
+        let slope = wall.stored(gap, &Memory::zero())[0].slope + wall.energy(gap, r).slope;
+        prop_assert!((force + slope).abs() < 1e-10 * (1.0 + force.abs()));
+        prop_assert_eq!(wall.energy(3.0, 1.0), 0.0);
     }
 }
 

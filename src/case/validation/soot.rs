@@ -2,15 +2,18 @@
 
 use super::{Found, belongs, expect};
 use crate::case::units::{decimal, in_unit};
-use crate::case::{Case, Experiment, FourSprings, Sample, Soot};
+use crate::case::{
+    Case, Deposition, Experiment, FourSprings, Indentation, Restructuring, Sample, Solid, Soot, SootStage,
+};
 
 /// All that is wrong with a case of the soot paper.
 pub fn problems(case: &Case, found: &mut Found) {
-    let Some((soot, sample, test)) = case.soot() else {
-        let (sampled, tested) =
-            (matches!(case.sample, Sample::Aggregate(_)), matches!(case.experiment, Experiment::Restructuring(_)));
+    let Some((soot, sample, stages)) = case.soot() else {
+        let sampled = matches!(case.sample, Sample::Aggregate(_));
         belongs(found, sampled, "sample", "`aggregate`", "soot");
-        belongs(found, tested, "experiment", "`restructuring`", "soot");
+        use Experiment::{Deposition, Restructuring, Sequence};
+        let tested = matches!(case.experiment, Deposition(_) | Restructuring(_) | Sequence(_));
+        belongs(found, tested, "experiment", "`deposition`, `restructuring` or `sequence`", "soot");
         return;
     };
     interactions(soot, found);
@@ -30,13 +33,51 @@ pub fn problems(case: &Case, found: &mut Found) {
     if found.is_empty() {
         let least = format!("more than the distance of two touching spheres, {}", in_unit(2.0 * r, "nm"));
         expect(found, soot.cutoff.value > 2.0 * r, "model.soot.cutoff", &soot.cutoff, &least);
-        let limit = case.soot_step_limit();
-        let text = format!("more than zero and less than the stability limit {}", in_unit(limit, "fs"));
-        let dt = test.dt.value;
-        expect(found, dt > 0.0 && dt < limit, "experiment.restructuring.dt", &test.dt, &text);
-        let duration = &test.duration;
-        expect(found, duration.number() > 0.0, "experiment.restructuring.duration", duration, "more than zero");
+        expect(found, !stages.is_empty(), "experiment.sequence", "nothing", "at least one stage");
+        let mut deposited = false;
+        for (number, stage) in stages.iter().enumerate() {
+            let key = case.soot_key(number, stage);
+            self::stage(case, stage, &key, found);
+            let follows = deposited || !matches!(stage, SootStage::Indentation(_));
+            expect(found, follows, &key, "an indentation", "a deposition before it");
+            deposited |= matches!(stage, SootStage::Deposition(_));
+        }
     }
+}
+
+fn stage(case: &Case, stage: &SootStage, key: &str, found: &mut Found) {
+    let at = |name: &str| format!("{key}.{name}");
+    let mut positive = |name: &str, value: f64, text: String| {
+        expect(found, value > 0.0, &at(name), text, "more than zero");
+    };
+    positive("duration", stage.duration().number(), stage.duration().to_string());
+    match stage {
+        SootStage::Deposition(Deposition { velocity, gap, .. }) => {
+            positive("velocity", velocity.value, velocity.to_string());
+            positive("gap", gap.number(), gap.to_string());
+        }
+        SootStage::Indentation(Indentation { velocity, gap, turn_rate, turn, cantilever, .. }) => {
+            positive("gap", gap.number(), gap.to_string());
+            positive("velocity", velocity.value, velocity.to_string());
+            positive("turn_rate", turn_rate.value, turn_rate.to_string());
+            positive("turn", turn.value, turn.to_string());
+            positive("cantilever", cantilever.value, cantilever.to_string());
+        }
+        SootStage::Restructuring(_) => {}
+    }
+    if let SootStage::Indentation(Indentation { keep_necks, .. })
+    | SootStage::Restructuring(Restructuring { keep_necks, .. }) = stage
+    {
+        expect(found, (0.0..=1.0).contains(keep_necks), &at("keep_necks"), decimal(*keep_necks), "0 to 1");
+    }
+    if let Some(Solid { unit, .. }) = stage.solid() {
+        let name = if matches!(stage, SootStage::Deposition(_)) { "substrate.unit" } else { "tip.unit" };
+        expect(found, unit.value > 0.0, &at(name), unit, "more than zero");
+    }
+    let limit = case.soot_step_limit();
+    let text = format!("more than zero and less than the stability limit {}", in_unit(limit, "fs"));
+    let dt = stage.dt();
+    expect(found, dt.value > 0.0 && dt.value < limit, &at("dt"), dt, &text);
 }
 
 fn interactions(soot: &Soot, found: &mut Found) {
@@ -51,6 +92,12 @@ fn interactions(soot: &Soot, found: &mut Found) {
     }
     for (key, value, text) in [
         ("hamaker_constant", soot.hamaker_constant.value, soot.hamaker_constant.to_string()),
+        (
+            "substrate_hamaker_constant",
+            soot.substrate_hamaker_constant.value,
+            soot.substrate_hamaker_constant.to_string(),
+        ),
+        ("tip_hamaker_constant", soot.tip_hamaker_constant.value, soot.tip_hamaker_constant.to_string()),
         ("capillary_force", soot.capillary_force.value, soot.capillary_force.to_string()),
     ] {
         expect(found, value >= 0.0, &at(key), text, "zero or more");

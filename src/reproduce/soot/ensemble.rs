@@ -2,11 +2,12 @@
 
 use crate::case::quantity::{Quantity, Scaled, Time};
 use crate::case::section::defaults;
-use crate::case::{Aggregate, Limits, NeckSet, Restructuring, Soot, Torsion};
+use crate::case::{Aggregate, Limits, NeckSet, Restructuring, Soot, SootStage, Torsion};
 use crate::error::Error;
 use crate::observe::statistics::Mean;
 use crate::run::Study;
-use crate::run::soot::{Plan, Shape};
+use crate::run::soot::Plan;
+use crate::run::soot::watch::{Shape, shape};
 use crate::simulation::Simulation;
 use rayon::prelude::*;
 
@@ -66,7 +67,11 @@ fn plan(protocol: &Protocol, kind: Kind, seed: u64) -> Plan {
         max_overlap: defaults::<Limits>().overlap,
         soot: Soot { necks: protocol.necks, torsion: kind.torsion, ..defaults() },
         sample: Aggregate { neck_fraction: kind.neck_fraction, ..defaults() },
-        test: Restructuring { duration: Scaled::Absolute(protocol.duration.clone()), dt: protocol.dt.clone() },
+        stages: vec![SootStage::Restructuring(Restructuring {
+            duration: Scaled::Absolute(protocol.duration.clone()),
+            dt: protocol.dt.clone(),
+            ..defaults()
+        })],
     }
 }
 
@@ -76,12 +81,12 @@ fn course(plan: &Plan) -> Result<Vec<Shape>, Error> {
     let settings = plan.settings(0, &system);
     let mut simulation = Simulation::new(plan.model(0), system, settings)?;
     let every = (LOOK / settings.dt).round() as u64;
-    let mut course = vec![plan.watch(0, &simulation)];
+    let mut course = vec![shape(simulation.system())];
     for _ in 0..plan.steps(0, settings.dt) / every {
         for _ in 0..every {
             simulation.step()?;
         }
-        course.push(plan.watch(0, &simulation));
+        course.push(shape(simulation.system()));
     }
     Ok(course)
 }

@@ -2,4 +2,5 @@
 
 pub mod ensemble;
 pub mod exact;
+pub mod indentation;
 pub mod restructuring;

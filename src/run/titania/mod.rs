@@ -88,7 +88,7 @@ impl Study for Plan {
         Ok(())
     }
 
-    fn set_up(&self, stage: usize, system: System) -> System {
+    fn set_up(&self, stage: usize, system: System) -> Result<System, Error> {
         let stage = &self.stages[stage];
         let mut system = match stage.act {
             Act::Approach { diameters, from } => pair(&self.titania, diameters, 0, from),
@@ -97,7 +97,7 @@ impl Study for Plan {
         };
         stage.drive(&mut system);
         system.step = 0;
-        system
+        Ok(system)
     }
 
     fn model(&self, _: usize) -> Titania {

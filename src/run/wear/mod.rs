@@ -105,8 +105,8 @@ impl Study for Plan {
         }
     }
 
-    fn set_up(&self, stage: usize, system: System) -> System {
-        self.stages[stage].set_up(system, &self.case.material().spec())
+    fn set_up(&self, stage: usize, system: System) -> Result<System, Error> {
+        Ok(self.stages[stage].set_up(system, &self.case.material().spec()))
     }
 
     fn model(&self, stage: usize) -> Wear {

@@ -1,20 +1,25 @@
-//! The stages of a case of the soot paper: an aggregate collapses under its coating.
+//! The stages of a case of the soot paper: an aggregate is deposited, indented, collapses under its coating.
+
+mod stage;
+pub mod watch;
 
 use super::Study;
 use crate::build::aggregate::necks::{keep_fraction, necks};
 use crate::build::aggregate::{Method, Radii, Recipe, Sphere, aggregate, import};
 use crate::build::protocol::Progress;
 use crate::case::quantity::{Length, Quantity};
-use crate::case::{Aggregate, Case, Growth, Import, Restructuring, Soot};
+use crate::case::{Aggregate, Case, Growth, Import, Soot, SootStage};
 use crate::error::Error;
 use crate::forces::Instructions;
-use crate::observe::morphology::{Extent, centre_of_mass, convexity, coordination_number, gyration_radius};
+use crate::observe::morphology::centre_of_mass;
 use crate::output::{Cell, Finding};
 use crate::simulation::{Settings, Simulation};
 use crate::spec::Vec3;
 use crate::spec::soot;
 use crate::spec::wear::def_sphere::sphere_mass;
 use crate::system::{Domain, Particles, System};
+use stage::Ground;
+use watch::Watch;
 
 /// The plan of a case.
 pub struct Plan {
@@ -26,8 +31,8 @@ pub struct Plan {
     pub soot: Soot,
     /// The aggregate.
     pub sample: Aggregate,
-    /// What is done to it.
-    pub test: Restructuring,
+    /// What is done to it, one after the other.
+    pub stages: Vec<SootStage>,
 }
 
 /// How much farther than their range neighbours are listed, in radii: a collapse moves spheres by a few diameters.
@@ -36,9 +41,9 @@ const SKIN: f64 = 0.5;
 impl Plan {
     /// The plan of a case of the soot paper.
     pub fn of(case: &Case) -> Self {
-        let (soot, sample, test) = case.soot().expect("a checked case of the soot paper is complete");
-        let (soot, sample, test) = (soot.clone(), sample.clone(), test.clone());
-        Self { seed: case.seed, max_overlap: case.limits.overlap, soot, sample, test }
+        let (soot, sample, stages) = case.soot().expect("a checked case of the soot paper is complete");
+        let (soot, sample) = (soot.clone(), sample.clone());
+        Self { seed: case.seed, max_overlap: case.limits.overlap, soot, sample, stages }
     }
 }
 
@@ -80,26 +85,17 @@ fn centred(mut spheres: Vec<Sphere>) -> Vec<Sphere> {
     spheres
 }
 
-const COLUMNS: [&str; 3] = ["coordination number", "convexity", "gyration radius [nm]"];
-
-/// What of an aggregate's shape is followed: coordination number, convexity, gyration radius.
-pub type Shape = [f64; 3];
-
-fn shape(system: &System) -> Shape {
-    let Particles { x, radius, .. } = &system.particles;
-    let spheres: Vec<Sphere> = x.iter().zip(radius).map(|(&centre, &radius)| Sphere { centre, radius }).collect();
-    [coordination_number(&spheres), convexity(&spheres).value, gyration_radius(&spheres, Extent::Centres)]
-}
-
 impl Study for Plan {
     type Model = soot::Soot;
-    type Watch = Shape;
+    type Watch = Watch;
 
     fn stages(&self) -> Vec<&'static str> {
-        vec!["restructuring"]
+        self.stages.iter().map(SootStage::name).collect()
     }
 
     fn initial(&self) -> Result<System, Error> {
+        // Files that a later stage needs are looked at before anything is computed.
+        self.stages.iter().try_for_each(|stage| stage::solid(stage).map(drop))?;
         let spheres = self.spheres()?;
         let joined = necks(&spheres, self.sample.neck_distance.value, true);
         let kept = keep_fraction(&joined, self.sample.neck_fraction, self.seed);
@@ -121,17 +117,23 @@ impl Study for Plan {
         Ok(())
     }
 
-    fn set_up(&self, _: usize, system: System) -> System {
-        system
+    fn set_up(&self, stage: usize, system: System) -> Result<System, Error> {
+        let ground = Ground { seed: self.seed, radius: self.sample.radius.value };
+        stage::set_up(&self.stages[stage], &ground, system)
     }
 
-    fn model(&self, _: usize) -> soot::Soot {
-        self.soot.law()
+    /// The coating acts only in a restructuring.
+    fn model(&self, stage: usize) -> soot::Soot {
+        let mut law = self.soot.law();
+        if !matches!(self.stages[stage], SootStage::Restructuring(_)) {
+            law.attraction.psi = 0.0;
+        }
+        law
     }
 
-    fn settings(&self, _: usize, _: &System) -> Settings {
+    fn settings(&self, stage: usize, _: &System) -> Settings {
         Settings {
-            dt: self.test.dt.value,
+            dt: self.stages[stage].dt().value,
             damping: 0.0,
             skin: SKIN * self.sample.radius.value,
             max_overlap: self.max_overlap,
@@ -140,46 +142,47 @@ impl Study for Plan {
         }
     }
 
-    fn steps(&self, _: usize, dt: f64) -> u64 {
-        (self.test.duration.value(dt) / dt).round() as u64
+    fn steps(&self, stage: usize, dt: f64) -> u64 {
+        (self.stages[stage].duration().value(dt) / dt).round() as u64
     }
 
-    fn progress(&self, stage: usize, _: &Shape, simulation: &Simulation<soot::Soot>) -> Progress {
+    fn progress(&self, stage: usize, _: &Watch, simulation: &Simulation<soot::Soot>) -> Progress {
         let last = self.steps(stage, simulation.settings().dt);
         if simulation.system().step >= last { Progress::Done } else { Progress::Going }
     }
 
+    /// The next stage goes on from here, with the springs of all contacts.
     fn end(&self, _: usize, simulation: Simulation<soot::Soot>) -> System {
-        simulation.into_system()
+        simulation.into_system_with_springs()
     }
 
-    fn parts(&self, _: usize) -> u64 {
-        2
+    fn parts(&self, stage: usize) -> u64 {
+        if matches!(self.stages[stage], SootStage::Indentation(_)) { 4 } else { 2 }
     }
 
     fn columns(&self) -> Vec<&'static str> {
-        COLUMNS.into()
+        watch::COLUMNS.into()
     }
 
-    fn watch(&self, _: usize, simulation: &Simulation<soot::Soot>) -> Shape {
-        shape(simulation.system())
+    fn watch(&self, stage: usize, simulation: &Simulation<soot::Soot>) -> Watch {
+        Watch::begin(&self.stages[stage], simulation)
     }
 
-    fn look(&self, _: &mut Shape, simulation: &Simulation<soot::Soot>) -> Vec<Cell> {
-        shape(simulation.system()).map(Cell::Number).into()
+    fn follow(&self, _: usize, watch: &mut Watch, simulation: &Simulation<soot::Soot>) -> Vec<String> {
+        watch.follow(simulation);
+        Vec::new()
     }
 
-    fn findings(&self, _: usize, begin: &Shape, simulation: &Simulation<soot::Soot>) -> Result<Vec<Finding>, Error> {
-        let mut findings = vec![Finding::number("necks", simulation.system().necks.len() as f64, "", None)];
-        for (when, [coordination, convexity, gyration]) in
-            [("at first", *begin), ("at last", shape(simulation.system()))]
-        {
-            findings.extend([
-                Finding::number(&format!("coordination number {when}"), coordination, "", None),
-                Finding::number(&format!("convexity {when}"), convexity, "", None),
-                Finding::number(&format!("gyration radius {when}"), gyration, "nm", None),
-            ]);
-        }
-        Ok(findings)
+    fn look(&self, watch: &mut Watch, simulation: &Simulation<soot::Soot>) -> Vec<Cell> {
+        watch.look(simulation)
+    }
+
+    fn findings(
+        &self,
+        stage: usize,
+        watch: &Watch,
+        simulation: &Simulation<soot::Soot>,
+    ) -> Result<Vec<Finding>, Error> {
+        Ok(watch.findings(&self.stages[stage], simulation))
     }
 }

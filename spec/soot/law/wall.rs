@@ -1,0 +1,74 @@
+//! What a surface does to a sphere.
+
+use super::super::def_grip::{Friction, Grip, Memory, Springs, never};
+use super::super::def_meeting::Meeting;
+use super::super::eq21_hamaker_plane::{plane_force, saturated_plane};
+use super::{Torsion, lifted};
+use crate::{Real, Touch};
+
+/// A wall: the substrate, or the tip. It has a motion of its own that no force changes.
+///
+/// # Reading
+///
+/// The paper makes the tip of facets and has each act on a sphere. Facets that share an edge or a corner share the contact there: a sphere has one contact with a surface, or
+/// one for each place where its distance from the surface is least. Eq. 22, the force of a whole half-space, acts once, from the nearest point: the distance of a centre from a surface is a
+/// continuous function of its place, and so is the energy. Below a corner a half-space is more than is there, and the force an upper bound; the published program adds
+/// the half-spaces of all facets and has three times as much below the apex.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wall {
+    /// The four springs of its contacts.
+    pub contact: Springs<f64>,
+    /// Their friction.
+    pub friction: Friction<f64>,
+    /// Hamaker constant, J.
+    pub hamaker: f64,
+    /// Saturation distance, m.
+    pub delta_0: f64,
+    /// Distance of a centre from the wall beyond which nothing acts, m.
+    pub cutoff: f64,
+    /// How a twist is resisted.
+    pub torsion: Torsion,
+}
+
+impl Wall {
+    /// A contact: advances its springs by `dt` and says what they do to the sphere.
+    #[inline(always)]
+    pub fn grip<R: Real>(&self, touch: &Touch<R>, memory: Memory<R>, dt: R) -> Grip<R> {
+        let at = Meeting::of_wall(touch.n, touch.gap, touch.v, touch.omega, touch.r);
+        self.springs().grip(&lifted(&self.friction), never::<R>(), &at, memory, dt)
+    }
+
+    /// The attraction of the nearest point, N.
+    #[inline(always)]
+    pub fn pull<R: Real>(&self, gap: R, r: R) -> R {
+        self.within(r + gap, plane_force(r, gap.max(R::lit(self.delta_0)), R::lit(self.hamaker)))
+    }
+
+    /// The energy of that attraction, zero at the cutoff and beyond, J.
+    #[inline(always)]
+    pub fn energy<R: Real>(&self, gap: R, r: R) -> R {
+        let [a, delta_0, cutoff] = [self.hamaker, self.delta_0, self.cutoff].map(R::lit);
+        let energy = |gap| saturated_plane(r, gap, a, delta_0).1;
+        self.within(r + gap, energy(gap) - energy(cutoff - r))
+    }
+
+    /// What the springs of a contact hold, J: normal, tangential, rolling, torsion.
+    #[inline(always)]
+    pub fn stored<R: Real>(&self, gap: R, memory: &Memory<R>) -> [R; 4] {
+        self.springs().stored(never::<R>(), gap, memory)
+    }
+
+    #[inline(always)]
+    fn within<R: Real>(&self, distance: R, value: R) -> R {
+        R::select(distance.le(R::lit(self.cutoff)), value, R::zero())
+    }
+
+    #[inline(always)]
+    fn springs<R: Real>(&self) -> Springs<R> {
+        let springs: Springs<R> = lifted(&self.contact);
+        match self.torsion {
+            Torsion::Spring => springs,
+            Torsion::AsPublished => Springs { k_o: R::zero(), ..springs },
+        }
+    }
+}

@@ -1,0 +1,122 @@
+//! What is done to an aggregate of soot.
+
+use super::quantity;
+use crate::case::quantity::{Length, Quantity, Rate, Scaled, SphereRadius, Time, Velocity};
+use crate::case::schema::InSteps;
+use crate::case::section::{choice, section};
+use std::path::PathBuf;
+
+/// A length, or a multiple of the radius of the spheres.
+pub type InRadii = Scaled<Length, SphereRadius>;
+
+section! {
+    /// An aggregate falls on the substrate, the plane z = 0, Section 3.1.1.
+    pub struct Deposition {
+        /// Velocity of all its spheres, downwards.
+        velocity: Quantity<Velocity> = quantity("1 m/s"),
+        /// Gap between the lowest sphere and the substrate at the beginning.
+        gap: InRadii = Scaled::times(0.1),
+        /// A triangulated substrate instead of the plane; its highest point is put at z = 0, its middle below that of the aggregate.
+        substrate: Option<Solid> = None,
+        /// How long it is watched.
+        duration: InSteps = Scaled::Absolute(quantity("500 ns")),
+        /// Time step.
+        dt: Quantity<Time> = quantity("50 fs"),
+    }
+}
+
+section! {
+    /// The tip of a force microscope comes down on a sphere that no other hides and is drawn back, Section 3.1.2.
+    pub struct Indentation {
+        /// Part of the necks that are kept; which ones is drawn from the seed.
+        keep_necks: f64 = 0.98,
+        /// Gap between the tip and the sphere at the beginning.
+        gap: InRadii = Scaled::times(0.5),
+        /// A triangulated tip instead of the tetrahedron; its lowest point is put above the sphere.
+        tip: Option<Solid> = None,
+        /// Final velocity of the tip, Eq. 25.
+        velocity: Quantity<Velocity> = quantity("1.5 m/s"),
+        /// How fast it turns round.
+        turn_rate: Quantity<Rate> = quantity("0.1 1/ns"),
+        /// When it turns round.
+        turn: Quantity<Time> = quantity("10.8 ns"),
+        /// Natural frequency of the cantilever, Eq. 30.
+        cantilever: Quantity<Rate> = quantity("0.07 1/ns"),
+        /// How long it is watched.
+        duration: InSteps = Scaled::Absolute(quantity("500 ns")),
+        /// Time step.
+        dt: Quantity<Time> = quantity("50 fs"),
+    }
+}
+
+section! {
+    /// A coating pulls the spheres together.
+    pub struct Restructuring {
+        /// Part of the necks that are kept; which ones is drawn from the seed.
+        keep_necks: f64 = 1.0,
+        /// How long it is watched.
+        duration: InSteps = Scaled::Absolute(quantity("50 ns")),
+        /// Time step.
+        dt: Quantity<Time> = quantity("5 fs"),
+    }
+}
+
+section! {
+    /// A triangulated surface. A closed one bounds a body and acts on its outside, an open one on both sides.
+    pub struct Solid {
+        /// A file in the STL format, ASCII or binary.
+        stl: PathBuf,
+        /// Its unit of length: the format has none.
+        unit: Quantity<Length>,
+    }
+}
+
+choice! {
+    /// A stage of a sequence: each starts from the end of the one before.
+    pub enum SootStage {
+        /// An aggregate falls on a substrate.
+        Deposition = "deposition": Deposition,
+        /// A deposited aggregate is indented.
+        Indentation = "indentation": Indentation,
+        /// A coated aggregate collapses.
+        Restructuring = "restructuring": Restructuring,
+    }
+}
+
+impl SootStage {
+    /// Its name.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Deposition(_) => "deposition",
+            Self::Indentation(_) => "indentation",
+            Self::Restructuring(_) => "restructuring",
+        }
+    }
+
+    /// The surface that it needs from a file, if any.
+    pub fn solid(&self) -> Option<&Solid> {
+        match self {
+            Self::Deposition(Deposition { substrate: solid, .. })
+            | Self::Indentation(Indentation { tip: solid, .. }) => solid.as_ref(),
+            Self::Restructuring(_) => None,
+        }
+    }
+
+    /// Its time step, ns.
+    pub fn dt(&self) -> &Quantity<Time> {
+        match self {
+            Self::Deposition(Deposition { dt, .. })
+            | Self::Indentation(Indentation { dt, .. })
+            | Self::Restructuring(Restructuring { dt, .. }) => dt,
+        }
+    }
+
+    /// How long it lasts.
+    pub fn duration(&self) -> &InSteps {
+        match self {
+            Self::Deposition(Deposition { duration, .. })
+            | Self::Indentation(Indentation { duration, .. })
+            | Self::Restructuring(Restructuring { duration, .. }) => duration,
+        }
+    }
+}

@@ -1,0 +1,133 @@
+//! What surfaces do to the spheres that lean on them.
+
+use super::{Block, Load};
+use crate::spec::numbers::Lanes;
+use crate::spec::{Flat, Outcome, PairModel, Touch, Vec3};
+use crate::system::mesh::Seen;
+use crate::system::{Forces, Grips, Particles, Surface};
+
+/// A contact whose place has moved by more than this part of the radius in one step is another one.
+const JUMP: f64 = 0.1;
+
+/// What happened at one surface in one step.
+pub struct Leaning<M: PairModel> {
+    /// Forces on the spheres.
+    pub force: Forces,
+    /// Power that the surface delivers to the spheres.
+    pub power: f64,
+    /// Energy lost, by cause.
+    pub losses: M::Losses<f64>,
+    /// Contacts and their springs: id of the sphere, place on the surface before it moved.
+    pub contacts: Vec<(u32, Vec3<f64>, M::Memory<f64>)>,
+    /// The deepest sphere and its overlap over its radius.
+    pub deepest: (u32, f64),
+}
+
+impl<M: PairModel> Default for Leaning<M> {
+    fn default() -> Self {
+        let losses = Flat::from_fn(|_| 0.0);
+        Self { force: Forces::zero(), power: 0.0, losses, contacts: Vec::new(), deepest: (0, f64::NEG_INFINITY) }
+    }
+}
+
+impl<M: PairModel> Leaning<M> {
+    /// Both together.
+    pub fn and(mut self, other: Self) -> Self {
+        self.contacts.extend(other.contacts);
+        Self {
+            force: self.force.and(other.force),
+            power: self.power + other.power,
+            losses: Flat::from_fn(|k| self.losses.at(k) + other.losses.at(k)),
+            contacts: self.contacts,
+            deepest: if other.deepest.1 > self.deepest.1 { other.deepest } else { self.deepest },
+        }
+    }
+
+    /// The contacts as the surface keeps them.
+    pub fn keep(mut self, grips: &mut Grips) {
+        self.contacts.sort_by_key(|contact| contact.0);
+        grips.places.clear();
+        grips.springs.clear();
+        for (sphere, place, springs) in self.contacts {
+            grips.places.push((sphere, place));
+            grips.springs.extend((0..M::Memory::<f64>::LEN).map(|k| *springs.at(k)));
+        }
+    }
+}
+
+/// Evaluates a surface and the free spheres that a block owns, advances the springs of their contacts by `dt`, and adds to the
+/// loads of the block.
+pub fn lean<M: PairModel>(
+    model: &M,
+    surface: &Surface,
+    particles: &Particles,
+    block: &mut Block<M>,
+    dt: f64,
+) -> Leaning<M> {
+    let mut leaning = Leaning::default();
+    let mut seen = Vec::new();
+    for (place, p) in block.own.clone().enumerate() {
+        each_touch(model, surface, particles, p, &mut seen, |at, touch, springs, nearest| {
+            let (id, load) = (particles.id[p], &mut block.loads[place]);
+            *load = *load + leaning.enter(model, surface, (id, at, nearest), touch, springs, dt);
+        });
+    }
+    leaning
+}
+
+impl<M: PairModel> Leaning<M> {
+    /// A sphere at one place of the surface: what acts on it.
+    fn enter(
+        &mut self,
+        model: &M,
+        surface: &Surface,
+        (sphere, at, nearest): (u32, &Seen, bool),
+        touch: &Touch<f64>,
+        springs: M::Memory<f64>,
+        dt: f64,
+    ) -> Load {
+        let material = surface.material;
+        let Outcome { wrench, memory, losses } = model.surface_contact(material, touch, springs, dt);
+        if touch.gap < 0.0 {
+            self.contacts.push((sphere, at.place, memory));
+        }
+        let contact = touch.n * wrench.force.dot(touch.n);
+        let pull = if nearest { model.surface_pull(material, touch) } else { 0.0 };
+        let van_der_waals = -(touch.n * pull);
+        let force = wrench.force + van_der_waals;
+        self.force = self.force.and(Forces { contact, friction: wrench.force - contact, van_der_waals });
+        self.power += force.dot(touch.v + surface.velocity) + wrench.torque_i.dot(touch.omega);
+        self.losses = Flat::from_fn(|k| self.losses.at(k) + losses.at(k));
+        let overlap = -touch.gap / touch.r;
+        if overlap > self.deepest.1 {
+            self.deepest = (sphere, overlap);
+        }
+        let (Vec3([fx, fy, fz]), Vec3([tx, ty, tz])) = (force, wrench.torque_i);
+        Lanes([fx, fy, fz, tx, ty, tz, 0.0, 0.0])
+    }
+}
+
+/// Shows every place where a surface acts on a free sphere, with the springs of the contact there, the nearest place first.
+pub fn each_touch<M: PairModel>(
+    model: &M,
+    surface: &Surface,
+    particles: &Particles,
+    p: usize,
+    seen: &mut Vec<Seen>,
+    mut show: impl FnMut(&Seen, &Touch<f64>, M::Memory<f64>, bool),
+) {
+    if particles.wall[p] > 0 {
+        return;
+    }
+    let Particles { x, v, w, radius, id, .. } = particles;
+    seen.clear();
+    surface.see(x[p], model.surface_range(surface.material, radius[p]), radius[p], seen);
+    let mut grips = surface.grips.of(id[p]);
+    for (k, at) in seen.iter().enumerate() {
+        let (gap, v) = (at.distance - radius[p], v[p] - surface.velocity);
+        let touch = Touch { n: at.n, gap, v, omega: w[p], r: radius[p] };
+        let springs = grips.take(at.place, JUMP * radius[p]);
+        let springs = Flat::from_fn(|k| springs.map_or(0.0, |springs| springs[k]));
+        show(at, &touch, springs, k == 0);
+    }
+}

@@ -1,0 +1,184 @@
+//! Section 3.1: aggregates are deposited, and torn at by a tip.
+
+use crate::case::quantity::{Kind, Quantity, Scaled};
+use crate::case::section::defaults;
+use crate::case::{Aggregate, Deposition, Indentation, Limits, NeckSet, Soot, SootStage};
+use crate::error::Error;
+use crate::figures::{Axis, Curve, Mark, Plot};
+use crate::observe::force_curve::ForceCurve;
+use crate::observe::statistics::Mean;
+use crate::reproduce::{Chapter, Claim, Extent, Figure};
+use crate::run::Study;
+use crate::run::soot::Plan;
+use crate::run::soot::watch::{Deposit, Watch, height};
+use crate::simulation::Simulation;
+use crate::spec::soot;
+use crate::spec::soot::eq19_equal_hamaker::saturated_hamaker;
+use crate::spec::soot::eq21_hamaker_plane::plane_force;
+use crate::system::System;
+use rayon::prelude::*;
+
+/// How often the force curve is kept, ns: a fraction of the time constant of the cantilever.
+const LOOK: f64 = 0.5;
+/// Curves that are drawn.
+const DRAWN: usize = 4;
+
+/// What is done to every aggregate. All else are the authors' published inputs.
+struct Protocol {
+    aggregates: u64,
+    spheres: u64,
+    keep_necks: f64,
+    deposition: &'static str,
+    indentation: &'static str,
+}
+
+/// What became of one aggregate.
+struct Member {
+    deposit: Deposit,
+    kinetic: f64,
+    lowered: f64,
+    curve: ForceCurve,
+}
+
+/// Claims and force curves of Figs. 4 and 6.
+pub fn chapter(extent: Extent) -> Result<Chapter, Error> {
+    let reduced = "6 aggregates of 60 spheres instead of 20 of 120, 90 % of the necks kept instead of 98 %, so that as many are broken, \
+                   250 ns of each stage instead of 500 ns";
+    let protocol = Protocol {
+        aggregates: extent.of(6, 20),
+        spheres: extent.of(60, 120),
+        keep_necks: extent.of(0.9, 0.98),
+        deposition: extent.of("250 ns", "500 ns"),
+        indentation: extent.of("250 ns", "500 ns"),
+    };
+    let members = (1..=protocol.aggregates)
+        .into_par_iter()
+        .with_max_len(1)
+        .map(|seed| member(&plan(&protocol, seed)))
+        .collect::<Result<Vec<_>, Error>>()?;
+    Ok(Chapter { note: extent.of(reduced, "").into(), claims: claims(&members), figures: vec![figure(&members)] })
+}
+
+fn quantity<K: Kind>(text: &str) -> Quantity<K> {
+    Quantity::parse(text).expect("a quantity of the right kind")
+}
+
+fn plan(protocol: &Protocol, seed: u64) -> Plan {
+    let duration = |text: &str| Scaled::Absolute(quantity(text));
+    Plan {
+        seed,
+        max_overlap: defaults::<Limits>().overlap,
+        soot: Soot { necks: NeckSet::S, cutoff: quantity("42 nm"), ..defaults() },
+        sample: Aggregate { spheres: protocol.spheres, neck_fraction: 1.0, ..defaults() },
+        stages: vec![
+            SootStage::Deposition(Deposition { duration: duration(protocol.deposition), ..defaults() }),
+            SootStage::Indentation(Indentation {
+                keep_necks: protocol.keep_necks,
+                duration: duration(protocol.indentation),
+                ..defaults()
+            }),
+        ],
+    }
+}
+
+/// One aggregate, deposited and indented.
+fn member(plan: &Plan) -> Result<Member, Error> {
+    let system = plan.set_up(0, plan.initial()?)?;
+    let first = height(&system);
+    let (watch, deposited) = play(plan, 0, system)?;
+    let (deposit, kinetic, lowered) = (watch.deposit(&deposited), watch.kinetic(), first - height(deposited.system()));
+    let (watch, _) = play(plan, 1, plan.set_up(1, plan.end(0, deposited))?)?;
+    let curve = watch.curve().expect("an indentation has a force curve").clone();
+    Ok(Member { deposit, kinetic, lowered, curve })
+}
+
+/// A stage from its beginning to its end.
+fn play(plan: &Plan, stage: usize, system: System) -> Result<(Watch, Simulation<soot::Soot>), Error> {
+    let settings = plan.settings(stage, &system);
+    let mut simulation = Simulation::new(plan.model(stage), system, settings)?;
+    let mut watch = plan.watch(stage, &simulation);
+    let every = (LOOK / settings.dt).round() as u64;
+    for step in 1..=plan.steps(stage, settings.dt) {
+        simulation.step()?;
+        watch.follow(&simulation);
+        if step.is_multiple_of(every) {
+            watch.keep(&simulation);
+        }
+    }
+    Ok((watch, simulation))
+}
+
+fn claims(members: &[Member]) -> Vec<Claim> {
+    let mean = |of: &dyn Fn(&Member) -> f64| Mean::of(&members.iter().map(of).collect::<Vec<_>>());
+    let adhered = members.iter().filter(|member| member.deposit.adheres).count();
+    let spheres = mean(&|member| member.deposit.spheres as f64);
+    let left = mean(&|member| 100.0 * member.deposit.kinetic / member.kinetic);
+    let dissipated = mean(&|member| member.deposit.dissipated / member.kinetic);
+    let lowered = mean(&|member| member.lowered);
+    let peaks = mean(&|member| member.curve.peaks().len() as f64);
+    let highest = mean(&|member| 1e-3 * member.curve.highest());
+    let parted: Vec<f64> = members.iter().filter_map(|member| member.curve.rupture()).collect();
+    let rupture = Mean::of(&parted);
+    let (one, _) = saturated_hamaker(14.0, 14.0, 0.0, 100.0, 1.0);
+    let tip = plane_force(14.0, 1.0, 1000.0);
+    let within = 1e-3 * one < highest.value && highest.value < 1e-3 * 3.0 * tip;
+    vec![
+        Claim::new(
+            "Fig. 4",
+            "aggregates come to rest on the substrate, hanging on by two spheres at least",
+            "all",
+            format!("{adhered} of {}, on {spheres:.1} spheres", members.len()),
+            adhered == members.len(),
+        ),
+        Claim::new(
+            "Fig. 4",
+            "their kinetic energy is dissipated: less than 5 % are left",
+            "adhesion by dissipation",
+            format!("{left:.2} % left, {dissipated:.2} times the kinetic energy turned into heat"),
+            left.value < 5.0 && dissipated.value > 0.0,
+        ),
+        Claim::new(
+            "Section 3.1.1",
+            "they go on towards the substrate after one branch has adhered: the centre of mass sinks by more than a sphere",
+            "motion continues",
+            format!("{lowered:.1} nm"),
+            lowered.value > 28.0,
+        ),
+        Claim::new(
+            "Fig. 6a",
+            "the force curve is a saw: more than one peak on average",
+            "several",
+            format!("{peaks:.1}"),
+            peaks.value > 1.0,
+        ),
+        Claim::new(
+            "Fig. 6a",
+            format!(
+                "the highest peak is above what parts two spheres, {:.2} nN, and below what parts three from the tip, {:.2} nN",
+                1e-3 * one,
+                3e-3 * tip
+            ),
+            "a picture",
+            format!("{highest:.2} nN"),
+            within,
+        ),
+        Claim::new(
+            "Fig. 6a",
+            "in the end tip and aggregate part, at a displacement of more than a sphere",
+            "parted",
+            format!("{} of {}, at {rupture:.0} nm", parted.len(), members.len()),
+            parted.len() == members.len() && rupture.value > 28.0,
+        ),
+    ]
+}
+
+fn figure(members: &[Member]) -> Figure {
+    let curves = members.iter().take(DRAWN).enumerate().map(|(k, member)| {
+        let points = member.curve.points().iter().map(|&(displacement, reading)| (displacement, 1e-3 * reading));
+        Curve::new(format!("aggregate {}", k + 1), Mark::Line, points.collect())
+    });
+    let title = "force on the tip as the cantilever reads it (Fig. 6a)".to_string();
+    let (x, y) = (Axis::linear("tip displacement [nm]"), Axis::linear("pull [nN]"));
+    let plot = Plot { title: title.clone(), x, y, curves: curves.collect() };
+    Figure { name: "soot-force-curves".into(), caption: title, svg: plot.svg() }
+}

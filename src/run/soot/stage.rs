@@ -1,0 +1,98 @@
+//! What a stage makes of the aggregate that it is given.
+
+use crate::build::aggregate::necks::keep_fraction;
+use crate::build::random::Stream;
+use crate::build::surface::{read_stl, tetrahedron};
+use crate::case::{Deposition, Indentation, Restructuring, Solid, SootStage};
+use crate::error::Error;
+use crate::spec::Vec3;
+use crate::spec::soot::{SUBSTRATE, TIP};
+use crate::system::mesh::Mesh;
+use crate::system::{Course, Particles, Shape, Surface, System};
+use std::collections::BTreeSet;
+
+/// What goes into every stage.
+pub struct Ground {
+    /// Seed of every random stream.
+    pub seed: u64,
+    /// Radius of the spheres, nm.
+    pub radius: f64,
+}
+
+/// The system that a stage begins with.
+pub fn set_up(stage: &SootStage, ground: &Ground, mut system: System) -> Result<System, Error> {
+    system.step = 0;
+    system.surfaces.retain(|surface| surface.material != TIP);
+    match stage {
+        SootStage::Deposition(test) => deposit(test, solid(stage)?, ground, &mut system),
+        SootStage::Indentation(test) => {
+            break_necks(test.keep_necks, ground.seed, &mut system);
+            indent(test, solid(stage)?, ground, &mut system);
+        }
+        SootStage::Restructuring(Restructuring { keep_necks, .. }) => {
+            break_necks(*keep_necks, ground.seed, &mut system);
+        }
+    }
+    Ok(system)
+}
+
+/// The surface that a stage asks for from a file, if any.
+pub fn solid(stage: &SootStage) -> Result<Option<Mesh>, Error> {
+    stage.solid().map(|Solid { stl, unit }| read_stl(stl, unit.value)).transpose()
+}
+
+fn deposit(test: &Deposition, solid: Option<Mesh>, ground: &Ground, system: &mut System) {
+    let particles = &mut system.particles;
+    let lowest = (0..particles.len()).map(|p| particles.x[p].0[2] - particles.radius[p]).fold(f64::INFINITY, f64::min);
+    let lowered = Vec3([0.0, 0.0, test.gap.value(ground.radius) - lowest]);
+    particles.x.iter_mut().for_each(|x| *x = *x + lowered);
+    particles.v.fill(Vec3([0.0, 0.0, -test.velocity.value]));
+    let shape = match solid {
+        None => Shape::Plane { point: Vec3::zero(), normal: Vec3([0.0, 0.0, 1.0]) },
+        Some(mesh) => {
+            let [low, high] = mesh.bounds();
+            let middle = (low + high) * 0.5;
+            let [a, b, _] = system.domain.sides;
+            Shape::Mesh(mesh.displaced(Vec3([0.5 * a - middle.0[0], 0.5 * b - middle.0[1], -high.0[2]])))
+        }
+    };
+    system.surfaces = vec![Surface::new("substrate", SUBSTRATE, shape, Course::Still)];
+}
+
+fn indent(test: &Indentation, solid: Option<Mesh>, ground: &Ground, system: &mut System) {
+    let target = target(&system.particles, ground.seed);
+    let (mesh, lowest) = match solid {
+        None => (tetrahedron(ground.radius), Vec3::zero()),
+        Some(mesh) => {
+            let lowest = mesh.vertices().iter().copied().reduce(|a, b| if b.0[2] < a.0[2] { b } else { a });
+            (mesh, lowest.expect("a surface has corners"))
+        }
+    };
+    let above = system.particles.radius[target] + test.gap.value(ground.radius);
+    let apex = system.particles.x[target] + Vec3([0.0, 0.0, above]);
+    let course = Course::Tip { velocity: test.velocity.value, rate: test.turn_rate.value, turn: test.turn.value };
+    let shape = Shape::Mesh(mesh.displaced(apex - lowest));
+    system.surfaces.push(Surface::new("tip", TIP, shape, course));
+}
+
+/// A sphere above which there is no other, drawn from the seed.
+fn target(particles: &Particles, seed: u64) -> usize {
+    let Particles { x, radius, id, .. } = particles;
+    let hides = |q: usize, p: usize| {
+        let [a, b, c] = (x[q] - x[p]).0;
+        q != p && c > 0.0 && (a * a + b * b).sqrt() < radius[p] + radius[q]
+    };
+    let mut free: Vec<usize> = (0..x.len()).filter(|&p| !(0..x.len()).any(|q| hides(q, p))).collect();
+    free.sort_by_key(|&p| id[p]);
+    free[(Stream::new(seed, "indented sphere").uniform() * free.len() as f64) as usize]
+}
+
+/// Removes necks; the contacts that take their place begin with relaxed springs.
+fn break_necks(keep: f64, seed: u64, system: &mut System) {
+    let all: Vec<(usize, usize)> = system.necks.iter().map(|&(i, j)| (i as usize, j as usize)).collect();
+    let kept = keep_fraction(&all, keep, seed).into_iter().map(|(i, j)| (i as u32, j as u32));
+    let kept: BTreeSet<(u32, u32)> = kept.collect();
+    let broken = |pair: (u32, u32)| system.necks.binary_search(&pair).is_ok() && !kept.contains(&pair);
+    system.springs.forget(broken);
+    system.necks = kept.into_iter().collect();
+}

@@ -1,0 +1,210 @@
+//! What is followed in the stages of soot.
+
+use crate::build::aggregate::Sphere;
+use crate::case::SootStage;
+use crate::observe::force_curve::ForceCurve;
+use crate::observe::morphology::{Extent, convexity, coordination_number, gyration_radius};
+use crate::output::{Cell, Finding};
+use crate::simulation::Simulation;
+use crate::spec::Vec3;
+use crate::spec::soot;
+use crate::spec::soot::{SUBSTRATE, TIP};
+use crate::system::{Particles, Surface, System};
+use serde::{Deserialize, Serialize};
+
+/// The columns of the series.
+pub const COLUMNS: [&str; 18] = [
+    "coordination number",
+    "convexity",
+    "gyration radius [nm]",
+    "height [nm]",
+    "energy at surfaces [zJ]",
+    "lost at surfaces [zJ]",
+    "work of surfaces [zJ]",
+    "spheres on the substrate",
+    "contact on the substrate [pN]",
+    "friction on the substrate [pN]",
+    "van der Waals on the substrate [pN]",
+    "tip displacement [nm]",
+    "spheres on the tip",
+    "contact on the tip [pN]",
+    "friction on the tip [pN]",
+    "van der Waals on the tip [pN]",
+    "pull on the tip [pN]",
+    "cantilever reading [pN]",
+];
+
+/// What of an aggregate's shape is followed: coordination number, convexity, gyration radius.
+pub type Shape = [f64; 3];
+
+/// The shape of an aggregate.
+pub fn shape(system: &System) -> Shape {
+    let Particles { x, radius, .. } = &system.particles;
+    let spheres: Vec<Sphere> = x.iter().zip(radius).map(|(&centre, &radius)| Sphere { centre, radius }).collect();
+    [coordination_number(&spheres), convexity(&spheres).value, gyration_radius(&spheres, Extent::Centres)]
+}
+
+/// What is remembered of the beginning of a stage, and the force curve of an indentation.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Watch {
+    shape: Shape,
+    kinetic: f64,
+    curve: Option<ForceCurve>,
+}
+
+impl Watch {
+    /// Begins to watch a stage.
+    pub fn begin(stage: &SootStage, simulation: &Simulation<soot::Soot>) -> Self {
+        let curve = match stage {
+            SootStage::Indentation(test) => Some(ForceCurve::new(2.0 * std::f64::consts::PI * test.cantilever.value)),
+            _ => None,
+        };
+        Self { shape: shape(simulation.system()), kinetic: simulation.ledger().kinetic, curve }
+    }
+
+    /// Sees every step.
+    pub fn follow(&mut self, simulation: &Simulation<soot::Soot>) {
+        if let (Some(curve), Some(tip)) = (&mut self.curve, surface(simulation.system(), TIP)) {
+            curve.follow(-tip.force.total().0[2], simulation.settings().dt);
+        }
+    }
+
+    /// The cells of a row.
+    pub fn look(&mut self, simulation: &Simulation<soot::Soot>) -> Vec<Cell> {
+        let system = simulation.system();
+        let account = simulation.ledger().surfaces;
+        let mut cells: Vec<Cell> = shape(system).into_iter().chain([height(system)]).map(Cell::Number).collect();
+        let energies = [account.stored.iter().sum(), account.lost.iter().sum(), account.work];
+        cells.extend(energies.map(Cell::Number));
+        let vertical = |surface: &Surface| {
+            let force = surface.force;
+            [force.contact, force.friction, force.van_der_waals].map(|force| Cell::Number(force.0[2]))
+        };
+        match surface(system, SUBSTRATE) {
+            Some(substrate) => {
+                cells.push(Cell::Count(spheres_on(substrate)));
+                cells.extend(vertical(substrate));
+            }
+            None => cells.extend(vec![Cell::Nothing; 4]),
+        }
+        self.keep(simulation);
+        match (surface(system, TIP), &self.curve) {
+            (Some(tip), Some(curve)) => {
+                cells.extend([Cell::Number(tip.way.0[2]), Cell::Count(spheres_on(tip))]);
+                cells.extend(vertical(tip));
+                cells.extend([-tip.force.total().0[2], curve.reading()].map(Cell::Number));
+            }
+            _ => cells.extend(vec![Cell::Nothing; 7]),
+        }
+        cells
+    }
+
+    /// The force curve of an indentation.
+    pub fn curve(&self) -> Option<&ForceCurve> {
+        self.curve.as_ref()
+    }
+
+    /// The kinetic energy at the beginning, zJ.
+    pub fn kinetic(&self) -> f64 {
+        self.kinetic
+    }
+
+    /// Keeps the point of the force curve that has been reached.
+    pub fn keep(&mut self, simulation: &Simulation<soot::Soot>) {
+        if let (Some(curve), Some(tip)) = (&mut self.curve, surface(simulation.system(), TIP)) {
+            curve.look(tip.way.0[2]);
+        }
+    }
+
+    /// What the stage amounts to.
+    pub fn findings(&self, stage: &SootStage, simulation: &Simulation<soot::Soot>) -> Vec<Finding> {
+        let system = simulation.system();
+        let number = |name: &str, value: f64, unit: &str| Finding::number(name, value, unit, None);
+        let mut findings = match stage {
+            SootStage::Deposition(_) => {
+                let Deposit { spheres, kinetic, dissipated, adheres } = self.deposit(simulation);
+                let verdict = if adheres { "adheres" } else { "does not adhere" };
+                let sentence = format!(
+                    "the aggregate {verdict}: {spheres} spheres lie on the substrate, {:.2} % of its kinetic energy are left",
+                    100.0 * kinetic / self.kinetic
+                );
+                vec![
+                    Finding::words("deposition", sentence),
+                    number("spheres on the substrate", spheres as f64, ""),
+                    number("kinetic energy at first", self.kinetic, "zJ"),
+                    number("kinetic energy at last", kinetic, "zJ"),
+                    number("energy dissipated", dissipated, "zJ"),
+                ]
+            }
+            SootStage::Indentation(_) => {
+                let curve = self.curve.as_ref().expect("an indentation has a force curve");
+                let (peaks, highest) = (curve.peaks().len(), curve.highest());
+                let end = match curve.rupture() {
+                    Some(displacement) => format!("parts from the aggregate {displacement:.0} nm above its start"),
+                    None => "still holds on to the aggregate".into(),
+                };
+                let sentence = format!("the tip {end}, after {peaks} peaks of at most {:.2} nN", 1e-3 * highest);
+                let mut found = vec![
+                    Finding::words("indentation", sentence),
+                    number("peaks of the force curve", peaks as f64, ""),
+                    number("highest peak", highest, "pN"),
+                ];
+                found.extend(curve.rupture().map(|height| number("rupture height", height, "nm")));
+                found
+            }
+            SootStage::Restructuring(_) => Vec::new(),
+        };
+        findings.push(number("necks", system.necks.len() as f64, ""));
+        for (when, [coordination, convexity, gyration]) in [("at first", self.shape), ("at last", shape(system))] {
+            findings.extend([
+                number(&format!("coordination number {when}"), coordination, ""),
+                number(&format!("convexity {when}"), convexity, ""),
+                number(&format!("gyration radius {when}"), gyration, "nm"),
+            ]);
+        }
+        findings
+    }
+
+    /// What became of a deposition.
+    pub fn deposit(&self, simulation: &Simulation<soot::Soot>) -> Deposit {
+        let ledger = simulation.ledger();
+        let spheres = surface(simulation.system(), SUBSTRATE).map_or(0, spheres_on);
+        let adheres = spheres >= 2 && ledger.kinetic < RESTING * self.kinetic;
+        Deposit { spheres, kinetic: ledger.kinetic, dissipated: ledger.lost(), adheres }
+    }
+}
+
+/// An aggregate has come to rest when this part of its kinetic energy is left.
+const RESTING: f64 = 0.1;
+
+/// What became of a deposition.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Deposit {
+    /// Spheres that touch the substrate.
+    pub spheres: u64,
+    /// Kinetic energy left, zJ.
+    pub kinetic: f64,
+    /// Energy turned into heat, zJ.
+    pub dissipated: f64,
+    /// Whether it hangs on by two spheres at least, and has come to rest.
+    pub adheres: bool,
+}
+
+/// The substrate or the tip.
+pub fn surface(system: &System, material: usize) -> Option<&Surface> {
+    system.surfaces.iter().find(|surface| surface.material == material)
+}
+
+/// Spheres that touch a surface.
+fn spheres_on(surface: &Surface) -> u64 {
+    let mut spheres: Vec<u32> = surface.grips.places.iter().map(|place| place.0).collect();
+    spheres.dedup();
+    spheres.len() as u64
+}
+
+/// Height of the centre of mass, nm.
+pub fn height(system: &System) -> f64 {
+    let Particles { x, mass, .. } = &system.particles;
+    let moment = x.iter().zip(mass).fold(Vec3::zero(), |sum, (x, m)| sum + *x * *m);
+    moment.0[2] / mass.iter().sum::<f64>()
+}

@@ -1,0 +1,120 @@
+//! From loose triangles to a surface.
+
+use super::Mesh;
+use crate::spec::{Real, Vec3};
+use std::collections::BTreeMap;
+use std::fmt;
+
+/// Corners closer than this part of the extent of the surface are one.
+const WELD: f64 = 1e-6;
+
+/// What keeps triangles from being a surface. Triangles are counted from one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Flaw {
+    /// There is none.
+    Empty,
+    /// A coordinate is not a finite number.
+    NotFinite(usize),
+    /// A triangle has no area.
+    Degenerate(usize),
+    /// An edge of the two triangles is shared by more than two, or is passed by both in the same direction.
+    Edge(usize, usize),
+}
+
+impl fmt::Display for Flaw {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Empty => f.write_str("has no triangle"),
+            Self::NotFinite(t) => write!(f, "triangle {t} has a coordinate that is not a finite number"),
+            Self::Degenerate(t) => write!(f, "triangle {t} has no area"),
+            Self::Edge(s, t) => write!(
+                f,
+                "triangles {s} and {t} pass a common edge in the same direction, expected opposite normals or two triangles to an edge"
+            ),
+        }
+    }
+}
+
+impl Mesh {
+    /// A surface of triangles, each counterclockwise as seen from outside. Corners that coincide are joined.
+    pub fn new(loose: &[[Vec3<f64>; 3]]) -> Result<Self, Flaw> {
+        if loose.is_empty() {
+            return Err(Flaw::Empty);
+        }
+        let finite = |corner: &Vec3<f64>| corner.0.iter().all(|x| x.is_finite());
+        if let Some(t) = loose.iter().position(|triangle| !triangle.iter().all(finite)) {
+            return Err(Flaw::NotFinite(t + 1));
+        }
+        let all = loose.as_flattened();
+        let bounds = bounds(all);
+        let weld = WELD * (bounds[1] - bounds[0]).norm();
+        let (vertices, names) = welded(all, weld);
+        let triangles: Vec<[u32; 3]> = names.chunks_exact(3).map(|t| [t[0], t[1], t[2]]).collect();
+        let (mut faces, mut corners) = (Vec::new(), vec![Vec3::zero(); vertices.len()]);
+        for (number, triangle) in triangles.iter().enumerate() {
+            let [a, b, c] = triangle.map(|v| vertices[v as usize]);
+            let area = (b - a).cross(c - a);
+            let longest = [b - a, c - b, a - c].iter().map(|side| side.norm()).fold(0.0, f64::max);
+            if area.norm() <= weld * longest {
+                return Err(Flaw::Degenerate(number + 1));
+            }
+            let normal = area * (1.0 / area.norm());
+            faces.push(normal);
+            for (v, [at, next, last]) in triangle.iter().zip([[a, b, c], [b, c, a], [c, a, b]]) {
+                let (to, back) = (next - at, last - at);
+                let angle = Real::acos((to.dot(back) / (to.norm() * back.norm())).clamp(-1.0, 1.0));
+                corners[*v as usize] = corners[*v as usize] + normal * angle;
+            }
+        }
+        let across = across(&triangles)?;
+        let closed = across.iter().flatten().all(|&neighbour| neighbour != u32::MAX);
+        Ok(Self { vertices, triangles, across, faces, corners, closed, bounds })
+    }
+
+    /// The same surface displaced.
+    pub fn displaced(&self, by: Vec3<f64>) -> Self {
+        let mut mesh = self.clone();
+        mesh.vertices.iter_mut().chain(&mut mesh.bounds).for_each(|x| *x = *x + by);
+        mesh
+    }
+}
+
+fn bounds(points: &[Vec3<f64>]) -> [Vec3<f64>; 2] {
+    let fold = |first: f64, choose: fn(f64, f64) -> f64| {
+        Vec3(std::array::from_fn(|a| points.iter().map(|p| p.0[a]).fold(first, choose)))
+    };
+    [fold(f64::INFINITY, f64::min), fold(f64::NEG_INFINITY, f64::max)]
+}
+
+/// Points that are not closer than `weld` to one before them, and which of those each point is.
+fn welded(points: &[Vec3<f64>], weld: f64) -> (Vec<Vec3<f64>>, Vec<u32>) {
+    let mut order: Vec<usize> = (0..points.len()).collect();
+    order.sort_by(|&p, &q| points[p].0[0].total_cmp(&points[q].0[0]).then(p.cmp(&q)));
+    let (mut vertices, mut names): (Vec<Vec3<f64>>, _) = (Vec::new(), vec![0; points.len()]);
+    for p in order {
+        let near = vertices.iter().rev().take_while(|v| points[p].0[0] - v.0[0] <= weld);
+        let back = near.take(vertices.len()).position(|v| (points[p] - *v).norm() <= weld);
+        names[p] = match back {
+            Some(back) => vertices.len() - 1 - back,
+            None => {
+                vertices.push(points[p]);
+                vertices.len() - 1
+            }
+        } as u32;
+    }
+    (vertices, names)
+}
+
+/// The triangle across each edge.
+fn across(triangles: &[[u32; 3]]) -> Result<Vec<[u32; 3]>, Flaw> {
+    let mut edges = BTreeMap::new();
+    for (number, triangle) in triangles.iter().enumerate() {
+        for k in 0..3 {
+            if let Some(other) = edges.insert((triangle[k], triangle[(k + 1) % 3]), number) {
+                return Err(Flaw::Edge(other + 1, number + 1));
+            }
+        }
+    }
+    let neighbour = |from: u32, to: u32| edges.get(&(to, from)).map_or(u32::MAX, |&number| number as u32);
+    Ok(triangles.iter().map(|t| std::array::from_fn(|k| neighbour(t[k], t[(k + 1) % 3]))).collect())
+}

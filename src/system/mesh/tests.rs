@@ -1,0 +1,181 @@
+//! One contact for one contact, wherever it is and however the surface is cut.
+
+use super::*;
+use crate::spec::Real;
+use proptest::prelude::*;
+
+type Corners = [Vec3<f64>; 3];
+
+/// The surface of a box from the origin to `sides`, each face cut into `cuts` by `cuts` squares of two triangles.
+fn cuboid(sides: [f64; 3], cuts: usize) -> Vec<Corners> {
+    let mut triangles = Vec::new();
+    for axis in 0..3 {
+        for far in [false, true] {
+            let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
+            let corner = |i: usize, j: usize| {
+                let mut x = [0.0; 3];
+                x[axis] = if far { sides[axis] } else { 0.0 };
+                (x[u], x[v]) = (sides[u] * i as f64 / cuts as f64, sides[v] * j as f64 / cuts as f64);
+                Vec3(x)
+            };
+            for (i, j) in (0..cuts).flat_map(|i| (0..cuts).map(move |j| (i, j))) {
+                let [a, b, c, d] = [corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)];
+                let halves = [[a, b, c], [a, c, d]];
+                triangles.extend(if far { halves } else { halves.map(|[a, b, c]| [a, c, b]) });
+            }
+        }
+    }
+    triangles
+}
+
+/// Every triangle cut into four.
+fn quartered(triangles: &[Corners]) -> Vec<Corners> {
+    let cut = |&[a, b, c]: &Corners| {
+        let [ab, bc, ca] = [(a + b) * 0.5, (b + c) * 0.5, (c + a) * 0.5];
+        [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]
+    };
+    triangles.iter().flat_map(cut).collect()
+}
+
+/// A rotation about an axis.
+fn turned(x: Vec3<f64>, axis: Vec3<f64>, angle: f64) -> Vec3<f64> {
+    let n = axis * (1.0 / axis.norm());
+    let (sin, cos) = (Real::sin(angle), Real::cos(angle));
+    x * cos + n.cross(x) * sin + n * (n.dot(x) * (1.0 - cos))
+}
+
+fn mesh(triangles: &[Corners]) -> Mesh {
+    Mesh::new(triangles).expect("a surface")
+}
+
+fn seen(mesh: &Mesh, p: Vec3<f64>, touch: f64) -> Vec<Seen> {
+    let mut found = Vec::new();
+    mesh.see(p, 100.0, touch, &mut found);
+    found
+}
+
+fn vector(range: std::ops::Range<f64>) -> impl Strategy<Value = Vec3<f64>> {
+    prop::array::uniform3(range).prop_map(Vec3)
+}
+
+/// The nearest point of a box.
+fn clamped(p: Vec3<f64>, sides: [f64; 3]) -> Vec3<f64> {
+    Vec3(std::array::from_fn(|a| p.0[a].clamp(0.0, sides[a])))
+}
+
+const SIDES: [f64; 3] = [2.0, 3.0, 4.0];
+
+/// Places where rounding may go either way: on corners, edges, diagonals and middles, beside random ones.
+fn places() -> impl Strategy<Value = Vec3<f64>> {
+    let coordinate = |side: f64| {
+        prop_oneof![
+            -1.0..side + 1.0,
+            prop::sample::select(vec![-0.5, 0.0, 0.25, 0.5, 0.75, 1.0, 1.25]).prop_map(move |part| part * side)
+        ]
+    };
+    (coordinate(2.0), coordinate(3.0), coordinate(4.0)).prop_map(|(x, y, z)| Vec3([x, y, z]))
+}
+
+proptest! {
+    #[test]
+    fn a_box_has_one_contact_from_everywhere_outside(p in places(), cuts in 1usize..4) {
+        let nearest = clamped(p, SIDES);
+        prop_assume!((p - nearest).norm() > 1e-3);
+        let found = seen(&mesh(&cuboid(SIDES, cuts)), p, 50.0);
+        prop_assert_eq!(found.len(), 1, "{:?}", found);
+        prop_assert!((found[0].place - nearest).norm() < 1e-12);
+        prop_assert!((found[0].distance - (p - nearest).norm()).abs() < 1e-12);
+        prop_assert!((found[0].n * found[0].distance - (p - nearest)).norm() < 1e-12);
+    }
+
+    #[test]
+    fn inside_a_box_the_way_out_is_seen(p in (0.05..1.95, 0.05..2.95, 0.05..3.95)) {
+        let p = Vec3::<f64>([p.0, p.1, p.2]);
+        let depth = (0..3).map(|a| p.0[a].min(SIDES[a] - p.0[a])).fold(f64::INFINITY, f64::min);
+        let found = seen(&mesh(&cuboid(SIDES, 2)), p, 50.0);
+        prop_assert_eq!(found.len(), 1);
+        prop_assert!((found[0].distance + depth).abs() < 1e-12);
+    }
+
+    #[test]
+    fn finer_triangles_change_nothing(corners in prop::array::uniform4(vector(-2.0..2.0)), p in vector(-4.0..4.0)) {
+        let [a, b, c, d] = corners;
+        let volume = (b - a).cross(c - a).dot(d - a);
+        prop_assume!(volume.abs() > 1.0);
+        let [c, d] = if volume > 0.0 { [c, d] } else { [d, c] };
+        let coarse = [[a, c, b], [a, b, d], [b, c, d], [a, d, c]];
+        let (fine, coarse) = (mesh(&quartered(&quartered(&coarse))), mesh(&coarse));
+        let (few, many) = (seen(&coarse, p, 50.0), seen(&fine, p, 50.0));
+        prop_assert_eq!((few.len(), many.len()), (1, 1));
+        prop_assert!((few[0].place - many[0].place).norm() < 1e-9 && (few[0].n - many[0].n).norm() < 1e-6);
+    }
+
+    #[test]
+    fn a_turned_surface_is_seen_turned(p in places(), axis in vector(-1.0..1.0), angle in 0.0..6.0) {
+        prop_assume!(axis.norm() > 0.1 && (p - clamped(p, SIDES)).norm() > 1e-3);
+        let turn = |x: Vec3<f64>| turned(x, axis, angle);
+        let straight = seen(&mesh(&cuboid(SIDES, 2)), p, 50.0);
+        let tilted: Vec<Corners> = cuboid(SIDES, 2).into_iter().map(|triangle| triangle.map(turn)).collect();
+        let tilted = seen(&mesh(&tilted), turn(p), 50.0);
+        prop_assert_eq!((straight.len(), tilted.len()), (1, 1));
+        prop_assert!((turn(straight[0].place) - tilted[0].place).norm() < 1e-9);
+        prop_assert!((turn(straight[0].n) - tilted[0].n).norm() < 1e-7);
+    }
+
+    #[test]
+    fn the_way_from_face_to_edge_to_face_has_no_jump(from in vector(-3.0..6.0), to in vector(-3.0..6.0)) {
+        let body = mesh(&cuboid(SIDES, 2));
+        let at = |k: usize| from + (to - from) * (k as f64 / 200.0);
+        let outside = (0..=200).all(|k| (at(k) - clamped(at(k), SIDES)).norm() > 0.3);
+        prop_assume!(outside);
+        let step = (to - from).norm() / 200.0;
+        for k in 0..200 {
+            let (before, after) = (seen(&body, at(k), 50.0), seen(&body, at(k + 1), 50.0));
+            prop_assert!((before[0].distance - after[0].distance).abs() <= step * (1.0 + 1e-9));
+            prop_assert!((before[0].n - after[0].n).norm() <= 2.0 * step / 0.3);
+        }
+    }
+}
+
+#[test]
+fn a_square_of_two_triangles_is_a_plane_on_both_sides_and_ends_at_its_border() {
+    let [a, b, c, d] = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(|[x, y]| Vec3([x, y, 0.0]));
+    let sheet = mesh(&[[a, b, c], [a, c, d]]);
+    assert!(!sheet.is_closed());
+    for height in [0.3, -0.3] {
+        // On the diagonal, beside it, at a corner.
+        for [x, y] in [[0.5, 0.5], [0.1, 0.9], [0.0, 0.0], [1.0, 0.2]] {
+            let found = seen(&sheet, Vec3([x, y, height]), 1.0);
+            assert_eq!(found.len(), 1);
+            assert_eq!((found[0].place, found[0].distance), (Vec3([x, y, 0.0]), 0.3));
+        }
+    }
+    let beyond = seen(&sheet, Vec3([1.4, 0.5, 0.3]), 1.0);
+    assert_eq!(beyond.len(), 1);
+    assert!((beyond[0].distance - 0.5).abs() < 1e-15);
+}
+
+#[test]
+fn a_sphere_in_a_groove_has_two_contacts() {
+    let at = |x: f64, y: f64, z: f64| Vec3([x, y, z]);
+    let (low, high) = ([at(0.0, -5.0, 0.0), at(0.0, 5.0, 0.0)], 4.0);
+    let wall = |side: f64| [at(side * high, -5.0, high), at(side * high, 5.0, high)];
+    let ([l, k], [r, s]) = (wall(-1.0), wall(1.0));
+    let groove = mesh(&[[l, low[0], low[1]], [l, low[1], k], [low[0], r, s], [low[0], s, low[1]]]);
+    let found = seen(&groove, at(0.0, 0.3, 2f64.sqrt()), 1.1);
+    assert_eq!(found.len(), 2);
+    assert!(found.iter().all(|seen| (seen.distance - 1.0).abs() < 1e-12));
+    // Beside the bottom of one wall only the nearer one is within touch.
+    assert_eq!(seen(&groove, at(1.5, 0.3, 2f64.sqrt() + 1.5), 1.1).len(), 1);
+}
+
+#[test]
+fn what_is_no_surface_is_refused() {
+    let [a, b, c, d] = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Vec3);
+    let flaw = |triangles: &[Corners]| Mesh::new(triangles).expect_err("no surface");
+    assert_eq!(flaw(&[]), Flaw::Empty);
+    assert_eq!(flaw(&[[a, b, c], [a, b, b]]), Flaw::Degenerate(2));
+    assert_eq!(flaw(&[[a, b, c], [a, b, (a + b) * 0.5]]), Flaw::Degenerate(2));
+    assert_eq!(flaw(&[[a, b, c], [a, b, d]]), Flaw::Edge(1, 2));
+    assert_eq!(flaw(&[[a, b, Vec3([f64::NAN, 0.0, 0.0])]]), Flaw::NotFinite(1));
+}
