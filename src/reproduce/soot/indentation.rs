@@ -51,7 +51,8 @@ pub fn chapter(extent: Extent) -> Result<Chapter, Error> {
         deposition: extent.of("250 ns", "500 ns"),
         indentation: extent.of("250 ns", "500 ns"),
     };
-    let members = (1..=protocol.aggregates)
+    let seeds: Vec<u64> = (1..=protocol.aggregates).collect();
+    let members = seeds
         .into_par_iter()
         .with_max_len(1)
         .map(|seed| member(&plan(&protocol, seed)))
