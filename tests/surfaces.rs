@@ -1,6 +1,7 @@
 //! Does an aggregate between a substrate and a moving tip keep what the equations keep, with the same bits on any machine?
 
 use std::path::Path;
+use std::process::{Command, Output};
 use veridem::build::aggregate::necks::necks;
 use veridem::build::aggregate::{Method, Radii, Recipe, Sphere, aggregate};
 use veridem::build::surface::tetrahedron;
@@ -156,4 +157,37 @@ fn a_sphere_that_sinks_into_a_surface_is_reported() {
     let mut simulation = Simulation::new(soot(), deep, settings(DT)).expect("a stable step");
     let halt = simulation.step().expect_err("too deep").to_string();
     assert!(halt.contains("is in a surface by 0.343 of its radius (limit 0.1)"), "{halt}");
+}
+
+#[test]
+fn an_aggregate_from_a_file_is_indented_with_the_bits_of_a_sequence() {
+    let place = tempfile::tempdir().expect("a temporary folder");
+    let run = |name: &str, sample: &str, stages: &str| -> Output {
+        let text = format!(
+            "title: t\nmodel: {{soot: {{necks: S}}}}\nsample: {{aggregate: {{spheres: 6, neck_fraction: 1{sample}}}}}\n\
+             experiment:\n  sequence:\n{stages}output: {{series: 500 steps}}\n"
+        );
+        std::fs::write(place.path().join(name).with_extension("yaml"), text).expect("a writable folder");
+        let mut command = Command::new(env!("CARGO_BIN_EXE_veridem"));
+        command.current_dir(place.path()).args(["--quiet", "run", &format!("{name}.yaml")]).output().expect("it starts")
+    };
+    let deposition = |save: &str| format!("    - deposition: {{velocity: 5 m/s, duration: 4000 steps{save}}}\n");
+    let indentation = "    - indentation: {gap: 0.01 r, keep_necks: 0.5, duration: 6000 steps}\n";
+    let rows = |name: &str| {
+        let series = std::fs::read_to_string(place.path().join("run").join(name).join("series.csv")).expect("a series");
+        series.lines().filter(|line| line.starts_with("indentation")).map(String::from).collect::<Vec<_>>()
+    };
+    assert!(run("whole", "", &(deposition("") + indentation)).status.success());
+    assert!(run("first", "", &deposition(", save: one.sample")).status.success());
+    assert!(run("second", ", deposited: one.sample", indentation).status.success());
+    assert_eq!(rows("whole").len(), 13);
+    assert_eq!(rows("whole"), rows("second"));
+    assert!(place.path().join("run/whole/frames/000002.obj").exists());
+
+    let other = run("other", ", deposited: one.sample, radius: 15 nm", indentation);
+    let text = String::from_utf8_lossy(&other.stderr).to_string();
+    assert_eq!(text, "one.sample: was made with another model or aggregate\n");
+    assert_eq!(other.status.code(), Some(65));
+    let early = run("early", ", deposited: none.sample", indentation);
+    assert_eq!(early.status.code(), Some(66), "{early:?}");
 }

@@ -50,4 +50,57 @@ mod tests {
         assert_eq!(seen.len(), 1);
         assert!(seen[0].distance < 0.0);
     }
+
+    fn write(folder: &tempfile::TempDir, name: &str, bytes: &[u8]) -> std::path::PathBuf {
+        let path = folder.path().join(name);
+        std::fs::write(&path, bytes).expect("a writable folder");
+        path
+    }
+
+    /// The tip for a radius of 1 in the binary and in the ASCII format.
+    fn stl() -> [Vec<u8>; 2] {
+        let tip = tetrahedron(1.0);
+        let normal = stl_io::Normal::new([0.0; 3]);
+        let corners = |t: usize| tip.triangle(t).map(|corner| stl_io::Vertex::new(corner.0.map(|x| x as f32)));
+        let triangles: Vec<_> = (0..4).map(|t| stl_io::Triangle { normal, vertices: corners(t) }).collect();
+        let mut binary = Vec::new();
+        stl_io::write_stl(&mut binary, triangles.iter()).expect("room in memory");
+        let mut ascii = String::from("solid tip\n");
+        for triangle in &triangles {
+            ascii.push_str("facet normal 0 0 0\nouter loop\n");
+            triangle
+                .vertices
+                .iter()
+                .for_each(|v| ascii.push_str(&format!("vertex {} {} {}\n", v.0[0], v.0[1], v.0[2])));
+            ascii.push_str("endloop\nendfacet\n");
+        }
+        ascii.push_str("endsolid tip\n");
+        [binary, ascii.into_bytes()]
+    }
+
+    #[test]
+    fn both_formats_give_the_surface_in_the_stated_unit() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        for (name, bytes) in ["binary.stl", "ascii.stl"].into_iter().zip(stl()) {
+            assert_eq!(read_stl(&write(&folder, name, &bytes), 14.0).expect("a surface"), tetrahedron(14.0), "{name}");
+        }
+    }
+
+    #[test]
+    fn what_is_wrong_with_a_file_is_said() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let complaint = |name: &str, bytes: &[u8]| {
+            let error = read_stl(&write(&folder, name, bytes), 1.0).expect_err("a broken file").to_string();
+            error.rsplit_once(&format!("{name}: ")).expect("it names the file").1.to_string()
+        };
+        let [binary, ascii] = stl();
+        assert!(complaint("short.stl", &binary[..binary.len() - 1]).starts_with("is no STL file: "));
+        assert!(complaint("words.stl", b"solid tip\nfacet abnormal").starts_with("is no STL file: "));
+        assert_eq!(complaint("empty.stl", b"solid tip\nendsolid tip\n"), "has no triangle");
+        let text = String::from_utf8(ascii).expect("ASCII");
+        let flat = text.replace("vertex 6 -3 5", "vertex -6 -3 5");
+        assert_eq!(complaint("flat.stl", flat.as_bytes()), "triangle 1 has no area");
+        let missing = read_stl(&folder.path().join("missing.stl"), 1.0).expect_err("no file").to_string();
+        assert!(missing.contains("missing.stl: cannot be read: "), "{missing}");
+    }
 }

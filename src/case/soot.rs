@@ -123,6 +123,9 @@ section! {
         growth: Growth = Growth::Clusters,
         /// Reads the spheres from a file instead of growing them: the keys above then only give what the file lacks.
         import: Option<Import> = None,
+        /// File with a deposited aggregate to start from; it must have been made with the same keys beside this one and the same model. Another
+        /// seed then breaks other necks and indents another sphere.
+        deposited: Option<PathBuf> = None,
         /// Part of the contacts that are necks; which ones is drawn from the seed.
         neck_fraction: f64 = 0.5,
         /// Largest gap that a neck bridges: enough for rounding. A neck across a real gap, whose springs are relaxed at contact, would begin
@@ -254,10 +257,12 @@ impl Case {
         }
     }
 
-    /// The files with surfaces that a case of the soot paper needs.
-    pub fn soot_surfaces(&self) -> Vec<PathBuf> {
-        let stages = self.soot().map(|(_, _, stages)| stages).unwrap_or_default();
-        stages.iter().filter_map(|stage| stage.solid().map(|solid| solid.stl.clone())).collect()
+    /// The files that a case of the soot paper needs.
+    pub fn soot_files(&self) -> Vec<PathBuf> {
+        let Some((_, Aggregate { import, deposited, .. }, stages)) = self.soot() else { return Vec::new() };
+        let surfaces = stages.iter().filter_map(|stage| stage.solid().map(|solid| solid.stl.clone()));
+        let import = import.as_ref().map(|import| import.file.clone());
+        import.into_iter().chain(deposited.clone()).chain(surfaces).collect()
     }
 
     /// The largest stable time step of a case of the soot paper, ns.

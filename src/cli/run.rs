@@ -2,7 +2,7 @@
 
 use super::progress::Progress;
 use super::{Manner, print};
-use crate::case::{Aggregate, Amorphous, Case, Sample};
+use crate::case::{Amorphous, Case, Sample};
 use crate::error::Error;
 use crate::output::{Finding, Manifest, RunFolder, sha256_file, write_atomically};
 use crate::run::{Control, Glance, Prepared};
@@ -56,13 +56,12 @@ pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
     let root = arguments.out.join(arguments.name.clone().unwrap_or_else(stem));
     let mut inputs = BTreeMap::from([(arguments.case.display().to_string(), sha256_file(&arguments.case)?)]);
     let read = match &case.sample {
-        Sample::Amorphous(Amorphous { load, .. }) => load.as_ref(),
-        Sample::Aggregate(Aggregate { import, .. }) => import.as_ref().map(|import| &import.file),
-        Sample::Hcp(_) | Sample::Pair(_) | Sample::Agglomerate(_) => None,
+        Sample::Amorphous(Amorphous { load, .. }) => load.clone(),
+        _ => None,
     };
-    for file in read.into_iter().chain(&case.soot_surfaces()) {
-        std::fs::metadata(file).map_err(|cause| Error::NoInput(file.clone(), cause))?;
-        inputs.insert(file.display().to_string(), sha256_file(file)?);
+    for file in read.into_iter().chain(case.soot_files()) {
+        std::fs::metadata(&file).map_err(|cause| Error::NoInput(file.clone(), cause))?;
+        inputs.insert(file.display().to_string(), sha256_file(&file)?);
     }
     // Whatever is wrong with the input is found before anything is written.
     let prepared = Prepared::new(&case)?;

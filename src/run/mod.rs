@@ -153,7 +153,7 @@ impl<'a, S: Study> Run<'a, S> {
             self.picture(&current, "end")?;
             course.record.event(current.name, current.simulation.system(), "end")?;
             course.findings.extend(self.study.findings(number, &current.watch, &current.simulation)?);
-            before = Some(self.study.end(number, current.simulation));
+            before = Some(self.study.end(number, current.simulation)?);
         }
         let results = serde_yaml::to_string(&course.findings).expect("findings are plain data");
         write_atomically(&self.folder.results(), results.as_bytes())?;

@@ -35,7 +35,7 @@ pub trait Study {
     /// Whether a stage has come to its end.
     fn progress(&self, stage: usize, watch: &Self::Watch, simulation: &Simulation<Self::Model>) -> Progress;
     /// The system at the end of a stage.
-    fn end(&self, stage: usize, simulation: Simulation<Self::Model>) -> System;
+    fn end(&self, stage: usize, simulation: Simulation<Self::Model>) -> Result<System, Error>;
     /// Into how many parts pictures cut a stage.
     fn parts(&self, stage: usize) -> u64;
 

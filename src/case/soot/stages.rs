@@ -18,6 +18,8 @@ section! {
         gap: InRadii = Scaled::times(0.1),
         /// A triangulated substrate instead of the plane; its highest point is put at z = 0, its middle below that of the aggregate.
         substrate: Option<Solid> = None,
+        /// File to keep the deposited aggregate in.
+        save: Option<PathBuf> = None,
         /// How long it is watched.
         duration: InSteps = Scaled::Absolute(quantity("500 ns")),
         /// Time step.

@@ -34,7 +34,7 @@ pub fn problems(case: &Case, found: &mut Found) {
         let least = format!("more than the distance of two touching spheres, {}", in_unit(2.0 * r, "nm"));
         expect(found, soot.cutoff.value > 2.0 * r, "model.soot.cutoff", &soot.cutoff, &least);
         expect(found, !stages.is_empty(), "experiment.sequence", "nothing", "at least one stage");
-        let mut deposited = false;
+        let mut deposited = sample.deposited.is_some();
         for (number, stage) in stages.iter().enumerate() {
             let key = case.soot_key(number, stage);
             self::stage(case, stage, &key, found);

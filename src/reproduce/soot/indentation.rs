@@ -88,7 +88,7 @@ fn member(plan: &Plan) -> Result<Member, Error> {
     let first = height(&system);
     let (watch, deposited) = play(plan, 0, system)?;
     let (deposit, kinetic, lowered) = (watch.deposit(&deposited), watch.kinetic(), first - height(deposited.system()));
-    let (watch, _) = play(plan, 1, plan.set_up(1, plan.end(0, deposited))?)?;
+    let (watch, _) = play(plan, 1, plan.set_up(1, plan.end(0, deposited)?)?)?;
     let curve = watch.curve().expect("an indentation has a force curve").clone();
     Ok(Member { deposit, kinetic, lowered, curve })
 }

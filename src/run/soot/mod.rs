@@ -8,16 +8,17 @@ use crate::build::aggregate::necks::{keep_fraction, necks};
 use crate::build::aggregate::{Method, Radii, Recipe, Sphere, aggregate, import};
 use crate::build::protocol::Progress;
 use crate::case::quantity::{Length, Quantity};
-use crate::case::{Aggregate, Case, Growth, Import, Soot, SootStage};
+use crate::case::{Aggregate, Case, Deposition, Growth, Import, Soot, SootStage};
 use crate::error::Error;
 use crate::forces::Instructions;
 use crate::observe::morphology::centre_of_mass;
-use crate::output::{Cell, Finding};
+use crate::output::{Cell, Finding, Kept, keep, kept};
 use crate::simulation::{Settings, Simulation};
 use crate::spec::Vec3;
 use crate::spec::soot;
 use crate::spec::wear::def_sphere::sphere_mass;
 use crate::system::{Domain, Particles, System};
+use serde::{Deserialize, Serialize};
 use stage::Ground;
 use watch::Watch;
 
@@ -47,7 +48,20 @@ impl Plan {
     }
 }
 
+/// A deposited aggregate on disk, with what it was made from.
+#[derive(Serialize, Deserialize)]
+struct Deposited {
+    origin: String,
+    system: System,
+}
+
 impl Plan {
+    /// What a deposited aggregate must agree in. Not the seed: another one indents the same aggregate elsewhere.
+    fn origin(&self) -> String {
+        let sample = Aggregate { deposited: None, ..self.sample.clone() };
+        serde_json::to_string(&(&self.soot, &sample)).expect("a case is plain data")
+    }
+
     /// The spheres of the sample, about their centre of mass.
     fn spheres(&self) -> Result<Vec<Sphere>, Error> {
         let sample = &self.sample;
@@ -96,6 +110,13 @@ impl Study for Plan {
     fn initial(&self) -> Result<System, Error> {
         // Files that a later stage needs are looked at before anything is computed.
         self.stages.iter().try_for_each(|stage| stage::solid(stage).map(drop))?;
+        if let Some(path) = &self.sample.deposited {
+            let Deposited { origin, system } = kept(path, Kept::Sample)?;
+            if origin != self.origin() {
+                return Err(Error::input(path, "was made with another model or aggregate"));
+            }
+            return Ok(system);
+        }
         let spheres = self.spheres()?;
         let joined = necks(&spheres, self.sample.neck_distance.value, true);
         let kept = keep_fraction(&joined, self.sample.neck_fraction, self.seed);
@@ -152,8 +173,12 @@ impl Study for Plan {
     }
 
     /// The next stage goes on from here, with the springs of all contacts.
-    fn end(&self, _: usize, simulation: Simulation<soot::Soot>) -> System {
-        simulation.into_system_with_springs()
+    fn end(&self, stage: usize, simulation: Simulation<soot::Soot>) -> Result<System, Error> {
+        let system = simulation.into_system_with_springs();
+        if let SootStage::Deposition(Deposition { save: Some(path), .. }) = &self.stages[stage] {
+            keep(path, Kept::Sample, &Deposited { origin: self.origin(), system: system.clone() })?;
+        }
+        Ok(system)
     }
 
     fn parts(&self, stage: usize) -> u64 {

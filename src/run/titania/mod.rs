@@ -124,8 +124,8 @@ impl Study for Plan {
         if simulation.system().step >= last { Progress::Done } else { Progress::Going }
     }
 
-    fn end(&self, _: usize, simulation: Simulation<Titania>) -> System {
-        simulation.into_system()
+    fn end(&self, _: usize, simulation: Simulation<Titania>) -> Result<System, Error> {
+        Ok(simulation.into_system())
     }
 
     fn parts(&self, stage: usize) -> u64 {

@@ -129,8 +129,8 @@ impl Study for Plan {
         if watch.ended() { Progress::Done } else { self.stages[stage].progress(simulation) }
     }
 
-    fn end(&self, stage: usize, simulation: Simulation<Wear>) -> System {
-        self.stages[stage].end(simulation)
+    fn end(&self, stage: usize, simulation: Simulation<Wear>) -> Result<System, Error> {
+        Ok(self.stages[stage].end(simulation))
     }
 
     fn parts(&self, stage: usize) -> u64 {
