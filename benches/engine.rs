@@ -4,8 +4,13 @@
 mod crystal;
 
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
+use std::path::Path;
 use std::time::Duration;
+use veridem::case::Case;
 use veridem::forces::Instructions;
+use veridem::run::Study;
+use veridem::run::soot::Plan;
+use veridem::simulation::Simulation;
 
 const CRYSTALS: [[usize; 3]; 2] = [[18, 12, 7], [29, 17, 26]];
 
@@ -28,6 +33,23 @@ fn step(criterion: &mut Criterion) {
     group.finish();
 }
 
+/// The initial state of the published soot simulation, on one core.
+fn aggregate(criterion: &mut Criterion) {
+    let (case, _) = Case::read(Path::new("cases/soot/restructuring.yaml")).expect("a case of the repository");
+    let plan = Plan::of(&case);
+    let system = plan.initial().expect("an aggregate");
+    let settings = plan.settings(0, &system);
+    let particles = system.particles.len() as u64;
+    let mut simulation = Simulation::new(plan.model(0), system, settings).expect("an aggregate at rest");
+    let mut group = criterion.benchmark_group("step of a soot aggregate");
+    group.throughput(Throughput::Elements(particles));
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
+    group.bench_function(format!("{particles} spheres"), |b| {
+        pool.install(|| b.iter(|| simulation.step().expect("a stable aggregate")));
+    });
+    group.finish();
+}
+
 fn list(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("build the crystal and its neighbour list");
     for cells in CRYSTALS {
@@ -44,6 +66,6 @@ fn list(criterion: &mut Criterion) {
 criterion_group! {
     name = all;
     config = Criterion::default().sample_size(20).warm_up_time(Duration::from_secs(1)).measurement_time(Duration::from_secs(3));
-    targets = step, list
+    targets = step, aggregate, list
 }
 criterion_main!(all);

@@ -9,7 +9,12 @@ fn case(name: &str) -> String {
 }
 
 fn veridem(place: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_veridem")).current_dir(place).arg("--quiet").args(arguments).output().unwrap()
+    telling(place, &[&["--quiet"], arguments].concat())
+}
+
+/// With its messages on standard error.
+fn telling(place: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_veridem")).current_dir(place).args(arguments).output().unwrap()
 }
 
 fn text(bytes: &[u8]) -> String {
@@ -36,9 +41,10 @@ fn the_schema_lists_every_key_with_its_meaning_and_default() {
 fn a_sweep_runs_every_combination_once_and_sums_up() {
     let place = tempfile::tempdir().unwrap();
     let keys = ["sample.hcp.diameter=0.6 d_c,1.2 d_c", "model.wear.poisson_ratio=0..0.25:2"];
-    let sweep = || veridem(place.path(), &["sweep", &case("patch-hcp"), keys[0], keys[1], "--out", "swept"]);
+    let sweep = || telling(place.path(), &["sweep", &case("patch-hcp"), keys[0], keys[1], "--out", "swept"]);
     let first = sweep();
     assert!(first.status.success(), "{}", text(&first.stderr));
+    assert!(text(&first.stderr).starts_with("4 runs, 4 of them new: about "), "{}", text(&first.stderr));
     let rows: Vec<Vec<String>> =
         text(&first.stdout).lines().map(|l| l.split(',').map(str::to_string).collect()).collect();
     assert_eq!(rows[0][..4], ["sample.hcp.diameter", "model.wear.poisson_ratio", "status", "Young's modulus [MPa]"]);
@@ -52,7 +58,9 @@ fn a_sweep_runs_every_combination_once_and_sums_up() {
 
     let series = place.path().join("swept/diameter=0.6d_c,poisson_ratio=0/series.csv");
     let made = series.metadata().unwrap().modified().unwrap();
-    assert_eq!(text(&sweep().stdout), text(&first.stdout));
+    let again = sweep();
+    assert!(text(&again.stderr).starts_with("4 runs, all begun before\n"), "{}", text(&again.stderr));
+    assert_eq!(text(&again.stdout), text(&first.stdout));
     assert_eq!(series.metadata().unwrap().modified().unwrap(), made, "a finished run is not made again");
 }
 

@@ -8,6 +8,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent.parent
 HOME = ROOT / "target" / "peers"
 PARTICLE_STEPS = 12_000_000  # of one measurement: a few seconds
+FEWEST_STEPS = 60  # a large crystal takes seconds to set up, and what is measured must outweigh how much those seconds vary
 
 
 def run(command, threads):
@@ -24,7 +25,7 @@ def run(command, threads):
 def per_particle_step(command, threads, cells):
     """CPU and wall-clock seconds per particle and step, from the difference of a long and a short run."""
     particles = count(cells)
-    long = max(PARTICLE_STEPS // particles, 20)
+    long = max(PARTICLE_STEPS // particles, FEWEST_STEPS)
     short = long // 10
     (cpu_a, wall_a, _), (cpu_b, wall_b, _) = run(command(cells, short), threads), run(command(cells, long), threads)
     return [(b - a) / (particles * (long - short)) for a, b in ((cpu_a, cpu_b), (wall_a, wall_b))]

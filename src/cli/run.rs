@@ -39,6 +39,13 @@ pub struct Limits {
     stop_after_steps: Option<u64>,
 }
 
+impl Arguments {
+    /// A run of this name, without limits.
+    pub fn named(case: PathBuf, name: String, out: PathBuf) -> Self {
+        Self { case, name: Some(name), out, force: false, limits: Limits { max_time: None, stop_after_steps: None } }
+    }
+}
+
 impl Limits {
     /// The limits, and the signals, that stop this process.
     pub fn control(&self) -> Result<Control, Error> {
@@ -51,6 +58,19 @@ impl Limits {
 /// Runs the case.
 pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
     let control = arguments.limits.control()?;
+    let mut progress = Progress::new(manner);
+    let ended = launch(arguments, &control, &mut |glance| progress.show(glance));
+    progress.finish();
+    let (folder, findings) = ended?;
+    conclude(&folder, &findings, manner)
+}
+
+/// Makes the run folder, and goes from the beginning to the end; `show` is told how it goes.
+pub fn launch(
+    arguments: &Arguments,
+    control: &Control,
+    show: &mut dyn FnMut(Glance),
+) -> Result<(RunFolder, Vec<Finding>), Error> {
     let (case, text) = Case::read(&arguments.case)?;
     let stem = || arguments.case.file_stem().unwrap_or_default().to_string_lossy().to_string();
     let root = arguments.out.join(arguments.name.clone().unwrap_or_else(stem));
@@ -69,11 +89,8 @@ pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
     write_atomically(&folder.case(), text.as_bytes())?;
     write_atomically(&folder.resolved(), case.resolved().as_bytes())?;
     let manifest = Manifest::begin(case.seed, inputs);
-    let mut progress = Progress::new(manner);
-    let mut show = |glance: Glance| progress.show(glance);
-    let findings = prepared.start(&folder, manifest, &control, &mut show);
-    progress.finish();
-    conclude(&folder, &findings?, manner)
+    let findings = prepared.start(&folder, manifest, control, show)?;
+    Ok((folder, findings))
 }
 
 /// Tells what came out.

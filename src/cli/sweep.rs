@@ -1,16 +1,20 @@
 //! `veridem sweep`: one case for many values of its keys, one process and one run folder for each combination.
 
 use super::inspect::findings;
+use super::run::{Arguments as Run, launch};
 use super::{Manner, print};
 use crate::case::Case;
 use crate::case::units::decimal;
 use crate::error::{AtPath, Error};
 use crate::output::{Manifest, RunFolder, Status, write_atomically};
+use crate::run::{Control, Glance};
+use indicatif::{HumanDuration, ProgressBar, ProgressStyle};
 use serde_yaml::Value;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::{Duration, Instant};
 
 /// The arguments.
 #[derive(clap::Args)]
@@ -38,6 +42,9 @@ struct Point {
     text: String,
 }
 
+/// How long the first run is tried to estimate how long all will take.
+const TRIAL: Duration = Duration::from_secs(3);
+
 /// Runs every combination that has not been run yet and writes the summary.
 pub fn run(arguments: &Arguments, manner: Manner, threads: Option<u16>) -> Result<(), Error> {
     let (_, text) = Case::read(&arguments.case)?;
@@ -47,6 +54,12 @@ pub fn run(arguments: &Arguments, manner: Manner, threads: Option<u16>) -> Resul
     let out = arguments.out.clone().unwrap_or_else(|| Path::new("run").join(stem));
     std::fs::create_dir_all(&out).at(&out)?;
     let workers = threads.map_or_else(|| std::thread::available_parallelism().map_or(1, usize::from), usize::from);
+    if !manner.quiet {
+        manner.say(estimate(&points, &out, workers)?);
+    }
+    let bar = if manner.quiet { ProgressBar::hidden() } else { ProgressBar::new(points.len() as u64) };
+    let style = ProgressStyle::with_template("{bar:24} {pos}/{len} runs, {eta} left");
+    bar.set_style(style.expect("the template is well formed"));
     let (next, failures) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
     std::thread::scope(|scope| {
         for _ in 0..workers.min(points.len()) {
@@ -54,7 +67,9 @@ pub fn run(arguments: &Arguments, manner: Manner, threads: Option<u16>) -> Resul
                 while let Some(point) = points.get(next.fetch_add(1, Ordering::Relaxed)) {
                     let outcome = execute(point, &out);
                     let failed = outcome.is_err();
-                    manner.say(format!("{}: {}", point.name, outcome.unwrap_or_else(|error| error.to_string())));
+                    let outcome = outcome.unwrap_or_else(|error| error.to_string());
+                    bar.suspend(|| manner.say(format!("{}: {outcome}", point.name)));
+                    bar.inc(1);
                     if failed {
                         failures.lock().expect("no worker panics").push(point.name.clone());
                     }
@@ -62,6 +77,7 @@ pub fn run(arguments: &Arguments, manner: Manner, threads: Option<u16>) -> Resul
             });
         }
     });
+    bar.finish_and_clear();
     let summary = summary(&axes, &points, &out)?;
     write_atomically(&out.join("summary.csv"), summary.as_bytes())?;
     print(&summary)?;
@@ -70,6 +86,45 @@ pub fn run(arguments: &Arguments, manner: Manner, threads: Option<u16>) -> Resul
         0 => Ok(()),
         n => Err(Error::Verification(format!("{n} of {} runs did not finish", points.len()))),
     }
+}
+
+/// Runs the first combination that has not been begun for a moment, on one core, and says how long all will take. Nothing of it is lost:
+/// it is gone on with later.
+fn estimate(points: &[Point], out: &Path, workers: usize) -> Result<String, Error> {
+    let new: Vec<&Point> = points.iter().filter(|point| !out.join(&point.name).exists()).collect();
+    let Some(point) = new.first() else { return Ok(format!("{} runs, all begun before", points.len())) };
+    let run = Run::named(write_case(point, out)?, point.name.clone(), out.into());
+    let (mut stage, mut since, mut pace) = (String::new(), Instant::now(), None);
+    let mut show = |glance: Glance| {
+        if stage != glance.stage {
+            (stage, since, pace) = (glance.stage.into(), Instant::now(), None);
+        } else if glance.step > 0 {
+            pace = Some((since.elapsed().div_f64(glance.step as f64), glance.steps));
+        }
+    };
+    let begun = Instant::now();
+    let one = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
+    let ended = one.install(|| launch(&run, &Control::lasting(TRIAL), &mut show));
+    let (each, what) = match (ended, pace) {
+        (Ok(_), _) => (begun.elapsed(), String::new()),
+        (Err(Error::Stopped(_)), Some((step, steps))) => {
+            (step.mul_f64(steps as f64), format!(" (`{stage}` alone, at most {steps} steps of {step:.1?})"))
+        }
+        (Err(error), _) => return Ok(format!("no estimate of the time: {error}")),
+    };
+    let all = each.mul_f64(new.len() as f64 / workers.min(new.len()) as f64);
+    Ok(format!(
+        "{} runs, {} of them new: about {} on {workers} cores{what}",
+        points.len(),
+        new.len(),
+        HumanDuration(all)
+    ))
+}
+
+fn write_case(point: &Point, out: &Path) -> Result<PathBuf, Error> {
+    let case = out.join(format!("{}.yaml", point.name));
+    write_atomically(&case, point.text.as_bytes())?;
+    Ok(case)
 }
 
 /// `seed=1..3` as the values 1, 2, 3; `x=0..1:5` as five values from 0 to 1; `d=1 nm,2 nm` as they stand.
@@ -148,22 +203,23 @@ fn execute(point: &Point, out: &Path) -> Result<String, Error> {
     let program = std::env::current_exe().at(Path::new("veridem"))?;
     let mut command = Command::new(program);
     command.args(["--quiet", "--threads", "1"]).stdout(Stdio::null()).stderr(Stdio::piped());
-    match status {
-        Ok((manifest, folder)) => {
-            if std::fs::read_to_string(folder.case()).at(&folder.case())? != point.text {
-                return Err(Error::Usage("its run folder holds another case".into()));
-            }
-            if manifest.status == Status::Finished {
-                return Ok("had finished before".into());
-            }
-            command.arg("resume").arg(&root);
+    if let Ok((manifest, folder)) = &status {
+        if std::fs::read_to_string(folder.case()).at(&folder.case())? != point.text {
+            return Err(Error::Usage("its run folder holds another case".into()));
         }
-        Err(_) => {
-            let case = out.join(format!("{}.yaml", point.name));
-            write_atomically(&case, point.text.as_bytes())?;
-            command.arg("run").arg(case).arg("--out").arg(out).arg("--name").arg(&point.name);
+        if manifest.status == Status::Finished {
+            return Ok("had finished before".into());
         }
     }
+    match status {
+        Ok((_, folder)) if !folder.checkpoints().is_empty()? => command.arg("resume").arg(&root),
+        // One that was killed before its first checkpoint begins again.
+        begun => {
+            let case = write_case(point, out)?;
+            let replace = begun.is_ok().then_some("--force");
+            command.arg("run").arg(case).arg("--out").arg(out).arg("--name").arg(&point.name).args(replace)
+        }
+    };
     let output = command.output().at(&root)?;
     if output.status.success() {
         return Ok("finished".into());

@@ -33,7 +33,8 @@ pub fn act<M: PairModel>(
             near |= model.is_near(&contact(seen, lane), &constants);
         }
         if !near {
-            return far(model, memory, seen, given, sums, allowed);
+            *memory = Flat::from_fn(|_| Row::zero());
+            return apart(model, seen, given, sums, allowed);
         }
     }
     for lane in 0..LANES {
@@ -58,23 +59,35 @@ pub fn act<M: PairModel>(
     }
 }
 
-/// A row of pairs without springs: central forces are all that acts.
+/// A row of pairs that might have been near: central forces are all that acts.
 #[inline(always)]
-fn far<M: PairModel>(
-    model: &M,
-    memory: &mut M::Memory<Row>,
-    seen: &Seen,
-    given: &mut Given,
-    sums: &mut Sums<M>,
-    allowed: f64,
-) {
-    *memory = Flat::from_fn(|_| Row::zero());
+fn apart<M: PairModel>(model: &M, seen: &Seen, given: &mut Given, sums: &mut Sums<M>, allowed: f64) {
     given[3..].fill(Row::zero());
     for lane in 0..LANES {
         let contact = contact(seen, lane);
         let force = model.far(&contact);
         sums.power.0[lane] += force.dot(contact.v);
         push(force, &contact, lane, seen, given, sums, allowed);
+    }
+}
+
+/// Evaluates a row of far pairs.
+#[inline(always)]
+pub fn far<M: PairModel>(
+    model: &M,
+    apart: &[Row; 3],
+    [r_i, r_j]: &[Row; 2],
+    force: &mut [Row; 3],
+    virial: &mut [Row; 3],
+) {
+    for lane in 0..LANES {
+        let x = Vec3([apart[0].0[lane], apart[1].0[lane], apart[2].0[lane]]);
+        let still = Vec3::zero();
+        let f = model.far(&Contact::new(x, still, still, still, r_i.0[lane], r_j.0[lane]));
+        for k in 0..3 {
+            force[k].0[lane] = f.0[k];
+            virial[k].0[lane] -= x.0[k] * f.0[k];
+        }
     }
 }
 
@@ -110,7 +123,8 @@ fn push<M: PairModel>(
 pub struct Sums<M: PairModel> {
     power: Row,
     losses: M::Losses<Row>,
-    virial: [Row; 3],
+    /// Diagonal of the sum of branch vector times force.
+    pub virial: [Row; 3],
     clearance: Row,
 }
 

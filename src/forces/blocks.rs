@@ -5,7 +5,7 @@
 //! the owners afterwards, again in a fixed order. The cut depends on the particles alone, so the sums, and with them every
 //! bit of the trajectory, do not depend on how many threads share the work.
 
-use super::pairs::Pairs;
+use super::pairs::{FarPairs, Pairs, Places, seat};
 use super::{Bond, Load, Neighbour, Springs};
 use crate::spec::{PairModel, Vec3};
 use crate::system::{Domain, Image, Particles, Reason};
@@ -29,6 +29,8 @@ pub struct Block<M: PairModel> {
     pub halo: Vec<(u32, Image)>,
     /// Its pairs.
     pub pairs: Pairs<M>,
+    /// Those of them that cannot touch.
+    pub far: FarPairs,
     /// What other blocks' halos hold for it: its particle (counted within the block), the block, the place within that block.
     pub incoming: Vec<(u32, u32, u32)>,
     /// The loads on its spheres in the last step, own and halo.
@@ -47,21 +49,32 @@ impl<M: PairModel> Block<M> {
         }
     }
 
-    /// Its pairs one by one: places within the block, row and lane.
+    /// Its pairs, but for the far ones, one by one: places within the block, row and lane.
     pub fn each_pair(&self) -> impl Iterator<Item = (u16, u16, usize, usize)> {
         (0..self.pairs.len).map(|k| {
             let (row, lane) = self.pairs.seat(k);
             (self.pairs.i[row][lane], self.pairs.j[row][lane], row, lane)
         })
     }
+
+    /// The far pairs one by one: places within the block.
+    pub fn each_far(&self) -> impl Iterator<Item = (u16, u16)> {
+        (0..self.far.len).map(|k| {
+            let (row, lane) = seat(k, self.far.len);
+            (self.far.i[row][lane], self.far.j[row][lane])
+        })
+    }
 }
 
+/// Two spheres are laid among the near ones from this gap downwards, in sums of radii.
+const NEAR: f64 = 0.01;
+
 /// Cuts the pairs, sorted by first sphere, into blocks; springs are found again in `springs`. `x` and `domain` are those that the
-/// pairs were found with.
+/// pairs were found with, `skin` is how much closer two spheres may come before they are found anew.
 pub fn partition<M: PairModel>(
     model: &M,
     particles: &Particles,
-    (x, domain): (&[Vec3<f64>], &Domain),
+    (x, domain, skin): (&[Vec3<f64>], &Domain, f64),
     pairs: &[Neighbour],
     necks: &[(u32, u32)],
     springs: &Springs,
@@ -75,7 +88,7 @@ pub fn partition<M: PairModel>(
         first[p + 1] += first[p];
     }
     // Enough blocks to keep the cores busy, large enough for their halos to be small.
-    let size = (n / 16).clamp(64, 1024);
+    let size = (n / 16).clamp(192, 1024);
     let mut cut = Vec::new();
     for start in (0..n).step_by(size) {
         cut_to_fit(start..(start + size).min(n), particles, pairs, &first, &mut cut)?;
@@ -84,9 +97,25 @@ pub fn partition<M: PairModel>(
         .into_par_iter()
         .map(|(own, halo)| {
             let pairs = &pairs[first[own.start]..first[own.end]];
-            let pairs = Pairs::lay(model, particles, (x, domain), pairs, &own, &halo, necks, springs);
+            let (mut near, mut others, mut far) = (Vec::new(), Vec::new(), Vec::new());
+            for &pair in pairs {
+                let (p, q) = (pair.p as usize, pair.q as usize);
+                let radii = particles.radius[p] + particles.radius[q];
+                let gap = (x[p] - (x[q] + domain.shift(pair.image))).norm() - radii;
+                let (i, j, _) = bond(particles, p, q, pair.image);
+                if !M::MOSTLY_FAR || gap <= NEAR * radii || necks.binary_search(&(i, j)).is_ok() {
+                    near.push(pair);
+                } else if gap < skin {
+                    others.push(pair);
+                } else {
+                    far.push(pair);
+                }
+            }
+            let places = Places { particles, own: &own, halo: &halo };
+            let far = FarPairs::lay(&places, &far);
+            let pairs = Pairs::lay(model, &places, [&near, &others], necks, springs);
             let loads = vec![Load::zero(); CAPACITY].try_into().expect("as many as it is made of");
-            Block { own, halo, pairs, incoming: Vec::new(), loads }
+            Block { own, halo, pairs, far, incoming: Vec::new(), loads }
         })
         .collect();
     hand_out(n, &mut blocks);

@@ -3,7 +3,7 @@
 use super::act::{Given, Row, Seen, Sums};
 use super::blocks::{Block, CAPACITY, LANES};
 use super::instructions::Instructions;
-use super::pairs::Pairs;
+use super::pairs::{FarPairs, Pairs};
 use super::transpose;
 use crate::spec::numbers::Lanes;
 use crate::spec::{Flat, PairModel, Vec3};
@@ -54,6 +54,8 @@ struct Bench {
     motion: [[f64; LANES]; CAPACITY],
     /// Angular velocity and radius.
     spin: [[f64; 4]; CAPACITY],
+    /// How many spheres there are.
+    len: usize,
 }
 
 impl Default for Bench {
@@ -62,12 +64,13 @@ impl Default for Bench {
         // The partner of lanes without a pair: far from everything, even across the squares of a distance.
         motion[CAPACITY - 1] = [1e9, 1e9, 1e9, 0.0, 0.0, 0.0, 0.0, 0.0];
         spin[CAPACITY - 1] = [0.0, 0.0, 0.0, 1.0];
-        Self { motion, spin }
+        Self { motion, spin, len: 0 }
     }
 }
 
 impl Bench {
     fn lay_out<M: PairModel>(&mut self, block: &Block<M>, particles: &Particles, domain: &Domain) {
+        self.len = block.own.len() + block.halo.len();
         let mut places = self.motion.iter_mut().zip(self.spin.iter_mut());
         let own = block.own.clone().map(|p| (p, Vec3::zero()));
         let halo = block.halo.iter().map(|&(q, image)| (q as usize, domain.shift(image)));
@@ -77,6 +80,17 @@ impl Bench {
             *motion = [x, y, z, a, b, c, 0.0, 0.0];
             *spin = [d, e, f, particles.radius[p]];
         }
+    }
+
+    /// Power that forces deliver to the spheres.
+    fn power(&self, loads: &[Load; CAPACITY]) -> f64 {
+        let mut power = [0.0; 3];
+        for (motion, load) in self.motion[..self.len].iter().zip(loads) {
+            for k in 0..3 {
+                power[k] += load.0[k] * motion[k + 3];
+            }
+        }
+        power.iter().sum()
     }
 }
 
@@ -94,15 +108,15 @@ pub fn evaluate<M: PairModel>(
     }
     BENCH.with_borrow_mut(|bench| {
         bench.lay_out(block, particles, domain);
-        block.loads[..block.own.len() + block.halo.len()].fill(Load::zero());
-        dispatch(model, instructions, &mut block.pairs, bench, &mut block.loads, max_overlap, dt)
+        block.loads[..bench.len].fill(Load::zero());
+        dispatch(model, instructions, (&mut block.pairs, &block.far), bench, &mut block.loads, max_overlap, dt)
     })
 }
 
 fn dispatch<M: PairModel>(
     model: &M,
     instructions: Instructions,
-    pairs: &mut Pairs<M>,
+    pairs: (&mut Pairs<M>, &FarPairs),
     bench: &Bench,
     loads: &mut [Load; CAPACITY],
     max_overlap: f64,
@@ -183,15 +197,90 @@ macro_rules! pair_loop {
             }
 
             $(#[target_feature(enable = $features)])?
+            #[inline(never)]
+            fn gather_far(bench: &Bench, i: &[u16; LANES], j: &[u16; LANES], apart: &mut [Row; 3]) {
+                let mut motion = [[0.0; LANES]; LANES];
+                for lane in 0..LANES {
+                    let (i, j) = (usize::from(i[lane]) % CAPACITY, usize::from(j[lane]) % CAPACITY);
+                    for k in 0..4 {
+                        motion[lane][k] = bench.motion[i][k] - bench.motion[j][k];
+                    }
+                }
+                let motion = transpose::$name(motion);
+                for k in 0..3 {
+                    apart[k] = Lanes(motion[k]);
+                }
+            }
+
+            $(#[target_feature(enable = $features)])?
+            #[inline(never)]
+            fn act_far<M: PairModel>(
+                model: &M,
+                apart: &[Row; 3],
+                radii: &[Row; 2],
+                force: &mut [Row; 3],
+                virial: &mut [Row; 3],
+            ) {
+                super::super::act::far(model, apart, radii, force, virial);
+            }
+
+            $(#[target_feature(enable = $features)])?
+            #[inline(never)]
+            fn scatter_far(loads: &mut [Load; CAPACITY], i: &[u16; LANES], j: &[u16; LANES], force: &[Row; 3]) {
+                let mut on_i = [[0.0; LANES]; LANES];
+                for k in 0..3 {
+                    on_i[k] = force[k].0;
+                }
+                let on_i = transpose::$name(on_i);
+                for lane in 0..LANES {
+                    let (i, j) = (usize::from(i[lane]) % CAPACITY, usize::from(j[lane]) % CAPACITY);
+                    for k in 0..4 {
+                        loads[i].0[k] += on_i[lane][k];
+                    }
+                    for k in 0..4 {
+                        loads[j].0[k] -= on_i[lane][k];
+                    }
+                }
+            }
+
+            /// The far pairs: their virial; their forces are the first to be entered into the loads.
+            $(#[target_feature(enable = $features)])?
+            fn far<M: PairModel>(
+                model: &M,
+                pairs: &FarPairs,
+                bench: &Bench,
+                loads: &mut [Load; CAPACITY],
+            ) -> [Row; 3] {
+                let mut virial = [Row::zero(); 3];
+                let mut apart = [[Row::zero(); 3]; BATCH];
+                let mut force = [[Row::zero(); 3]; BATCH];
+                for start in (0..pairs.i.len()).step_by(BATCH) {
+                    let rows = start..(start + BATCH).min(pairs.i.len());
+                    for (row, apart) in rows.clone().zip(&mut apart) {
+                        gather_far(bench, &pairs.i[row], &pairs.j[row], apart);
+                    }
+                    for ((row, apart), force) in rows.clone().zip(&apart).zip(&mut force) {
+                        act_far(model, apart, &pairs.radii[pairs.kind[row] as usize], force, &mut virial);
+                    }
+                    for (row, force) in rows.zip(&force) {
+                        scatter_far(loads, &pairs.i[row], &pairs.j[row], force);
+                    }
+                }
+                virial
+            }
+
+            $(#[target_feature(enable = $features)])?
             pub fn rows<M: PairModel>(
                 model: &M,
-                pairs: &mut Pairs<M>,
+                (pairs, far_pairs): (&mut Pairs<M>, &FarPairs),
                 bench: &Bench,
                 loads: &mut [Load; CAPACITY],
                 allowed: f64,
                 dt: f64,
             ) -> Totals<M::Losses<f64>> {
                 let mut sums = Sums::default();
+                sums.virial = far(model, far_pairs, bench, loads);
+                let power_of_far = if far_pairs.len > 0 { bench.power(loads) } else { 0.0 };
                 let mut seen = [[Row::zero(); 16]; BATCH];
                 let mut given = [[Row::zero(); 9]; BATCH];
                 for start in (0..pairs.i.len()).step_by(BATCH) {
@@ -207,7 +296,8 @@ macro_rules! pair_loop {
                         scatter(loads, &pairs.i[row], &pairs.j[row], given);
                     }
                 }
-                sums.total()
+                let totals = sums.total();
+                Totals { power: totals.power + power_of_far, ..totals }
             }
         }
     };

@@ -17,5 +17,5 @@ pub use instructions::Instructions;
 pub use kernel::{Load, Totals, evaluate};
 pub use memory::{Bond, Springs};
 pub use order::spatial_order;
-pub use pairs::Pairs;
+pub use pairs::{FarPairs, Pairs};
 pub use surfaces::{Leaning, each_touch, lean};

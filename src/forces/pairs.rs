@@ -1,14 +1,15 @@
 //! The pairs of a block, laid out for the pair loop.
 
 use super::blocks::{LANES, NOWHERE, bond};
-use super::{Neighbour, Springs};
+use super::{Bond, Neighbour, Springs};
 use crate::spec::numbers::Lanes;
-use crate::spec::{Flat, PairModel, Vec3};
-use crate::system::{Domain, Image, Particles};
+use crate::spec::{Flat, PairModel};
+use crate::system::{Image, Particles};
 use std::ops::Range;
 
-/// Pairs, eight to a row: those that were near when they were listed, then the far ones. In each part every lane has a stretch of
-/// the list of its own, so that neighbouring lanes load different spheres. Spheres are counted within the block: its own first, then the halo. The sphere with the lower id is `i`.
+/// Pairs that are evaluated in full, eight to a row: those that were near when they were listed, then the others. In each part every lane
+/// has a stretch of the list of its own, so that neighbouring lanes load different spheres. Spheres are counted within the block: its
+/// own first, then the halo. The sphere with the lower id is `i`.
 pub struct Pairs<M: PairModel> {
     /// First spheres.
     pub i: Vec<[u16; LANES]>,
@@ -23,11 +24,82 @@ pub struct Pairs<M: PairModel> {
     /// Number of pairs; the rest of the last rows of both parts is padding.
     pub len: usize,
     /// How many of them were near.
-    pub near: usize,
+    near: usize,
 }
 
-/// Two spheres are laid among the near ones from this gap downwards, in sums of radii.
-const NEAR: f64 = 0.01;
+/// Pairs that cannot touch before neighbours are listed anew, laid out alike: they have no springs, and only attract or repel each other
+/// along the line of centres.
+pub struct FarPairs {
+    /// First spheres.
+    pub i: Vec<[u16; LANES]>,
+    /// Second spheres.
+    pub j: Vec<[u16; LANES]>,
+    /// Which radii each row has.
+    pub kind: Vec<u32>,
+    /// Radii of first and second spheres.
+    pub radii: Vec<[Lanes<LANES>; 2]>,
+    /// Number of pairs.
+    pub len: usize,
+}
+
+/// Where the pair `k` of `of` is: row and lane.
+pub fn seat(k: usize, of: usize) -> (usize, usize) {
+    let rows = of.div_ceil(LANES);
+    (k % rows, k / rows)
+}
+
+/// The pairs of each row.
+fn in_rows<T: Copy>(pairs: &[T]) -> impl Iterator<Item = Vec<T>> {
+    let rows = pairs.len().div_ceil(LANES);
+    (0..rows).map(move |row| pairs.iter().skip(row).step_by(rows).copied().collect())
+}
+
+/// Eight numbers, those of missing pairs like the first.
+fn lanes(numbers: &[f64]) -> Lanes<LANES> {
+    Lanes(std::array::from_fn(|lane| *numbers.get(lane).unwrap_or(&numbers[0])))
+}
+
+/// Who is where in a block.
+pub struct Places<'a> {
+    /// The spheres of the whole system.
+    pub particles: &'a Particles,
+    /// The particles that the block owns.
+    pub own: &'a Range<usize>,
+    /// Its halo, sorted.
+    pub halo: &'a [(u32, Image)],
+}
+
+/// A pair in a block: its lasting name, its spheres' places in the block and in the system.
+#[derive(Clone, Copy)]
+struct Placed {
+    bond: Bond,
+    i: u16,
+    j: u16,
+    p: usize,
+    q: usize,
+}
+
+impl Places<'_> {
+    fn place(&self, q: u32, image: Image) -> usize {
+        if self.own.contains(&(q as usize)) && image == [0; 3] {
+            q as usize - self.own.start
+        } else {
+            self.own.len() + self.halo.partition_point(|&entry| entry < (q, image))
+        }
+    }
+
+    /// The sphere with the lower id comes first.
+    fn of(&self, pair: &Neighbour) -> Placed {
+        let (p, q) = (pair.p as usize, pair.q as usize);
+        let bond = bond(self.particles, p, q, pair.image);
+        let (i, j) = ((p - self.own.start) as u16, self.place(pair.q, pair.image) as u16);
+        if self.particles.id[p] == bond.0 {
+            Placed { bond, i, j, p, q }
+        } else {
+            Placed { bond, i: j, j: i, p: q, q: p }
+        }
+    }
+}
 
 impl<M: PairModel> Pairs<M> {
     /// The constants of a row.
@@ -37,83 +109,48 @@ impl<M: PairModel> Pairs<M> {
 
     /// Row and lane of the pair `k`.
     pub fn seat(&self, k: usize) -> (usize, usize) {
-        let (before, k, of) = if k < self.near {
-            (0, k, self.near)
-        } else {
-            (self.near.div_ceil(LANES), k - self.near, self.len - self.near)
-        };
-        let rows = of.div_ceil(LANES);
-        (before + k % rows, k / rows)
+        if k < self.near {
+            return seat(k, self.near);
+        }
+        let (row, lane) = seat(k - self.near, self.len - self.near);
+        (self.near.div_ceil(LANES) + row, lane)
     }
 
-    /// Lays out the pairs of a block with the spheres `own` and `halo`.
+    /// Lays out near pairs, and others that may come near.
     pub fn lay(
         model: &M,
-        particles: &Particles,
-        (x, domain): (&[Vec3<f64>], &Domain),
-        pairs: &[Neighbour],
-        own: &Range<usize>,
-        halo: &[(u32, Image)],
+        places: &Places,
+        [near, others]: [&[Neighbour]; 2],
         necks: &[(u32, u32)],
         springs: &Springs,
     ) -> Self {
-        let place_of = |q: u32, image: Image| {
-            if own.contains(&(q as usize)) && image == [0; 3] {
-                q as usize - own.start
-            } else {
-                own.len() + halo.partition_point(|&entry| entry < (q, image))
-            }
-        };
         let mut laid = Self {
             i: Vec::new(),
             j: Vec::new(),
             kind: Vec::new(),
             coefficients: Vec::new(),
             memory: Vec::new(),
-            len: pairs.len(),
-            near: pairs.len(),
+            len: near.len() + others.len(),
+            near: near.len(),
         };
-        let apart = |pair: &&Neighbour| {
-            let (p, q) = (pair.p as usize, pair.q as usize);
-            let distance = (x[p] - (x[q] + domain.shift(pair.image))).norm();
-            distance > (1.0 + NEAR) * (particles.radius[p] + particles.radius[q])
-        };
-        let (far, near): (Vec<&Neighbour>, Vec<&Neighbour>) =
-            pairs.iter().partition(|pair| M::MOSTLY_FAR && apart(pair));
-        laid.near = near.len();
-        let in_rows = |part: &[&Neighbour]| {
-            let rows = part.len().div_ceil(LANES);
-            (0..rows)
-                .map(|row| part.iter().skip(row).step_by(rows).map(|pair| **pair).collect())
-                .collect::<Vec<Vec<Neighbour>>>()
-        };
-        for row in in_rows(&near).into_iter().chain(in_rows(&far)) {
-            let mut places = [[NOWHERE; LANES], [0; LANES]];
-            let (mut coefficients, mut filler) = (Vec::with_capacity(LANES), None);
-            let mut memory = Vec::with_capacity(LANES);
-            for (lane, pair) in row.iter().enumerate() {
-                let mut ends =
-                    [(pair.p as usize - own.start, pair.p as usize), (place_of(pair.q, pair.image), pair.q as usize)];
-                let key = bond(particles, pair.p as usize, pair.q as usize, pair.image);
-                if particles.id[pair.p as usize] != key.0 {
-                    ends.reverse();
-                }
-                let [(i, p), (j, q)] = ends;
-                places[0][lane] = i as u16;
-                places[1][lane] = j as u16;
-                let (r, m) = (&particles.radius, &particles.mass);
-                let constants = model.coefficients(r[p], r[q], m[p], m[q]);
-                filler.get_or_insert(constants);
-                let joined = necks.binary_search(&(key.0, key.1)).is_ok();
+        for row in in_rows(near).chain(in_rows(others)) {
+            let (mut i, mut j) = ([NOWHERE; LANES], [0; LANES]);
+            let (mut coefficients, mut memory) = (Vec::with_capacity(LANES), Vec::with_capacity(LANES));
+            let (r, m) = (&places.particles.radius, &places.particles.mass);
+            let of = |Placed { p, q, .. }| model.coefficients(r[p], r[q], m[p], m[q]);
+            for (lane, pair) in row.iter().map(|pair| places.of(pair)).enumerate() {
+                (i[lane], j[lane]) = (pair.i, pair.j);
+                let constants = of(pair);
+                let joined = necks.binary_search(&(pair.bond.0, pair.bond.1)).is_ok();
                 coefficients.push(if joined { model.joined(constants) } else { constants });
-                memory.push(springs.of(key));
+                memory.push(springs.of(pair.bond));
             }
-            laid.i.push(places[0]);
-            laid.j.push(places[1]);
+            laid.i.push(i);
+            laid.j.push(j);
             // Lanes without a pair have the constants of the first, but no neck, which would act at any distance: their partner is nowhere.
-            let filler = filler.expect("a row has a pair");
+            coefficients.resize(LANES, of(places.of(&row[0])));
             let constants: M::Coefficients<Lanes<LANES>> =
-                Flat::from_fn(|k| Lanes(std::array::from_fn(|lane| *coefficients.get(lane).unwrap_or(&filler).at(k))));
+                Flat::from_fn(|k| Lanes(std::array::from_fn(|lane| *coefficients[lane].at(k))));
             let same =
                 |last: &M::Coefficients<_>| (0..M::Coefficients::<f64>::LEN).all(|k| last.at(k) == constants.at(k));
             if !laid.coefficients.last().is_some_and(same) {
@@ -123,6 +160,30 @@ impl<M: PairModel> Pairs<M> {
             laid.memory.push(Flat::from_fn(|k| {
                 Lanes(std::array::from_fn(|lane| memory.get(lane).copied().flatten().map_or(0.0, |numbers| numbers[k])))
             }));
+        }
+        laid
+    }
+}
+
+impl FarPairs {
+    /// Lays out far pairs.
+    pub fn lay(places: &Places, pairs: &[Neighbour]) -> Self {
+        let mut laid = Self { i: Vec::new(), j: Vec::new(), kind: Vec::new(), radii: Vec::new(), len: pairs.len() };
+        for row in in_rows(pairs) {
+            let (mut i, mut j) = ([NOWHERE; LANES], [0; LANES]);
+            let mut radii = [const { Vec::new() }; 2];
+            for (lane, pair) in row.iter().map(|pair| places.of(pair)).enumerate() {
+                (i[lane], j[lane]) = (pair.i, pair.j);
+                radii[0].push(places.particles.radius[pair.p]);
+                radii[1].push(places.particles.radius[pair.q]);
+            }
+            laid.i.push(i);
+            laid.j.push(j);
+            let radii = radii.map(|numbers| lanes(&numbers));
+            if laid.radii.last() != Some(&radii) {
+                laid.radii.push(radii);
+            }
+            laid.kind.push(laid.radii.len() as u32 - 1);
         }
         laid
     }

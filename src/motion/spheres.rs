@@ -150,8 +150,9 @@ pub fn advance<M: PairModel>(blocks: &[Block<M>], number: usize, spheres: Sphere
         let x = Vec3(std::array::from_fn(|a| x.0[a] * step.growth[a]));
         let listed = Vec3(std::array::from_fn(|a| spheres.listed[p].0[a] * step.stretch[a]));
         for a in 0..3 {
-            moved.least[a] = moved.least[a].min(x.0[a] - listed.0[a]);
-            moved.most[a] = moved.most[a].max(x.0[a] - listed.0[a]);
+            let way = x.0[a] - listed.0[a];
+            moved.least[a] = if way < moved.least[a] { way } else { moved.least[a] };
+            moved.most[a] = if way > moved.most[a] { way } else { moved.most[a] };
         }
         (spheres.x[p], spheres.v[p], spheres.w[p]) = (x, v, w);
     }

@@ -63,6 +63,11 @@ impl Checkpoints {
         self.folder.join(name).with_extension(EXTENSION)
     }
 
+    /// Whether there is none to resume from.
+    pub fn is_empty(&self) -> Result<bool, Error> {
+        Ok(self.due()?.is_empty() && !self.path(STOPPED).exists())
+    }
+
     /// Those that were due, the oldest first.
     fn due(&self) -> Result<Vec<PathBuf>, Error> {
         let mut found = Vec::new();

@@ -24,6 +24,11 @@ impl Control {
         Ok(Self { signal, deadline: time.map(|time| Instant::now() + time), steps })
     }
 
+    /// Stops after `time` of the wall clock, and leaves signals alone.
+    pub fn lasting(time: Duration) -> Self {
+        Self { deadline: Some(Instant::now() + time), ..Self::default() }
+    }
+
     /// Whether to stop now, after so many steps of this process.
     pub fn stops(&self, steps: u64) -> bool {
         self.signal.load(Ordering::Relaxed)

@@ -193,6 +193,7 @@ impl<'a, S: Study> Run<'a, S> {
         let part = (self.study.steps(number, dt) / parts).max(1);
         loop {
             if self.control.stops(self.taken) {
+                self.show(current);
                 self.folder.checkpoints().keep_stopped(&state(current, course))?;
                 return Err(Error::Stopped(self.folder.root().into()));
             }

@@ -254,7 +254,7 @@ impl<M: PairModel> Simulation<M> {
         if let Some(&pair) = missing.first() {
             return Err(self.halt(Reason::Neck { pair }));
         }
-        self.blocks = forces::partition(model, particles, (&self.listed.x, &domain), &pairs, necks, springs)
+        self.blocks = forces::partition(model, particles, (&self.listed.x, &domain, skin), &pairs, necks, springs)
             .map_err(|reason| self.halt(reason))?;
         Ok(())
     }

@@ -25,14 +25,22 @@ impl<M: PairModel> Simulation<M> {
     /// All pairs in range, in an order that depends on the particles alone.
     pub fn pairs(&self) -> impl Iterator<Item = Pair<M>> + '_ {
         self.blocks.iter().flat_map(move |block| {
-            block.each_pair().filter_map(move |(place_i, place_j, row, lane)| {
-                let (end_i, end_j) = (block.member(place_i), block.member(place_j));
+            let near = block.each_pair().map(move |(i, j, row, lane)| {
+                let coefficients = Flat::from_fn(|k| block.pairs.constants(row).at(k).0[lane]);
+                let memory = Flat::from_fn(|k| block.pairs.memory[row].at(k).0[lane]);
+                (block.member(i), block.member(j), coefficients, memory)
+            });
+            let far = block.each_far().map(move |(i, j)| {
+                let (i, j) = (block.member(i), block.member(j));
+                let Particles { radius: r, mass: m, .. } = &self.system.particles;
+                let coefficients = self.model.coefficients(r[i.0], r[j.0], m[i.0], m[j.0]);
+                (i, j, coefficients, Flat::from_fn(|_| 0.0))
+            });
+            near.chain(far).filter_map(move |(end_i, end_j, coefficients, memory)| {
                 let contact = self.contact(end_i, end_j);
                 if contact.distance > self.model.range(contact.r_i, contact.r_j) {
                     return None;
                 }
-                let coefficients = Flat::from_fn(|k| block.pairs.constants(row).at(k).0[lane]);
-                let memory = Flat::from_fn(|k| block.pairs.memory[row].at(k).0[lane]);
                 let outcome = self.model.pair(&contact, &coefficients, memory, self.settings.dt);
                 let stored = self.model.stored(&contact, &coefficients, &memory);
                 Some(Pair { i: end_i.0, j: end_j.0, branch: contact.n * contact.distance, contact, outcome, stored })

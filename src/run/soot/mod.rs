@@ -36,8 +36,8 @@ pub struct Plan {
     pub stages: Vec<SootStage>,
 }
 
-/// How much farther than their range neighbours are listed, in radii: a collapse moves spheres by a few diameters.
-const SKIN: f64 = 0.5;
+/// How much farther than their range neighbours are listed, in radii: spheres that collapse take tens of thousands of steps for this way.
+const SKIN: f64 = 0.1;
 
 impl Plan {
     /// The plan of a case of the soot paper.
