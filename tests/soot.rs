@@ -8,7 +8,7 @@ use veridem::forces::Instructions;
 use veridem::motion::inertia;
 use veridem::observe::morphology::coordination_number;
 use veridem::simulation::{Settings, Simulation};
-use veridem::spec::soot::Soot;
+use veridem::spec::soot::{Soot, Stored};
 use veridem::spec::{PairModel, Vec3};
 use veridem::system::{Domain, Particles, System};
 
@@ -113,4 +113,34 @@ fn necks_hold_an_aggregate_open_and_without_them_it_collapses() {
 #[test]
 fn every_published_time_step_is_below_the_limit() {
     assert!(DT < soot().critical_time_step(14.0, 19.54));
+}
+
+#[test]
+fn a_neck_breaks_when_it_holds_more_than_it_can_and_the_energy_is_accounted_for() {
+    let strength = 50.0;
+    let drawn = |speed: f64| {
+        let mut system = system(|_| true);
+        let pair = system.necks[0];
+        system.necks = vec![pair];
+        let outwards = |system: &System| {
+            let x = &system.particles.x;
+            let n = x[pair.1 as usize] - x[pair.0 as usize];
+            n * (speed / n.norm())
+        };
+        system.particles.v[pair.1 as usize] = outwards(&system);
+        let mut simulation = run(system, settings(DT / 4.0), 0);
+        let mut broken = Vec::new();
+        for _ in 0..200 {
+            simulation.step().expect("a stable step");
+            let breaks = |held: &Stored<f64>| held.normal + held.tangential + held.rolling + held.torsion > strength;
+            broken.extend(simulation.break_necks(breaks).expect("neighbours"));
+        }
+        let ledger = simulation.ledger();
+        assert!(ledger.physical_residual().abs() < 1e-2 * ledger.turnover(), "{ledger:?}");
+        (broken == [pair], simulation.system().necks.len(), ledger.lost_to_breaking)
+    };
+    // Half of the kinetic energy, m v^2 / 4, is that of the relative motion and goes into the neck.
+    let (broke, left, lost) = drawn(8.0);
+    assert!(broke && left == 0 && (strength..1.3 * strength).contains(&lost), "{lost}");
+    assert_eq!(drawn(2.0), (false, 1, 0.0));
 }

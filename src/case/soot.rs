@@ -29,6 +29,8 @@ section! {
         necks: NeckSet = NeckSet::P,
         /// Springs of a neck that are neither of the published sets.
         neck_springs: Option<FourSprings> = None,
+        /// Energy of its four springs at which a neck breaks; without it necks never do.
+        break_energy: Option<Quantity<Energy>> = None,
         /// The springs of a frictional contact.
         contact: FourSprings = published_contact(),
         /// The friction of such a contact.

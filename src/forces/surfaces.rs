@@ -9,6 +9,9 @@ use crate::system::{Forces, Grips, Particles, Surface};
 /// A contact whose place has moved by more than this part of the radius in one step is another one.
 const JUMP: f64 = 0.1;
 
+/// Places are looked for up to this gap, in radii: farther than a contact parts in one step.
+const JUST: f64 = 0.01;
+
 /// What happened at one surface in one step.
 pub struct Leaning<M: PairModel> {
     /// Forces on the spheres.
@@ -83,51 +86,59 @@ impl<M: PairModel> Leaning<M> {
         surface: &Surface,
         (sphere, at, nearest): (u32, &Seen, bool),
         touch: &Touch<f64>,
-        springs: M::Memory<f64>,
+        springs: Option<M::Memory<f64>>,
         dt: f64,
     ) -> Load {
         let material = surface.material;
-        let Outcome { wrench, memory, losses } = model.surface_contact(material, touch, springs, dt);
-        if touch.gap < 0.0 {
-            self.contacts.push((sphere, at.place, memory));
+        let (mut force, mut torque) = (Vec3::zero(), Vec3::zero());
+        // A contact that has just ended is evaluated once more: its springs let go of what they held.
+        if touch.gap < 0.0 || springs.is_some() {
+            let springs = springs.unwrap_or(Flat::from_fn(|_| 0.0));
+            let Outcome { wrench, memory, losses } = model.surface_contact(material, touch, springs, dt);
+            (force, torque) = (wrench.force, wrench.torque_i);
+            if touch.gap < 0.0 {
+                self.contacts.push((sphere, at.place, memory));
+            }
+            self.losses = Flat::from_fn(|k| self.losses.at(k) + losses.at(k));
         }
-        let contact = touch.n * wrench.force.dot(touch.n);
+        let contact = touch.n * force.dot(touch.n);
+        let friction = force - contact;
         let pull = if nearest { model.surface_pull(material, touch) } else { 0.0 };
         let van_der_waals = -(touch.n * pull);
-        let force = wrench.force + van_der_waals;
-        self.force = self.force.and(Forces { contact, friction: wrench.force - contact, van_der_waals });
-        self.power += force.dot(touch.v + surface.velocity) + wrench.torque_i.dot(touch.omega);
-        self.losses = Flat::from_fn(|k| self.losses.at(k) + losses.at(k));
+        self.force = self.force.and(Forces { contact, friction, van_der_waals });
+        let force = force + van_der_waals;
+        self.power += force.dot(touch.v + surface.velocity) + torque.dot(touch.omega);
         let overlap = -touch.gap / touch.r;
         if overlap > self.deepest.1 {
             self.deepest = (sphere, overlap);
         }
-        let (Vec3([fx, fy, fz]), Vec3([tx, ty, tz])) = (force, wrench.torque_i);
+        let (Vec3([fx, fy, fz]), Vec3([tx, ty, tz])) = (force, torque);
         Lanes([fx, fy, fz, tx, ty, tz, 0.0, 0.0])
     }
 }
 
-/// Shows every place where a surface acts on a free sphere, with the springs of the contact there, the nearest place first.
+/// Shows every place where a surface acts on a free sphere, with the springs of the contact there if it is not new, the nearest place first.
 pub fn each_touch<M: PairModel>(
     model: &M,
     surface: &Surface,
     particles: &Particles,
     p: usize,
     seen: &mut Vec<Seen>,
-    mut show: impl FnMut(&Seen, &Touch<f64>, M::Memory<f64>, bool),
+    mut show: impl FnMut(&Seen, &Touch<f64>, Option<M::Memory<f64>>, bool),
 ) {
     if particles.wall[p] > 0 {
         return;
     }
     let Particles { x, v, w, radius, id, .. } = particles;
     seen.clear();
-    surface.see(x[p], model.surface_range(surface.material, radius[p]), radius[p], seen);
+    let just = (1.0 + JUST) * radius[p];
+    surface.see(x[p], model.surface_range(surface.material, radius[p]).max(just), just, seen);
     let mut grips = surface.grips.of(id[p]);
     for (k, at) in seen.iter().enumerate() {
         let (gap, v) = (at.distance - radius[p], v[p] - surface.velocity);
         let touch = Touch { n: at.n, gap, v, omega: w[p], r: radius[p] };
         let springs = grips.take(at.place, JUMP * radius[p]);
-        let springs = Flat::from_fn(|k| springs.map_or(0.0, |springs| springs[k]));
+        let springs = springs.map(|springs| Flat::from_fn(|k| springs[k]));
         show(at, &touch, springs, k == 0);
     }
 }

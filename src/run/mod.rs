@@ -197,12 +197,15 @@ impl<'a, S: Study> Run<'a, S> {
                 self.folder.checkpoints().keep_stopped(&state(current, course))?;
                 return Err(Error::Stopped(self.folder.root().into()));
             }
-            if let Err(halt) = current.simulation.step() {
-                return Err(self.halted(current, course, halt));
-            }
+            let stepped = current.simulation.step();
+            let happened = match stepped.and_then(|()| self.study.intervene(number, &mut current.simulation)) {
+                Ok(happened) => happened,
+                Err(halt) => return Err(self.halted(current, course, halt)),
+            };
             self.taken += 1;
             course.steps += 1;
-            for event in self.study.follow(number, &mut current.watch, &current.simulation) {
+            for event in happened.into_iter().chain(self.study.follow(number, &mut current.watch, &current.simulation))
+            {
                 course.record.event(name, current.simulation.system(), &event)?;
             }
             let step = current.simulation.system().step;

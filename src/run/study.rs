@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::output::{Cell, Finding};
 use crate::simulation::{Settings, Simulation};
 use crate::spec::PairModel;
-use crate::system::System;
+use crate::system::{Halt, System};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
@@ -43,6 +43,10 @@ pub trait Study {
     fn columns(&self) -> Vec<&'static str>;
     /// Begins to watch a stage.
     fn watch(&self, stage: usize, simulation: &Simulation<Self::Model>) -> Self::Watch;
+    /// Changes what a stage lets change between two steps; says what happened.
+    fn intervene(&self, _stage: usize, _simulation: &mut Simulation<Self::Model>) -> Result<Vec<String>, Halt> {
+        Ok(Vec::new())
+    }
     /// Sees every step; says what happened in it.
     fn follow(&self, _stage: usize, _watch: &mut Self::Watch, _simulation: &Simulation<Self::Model>) -> Vec<String> {
         Vec::new()

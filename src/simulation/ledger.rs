@@ -21,6 +21,8 @@ pub struct Ledger {
     pub lost_by_pairs: Vec<f64>,
     /// Lost to the global damping.
     pub lost_drag: f64,
+    /// What necks held when they broke, and their contacts do not.
+    pub lost_to_breaking: f64,
     /// Work of walls of prescribed velocity.
     pub work_walls: f64,
     /// Work of the loads on walls.
@@ -84,7 +86,7 @@ impl Ledger {
 
     /// All that was lost.
     pub fn lost(&self) -> f64 {
-        self.lost_by_pairs.iter().chain(&self.surfaces.lost).sum::<f64>() + self.lost_drag
+        self.lost_by_pairs.iter().chain(&self.surfaces.lost).sum::<f64>() + self.lost_drag + self.lost_to_breaking
     }
 
     /// All work done from outside.

@@ -2,6 +2,7 @@
 
 mod checks;
 mod ledger;
+mod necks;
 mod pairs;
 mod snapshot;
 mod surfaces;

@@ -63,7 +63,7 @@ impl<M: PairModel> Simulation<M> {
     }
 
     /// What all pairs hold, zJ, by cause.
-    fn stored(&self) -> Vec<f64> {
+    pub(super) fn stored(&self) -> Vec<f64> {
         let mut sums = vec![0.0; M::Stored::<f64>::LEN];
         for pair in self.pairs() {
             for (k, sum) in sums.iter_mut().enumerate() {

@@ -48,6 +48,7 @@ impl<M: PairModel> Simulation<M> {
         for surface in &self.system.surfaces {
             for p in 0..self.system.particles.len() {
                 each_touch(&self.model, surface, &self.system.particles, p, &mut seen, |_, touch, springs, nearest| {
+                    let springs = springs.unwrap_or(Flat::from_fn(|_| 0.0));
                     let stored = self.model.surface_stored(surface.material, touch, &springs, nearest);
                     for (k, sum) in sums.iter_mut().enumerate() {
                         *sum += stored.at(k);

@@ -28,7 +28,7 @@ section! {
 }
 
 section! {
-    /// The tip of a force microscope comes down on a sphere that no other hides and is drawn back, Section 3.1.2.
+    /// The tip of a force microscope comes down on a sphere that no other hides and that it meets first, and is drawn back, Section 3.1.2.
     pub struct Indentation {
         /// Part of the necks that are kept; which ones is drawn from the seed.
         keep_necks: f64 = 0.98,

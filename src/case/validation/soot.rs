@@ -108,6 +108,9 @@ fn interactions(soot: &Soot, found: &mut Found) {
         let most = format!("zero or more and at most that at rest, {}", decimal(*rest));
         expect(found, (0.0..=*rest).contains(&moving), &key("in_motion"), decimal(moving), &most);
     }
+    if let Some(energy) = &soot.break_energy {
+        expect(found, energy.value > 0.0, &at("break_energy"), energy, "more than zero");
+    }
     springs(&soot.contact, "contact", found);
     if let Some(neck) = &soot.neck_springs {
         springs(neck, "neck_springs", found);

@@ -17,7 +17,7 @@ use crate::simulation::{Settings, Simulation};
 use crate::spec::Vec3;
 use crate::spec::soot;
 use crate::spec::wear::def_sphere::sphere_mass;
-use crate::system::{Domain, Particles, System};
+use crate::system::{Domain, Halt, Particles, System};
 use serde::{Deserialize, Serialize};
 use stage::Ground;
 use watch::Watch;
@@ -38,6 +38,9 @@ pub struct Plan {
 
 /// How much farther than their range neighbours are listed, in radii: spheres that collapse take tens of thousands of steps for this way.
 const SKIN: f64 = 0.1;
+
+/// Steps from one look at the strength of necks to the next: a small part of the period of their springs at any published time step.
+const EXAMINED: u64 = 5;
 
 impl Plan {
     /// The plan of a case of the soot paper.
@@ -191,6 +194,16 @@ impl Study for Plan {
 
     fn watch(&self, stage: usize, simulation: &Simulation<soot::Soot>) -> Watch {
         Watch::begin(&self.stages[stage], simulation)
+    }
+
+    fn intervene(&self, _: usize, simulation: &mut Simulation<soot::Soot>) -> Result<Vec<String>, Halt> {
+        let Some(strength) = &self.soot.break_energy else { return Ok(Vec::new()) };
+        if !simulation.system().step.is_multiple_of(EXAMINED) {
+            return Ok(Vec::new());
+        }
+        let broken = simulation
+            .break_necks(|held| held.normal + held.tangential + held.rolling + held.torsion > strength.value)?;
+        Ok(broken.iter().map(|(i, j)| format!("the neck of {i} and {j} breaks")).collect())
     }
 
     fn follow(&self, _: usize, watch: &mut Watch, simulation: &Simulation<soot::Soot>) -> Vec<String> {

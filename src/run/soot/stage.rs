@@ -10,6 +10,7 @@ use crate::spec::soot::{SUBSTRATE, TIP};
 use crate::system::mesh::Mesh;
 use crate::system::{Course, Particles, Shape, Surface, System};
 use std::collections::BTreeSet;
+use std::path::Path;
 
 /// What goes into every stage.
 pub struct Ground {
@@ -27,7 +28,7 @@ pub fn set_up(stage: &SootStage, ground: &Ground, mut system: System) -> Result<
         SootStage::Deposition(test) => deposit(test, solid(stage)?, ground, &mut system),
         SootStage::Indentation(test) => {
             break_necks(test.keep_necks, ground.seed, &mut system);
-            indent(test, solid(stage)?, ground, &mut system);
+            indent(test, solid(stage)?, ground, &mut system)?;
         }
         SootStage::Restructuring(Restructuring { keep_necks, .. }) => {
             break_necks(*keep_necks, ground.seed, &mut system);
@@ -59,8 +60,7 @@ fn deposit(test: &Deposition, solid: Option<Mesh>, ground: &Ground, system: &mut
     system.surfaces = vec![Surface::new("substrate", SUBSTRATE, shape, Course::Still)];
 }
 
-fn indent(test: &Indentation, solid: Option<Mesh>, ground: &Ground, system: &mut System) {
-    let target = target(&system.particles, ground.seed);
+fn indent(test: &Indentation, solid: Option<Mesh>, ground: &Ground, system: &mut System) -> Result<(), Error> {
     let (mesh, lowest) = match solid {
         None => (tetrahedron(ground.radius), Vec3::zero()),
         Some(mesh) => {
@@ -68,23 +68,46 @@ fn indent(test: &Indentation, solid: Option<Mesh>, ground: &Ground, system: &mut
             (mesh, lowest.expect("a surface has corners"))
         }
     };
-    let above = system.particles.radius[target] + test.gap.value(ground.radius);
-    let apex = system.particles.x[target] + Vec3([0.0, 0.0, above]);
+    let particles = &system.particles;
     let course = Course::Tip { velocity: test.velocity.value, rate: test.turn_rate.value, turn: test.turn.value };
-    let shape = Shape::Mesh(mesh.displaced(apex - lowest));
-    system.surfaces.push(Surface::new("tip", TIP, shape, course));
+    let above = |p: usize| {
+        let apex = particles.x[p] + Vec3([0.0, 0.0, particles.radius[p] + test.gap.value(ground.radius)]);
+        Surface::new("tip", TIP, Shape::Mesh(mesh.displaced(apex - lowest)), course)
+    };
+    let mut free: Vec<usize> = (0..particles.len())
+        .filter(|&p| is_unhindered(particles, p) && is_met_first(particles, p, &above(p)))
+        .collect();
+    free.sort_by_key(|&p| particles.id[p]);
+    let drawn = Stream::new(ground.seed, "indented sphere").uniform() * free.len() as f64;
+    let Some(&target) = free.get(drawn as usize) else {
+        let file = test.tip.as_ref().map(|tip| tip.stl.as_path()).unwrap_or(Path::new("tip"));
+        return Err(Error::input(file, "meets no sphere of the aggregate first with its lowest point"));
+    };
+    let tip = above(target);
+    system.surfaces.push(tip);
+    Ok(())
 }
 
-/// A sphere above which there is no other, drawn from the seed.
-fn target(particles: &Particles, seed: u64) -> usize {
-    let Particles { x, radius, id, .. } = particles;
-    let hides = |q: usize, p: usize| {
+/// Whether no other sphere is above a sphere, as far as it reaches to the sides.
+fn is_unhindered(Particles { x, radius, .. }: &Particles, p: usize) -> bool {
+    let hides = |q: usize| {
         let [a, b, c] = (x[q] - x[p]).0;
         q != p && c > 0.0 && (a * a + b * b).sqrt() < radius[p] + radius[q]
     };
-    let mut free: Vec<usize> = (0..x.len()).filter(|&p| !(0..x.len()).any(|q| hides(q, p))).collect();
-    free.sort_by_key(|&p| id[p]);
-    free[(Stream::new(seed, "indented sphere").uniform() * free.len() as f64) as usize]
+    !(0..x.len()).any(hides)
+}
+
+/// Whether a tip above a sphere is nearer to no other: its flanks are flat, and higher spheres may be in its way. The highest sphere is
+/// always met first.
+fn is_met_first(Particles { x, radius, .. }: &Particles, p: usize, tip: &Surface) -> bool {
+    let mut seen = Vec::new();
+    let mut gap = |q: usize| {
+        seen.clear();
+        tip.see(x[q], f64::INFINITY, 0.0, &mut seen);
+        seen[0].distance - radius[q]
+    };
+    let least = gap(p);
+    (0..x.len()).all(|q| q == p || gap(q) > least)
 }
 
 /// Removes necks; the contacts that take their place begin with relaxed springs.

@@ -13,11 +13,13 @@ use crate::system::{Particles, Surface, System};
 use serde::{Deserialize, Serialize};
 
 /// The columns of the series.
-pub const COLUMNS: [&str; 18] = [
+pub const COLUMNS: [&str; 20] = [
     "coordination number",
     "convexity",
     "gyration radius [nm]",
     "height [nm]",
+    "necks",
+    "lost to breaking [zJ]",
     "energy at surfaces [zJ]",
     "lost at surfaces [zJ]",
     "work of surfaces [zJ]",
@@ -72,8 +74,11 @@ impl Watch {
     /// The cells of a row.
     pub fn look(&mut self, simulation: &Simulation<soot::Soot>) -> Vec<Cell> {
         let system = simulation.system();
-        let account = simulation.ledger().surfaces;
+        let ledger = simulation.ledger();
+        let account = ledger.surfaces;
         let mut cells: Vec<Cell> = shape(system).into_iter().chain([height(system)]).map(Cell::Number).collect();
+        cells.push(Cell::Count(system.necks.len() as u64));
+        cells.push(Cell::Number(ledger.lost_to_breaking));
         let energies = [account.stored.iter().sum(), account.lost.iter().sum(), account.work];
         cells.extend(energies.map(Cell::Number));
         let vertical = |surface: &Surface| {

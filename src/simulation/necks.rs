@@ -1,0 +1,46 @@
+//! Necks that break.
+
+use super::Simulation;
+use crate::forces::bond;
+use crate::spec::{Flat, PairModel};
+use crate::system::Halt;
+
+impl<M: PairModel> Simulation<M> {
+    /// Breaks every neck of which `breaks` holds, given what the pair holds. The contacts that take
+    /// their place begin with relaxed springs. Returns the ids of the spheres.
+    pub fn break_necks(&mut self, breaks: impl Fn(&M::Stored<f64>) -> bool) -> Result<Vec<(u32, u32)>, Halt> {
+        let broken = self.necks_that(breaks);
+        if broken.is_empty() {
+            return Ok(broken);
+        }
+        let before: f64 = self.stored().iter().sum();
+        let mut springs = self.springs();
+        springs.forget(|pair| broken.contains(&pair));
+        self.system.necks.retain(|neck| !broken.contains(neck));
+        self.relist(&springs)?;
+        self.ledger.lost_to_breaking += before - self.stored().iter().sum::<f64>();
+        Ok(broken)
+    }
+
+    fn necks_that(&self, breaks: impl Fn(&M::Stored<f64>) -> bool) -> Vec<(u32, u32)> {
+        let mut found = Vec::new();
+        for block in &self.blocks {
+            for (i, j, row, lane) in block.each_pair() {
+                let (p, q) = (block.member(i), block.member(j));
+                let image = std::array::from_fn(|k| q.1[k] - p.1[k]);
+                let (a, b, _) = bond(&self.system.particles, p.0, q.0, image);
+                if self.system.necks.binary_search(&(a, b)).is_err() {
+                    continue;
+                }
+                let contact = self.contact(p, q);
+                let coefficients = Flat::from_fn(|k| block.pairs.constants(row).at(k).0[lane]);
+                let memory = Flat::from_fn(|k| block.pairs.memory[row].at(k).0[lane]);
+                if breaks(&self.model.stored(&contact, &coefficients, &memory)) {
+                    found.push((a, b));
+                }
+            }
+        }
+        found.sort_unstable();
+        found
+    }
+}
