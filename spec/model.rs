@@ -59,6 +59,23 @@ pub trait Flat<R>: Copy + Send + Sync {
     fn at_mut(&mut self, k: usize) -> &mut R;
 }
 
+impl<R, A: Flat<R>, B: Flat<R>> Flat<R> for (A, B) {
+    const LEN: usize = A::LEN + B::LEN;
+    #[inline(always)]
+    fn from_fn(mut f: impl FnMut(usize) -> R) -> Self {
+        let first = A::from_fn(&mut f);
+        (first, B::from_fn(|k| f(A::LEN + k)))
+    }
+    #[inline(always)]
+    fn at(&self, k: usize) -> &R {
+        if k < A::LEN { self.0.at(k) } else { self.1.at(k - A::LEN) }
+    }
+    #[inline(always)]
+    fn at_mut(&mut self, k: usize) -> &mut R {
+        if k < A::LEN { self.0.at_mut(k) } else { self.1.at_mut(k - A::LEN) }
+    }
+}
+
 /// Numbers with names: energies by cause.
 pub trait Named<R>: Flat<R> {
     /// The names, in order, in words.
@@ -143,6 +160,10 @@ pub trait PairModel: Sync {
     fn coefficients<R: Real>(&self, r_i: R, r_j: R, m_i: R, m_j: R) -> Self::Coefficients<R>;
     /// The constants of a pair that a neck joins, where the model has necks.
     fn joined<R: Real>(&self, constants: Self::Coefficients<R>) -> Self::Coefficients<R> {
+        constants
+    }
+    /// The constants of a pair whose spheres are parts of rigid bodies, with the reduced moment of inertia (kg m²) of those.
+    fn rigid<R: Real>(&self, constants: Self::Coefficients<R>, _inertia: R) -> Self::Coefficients<R> {
         constants
     }
     /// Largest distance of centres at which two spheres of these radii act on each other, m.

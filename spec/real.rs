@@ -41,6 +41,9 @@ pub trait Real:
     /// Largest integer not above the number.
     fn floor(self) -> Self;
 
+    /// The entry of a list at a place, a whole number below its length, which is a power of two.
+    fn entry(list: &[f64], place: Self) -> Self;
+
     /// `self < other`; false for a NaN.
     fn lt(self, other: Self) -> Self::Mask;
     /// `self <= other`; false for a NaN.
@@ -124,9 +127,13 @@ macro_rules! native {
             fn tanh(self) -> Self {
                 $suffix::tanh(self)
             }
-            #[inline]
+            #[inline(always)]
             fn floor(self) -> Self {
-                $suffix::floor(self)
+                <$float>::floor(self)
+            }
+            #[inline(always)]
+            fn entry(list: &[f64], place: Self) -> Self {
+                list[place_in(list, f64::from(place))] as $float
             }
             #[inline(always)]
             fn lt(self, other: Self) -> bool {
@@ -144,12 +151,18 @@ macro_rules! native {
     };
 }
 
+/// The place as an index that needs no check: added to 2^52, a whole number is in the lowest bits.
+#[inline(always)]
+pub(crate) fn place_in(list: &[f64], place: f64) -> usize {
+    (place + 4_503_599_627_370_496.0).to_bits() as usize & (list.len() - 1)
+}
+
 mod double {
     pub use crate::numbers::exponential::exp;
-    pub use libm::{acos, cos, floor, log, sin, tanh};
+    pub use libm::{acos, cos, log, sin, tanh};
 }
 mod single {
-    pub use libm::{acosf as acos, cosf as cos, expf as exp, floorf as floor, logf as log, sinf as sin, tanhf as tanh};
+    pub use libm::{acosf as acos, cosf as cos, expf as exp, logf as log, sinf as sin, tanhf as tanh};
 }
 native!(f64, double);
 native!(f32, single);

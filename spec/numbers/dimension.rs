@@ -136,6 +136,9 @@ impl Real for Dimension {
     fn floor(self) -> Self {
         self.dimensionless("floor")
     }
+    fn entry(_: &[f64], place: Self) -> Self {
+        place.dimensionless("entry")
+    }
     fn lt(self, other: Self) -> Compared {
         Compared(self.same(other, "comparison"))
     }

@@ -65,6 +65,9 @@ impl Real for Dual {
     fn floor(self) -> Self {
         Self::constant(Real::floor(self.value))
     }
+    fn entry(list: &[f64], place: Self) -> Self {
+        Self::constant(Real::entry(list, place.value))
+    }
     fn lt(self, other: Self) -> bool {
         self.value < other.value
     }

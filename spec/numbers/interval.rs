@@ -4,6 +4,7 @@
 //! inside the operands for which it has a value. A division by an interval that contains zero gives the whole line.
 
 use crate::Real;
+use crate::real::place_in;
 use num_traits::{One, Zero};
 use std::f64::consts::PI;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
@@ -131,6 +132,10 @@ impl Real for Interval {
     }
     fn floor(self) -> Self {
         Self { lo: Real::floor(self.lo), hi: Real::floor(self.hi) }
+    }
+    fn entry(list: &[f64], place: Self) -> Self {
+        let entries = &list[place_in(list, place.lo)..=place_in(list, place.hi)];
+        entries.iter().map(|&entry| Self::point(entry)).reduce(Self::hull).unwrap_or(Self::LINE)
     }
     fn lt(self, other: Self) -> Truth {
         if self == Self::LINE || other == Self::LINE {

@@ -92,9 +92,13 @@ impl<const N: usize> Real for Lanes<N> {
     fn tanh(self) -> Self {
         self.map(Real::tanh)
     }
-    #[inline]
+    #[inline(always)]
     fn floor(self) -> Self {
         self.map(Real::floor)
+    }
+    #[inline(always)]
+    fn entry(list: &[f64], place: Self) -> Self {
+        place.map(|place| Real::entry(list, place))
     }
     #[inline(always)]
     fn lt(self, other: Self) -> LaneMask<N> {

@@ -167,6 +167,9 @@ impl Real for Reference {
     fn floor(self) -> Self {
         self.apply(|x, _| x.floor())
     }
+    fn entry(list: &[f64], place: Self) -> Self {
+        Self::exact(f64::entry(list, place.to_f64()))
+    }
     fn lt(self, other: Self) -> bool {
         self.unpack().cmp(&other.unpack()).is_some_and(|order| order < 0)
     }

@@ -209,12 +209,21 @@ impl Titania {
 
     /// The constants of the contact of a pair of given radii (m) and masses (kg).
     pub fn parameters<R: Real>(&self, r_i: R, r_j: R, m_i: R, m_j: R) -> Parameters<R> {
-        let h_n = R::lit(self.h_n);
+        self.parameters_with(self.stiffness(r_i, r_j), r_i, r_j, m_i, m_j)
+    }
+
+    /// Contact stiffness of two particles, Pa.
+    pub(super) fn stiffness<R: Real>(&self, r_i: R, r_j: R) -> R {
         let (core_i, core_j, d) = (self.core(r_i), self.core(r_j), self.equilibrium(r_i, r_j));
-        let delta_n = r_i + r_j - d;
+        stiffness(self.attraction(r_i, r_j).force(d), r_i + r_j - d, core_i, core_j, R::lit(self.h_n))
+    }
+
+    /// The constants of the contact of a pair of known stiffness.
+    pub(super) fn parameters_with<R: Real>(&self, k_n: R, r_i: R, r_j: R, m_i: R, m_j: R) -> Parameters<R> {
+        let (core_i, core_j) = (self.core(r_i), self.core(r_j));
         let gamma_n = damping_coefficient(effective_radius(core_i, core_j).0, R::lit(self.gamma_0));
         Parameters {
-            k_n: stiffness(self.attraction(r_i, r_j).force(d), delta_n, core_i, core_j, h_n),
+            k_n,
             r_eff: effective_radius(r_i, r_j).1,
             gamma_n,
             tau_s: R::lit(self.tau_s),
@@ -237,6 +246,10 @@ impl PairModel for Titania {
 
     fn coefficients<R: Real>(&self, r_i: R, r_j: R, m_i: R, m_j: R) -> Coefficients<R> {
         Coefficients { contact: self.parameters(r_i, r_j, m_i, m_j), attraction: self.attraction(r_i, r_j) }
+    }
+
+    fn rigid<R: Real>(&self, constants: Coefficients<R>, inertia: R) -> Coefficients<R> {
+        Coefficients { contact: Parameters { inertia, ..constants.contact }, ..constants }
     }
 
     fn range(&self, r_i: f64, r_j: f64) -> f64 {

@@ -5,7 +5,7 @@
 //! repel, rough surfaces stick and slip, and roll against a constant resistance. The rooms `eq..` are the numbered
 //! equations, `def_..` what the paper uses without a number. The attraction is not in the paper, which refers to earlier work for it:
 //! [`def_water`], [`def_meniscus`] and [`def_capillary`] are classical capillarity, [`attraction`] composes it for a pair, [`table`] makes it fast.
-//! [`law`] is what an engine runs. Every number, 1 to 14, is a function.
+//! [`law`] is what an engine runs, [`tabulated`] the same for particles of few sizes, and many. Every number, 1 to 14, is a function.
 //!
 //! # Errata
 //!
@@ -25,6 +25,7 @@
 
 pub mod attraction;
 pub mod def_aggregate;
+pub mod def_body;
 pub mod def_capacity;
 pub mod def_capillary;
 pub mod def_diffusion;
@@ -53,10 +54,12 @@ pub mod eq13_rolling;
 pub mod eq14_friction_factor;
 pub mod law;
 pub mod table;
+pub mod tabulated;
 
 pub use attraction::Attraction;
 pub use law::{Act, Coefficients, Held, Lost, Parameters, Titania};
 pub use table::Table;
+pub use tabulated::Tabulated;
 
 use crate::equation::{Equation, Paper};
 
@@ -91,6 +94,7 @@ fn equations() -> Vec<Equation> {
         def_lognormal::equations(),
         def_aggregate::equations(),
         def_rotation::equations(),
+        def_body::equations(),
         def_inertia::equations(),
         def_capacity::equations(),
         eq14_friction_factor::equations(),

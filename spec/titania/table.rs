@@ -1,26 +1,102 @@
 //! A function tabulated to a tolerance: what makes the attraction fast.
 
+use crate::{Real, flat_struct};
+
 /// A force against the distance of two centres that ends with a jump where its slope is infinite, such as that of a meniscus.
 ///
 /// Between the nodes it is a cubic in the square root of the distance left before the end, evenly spaced, with the force and its slope exact at the nodes.
 /// The last node is the end itself. The potential is the exact integral of the cubics, so energy is conserved as if they were the law.
 #[derive(Clone, Debug)]
 pub struct Table {
-    end: f64,
-    width: f64,
-    cells: Vec<[f64; 4]>,
-    energies: Vec<f64>,
-    deep: Line,
+    piece: Piece<f64>,
+    lists: Lists,
     error: f64,
 }
 
-/// How the force goes on below the tabulated range.
-#[derive(Clone, Copy, Debug)]
-struct Line {
-    d: f64,
-    force: f64,
-    slope: f64,
-    energy: f64,
+flat_struct! {
+    /// Where the cubics of a table are in a list, and how it ends.
+    pub struct Piece {
+        /// Distance from which on the force is zero.
+        pub end,
+        /// Cells per root of the distance.
+        pub per_width,
+        /// Number of cells less one.
+        pub last,
+        /// Place of the first cell in the list.
+        pub first,
+        /// Distance below which the force is a line.
+        pub start,
+        /// Force there.
+        pub force,
+        /// Slope of the line.
+        pub slope,
+        /// Energy where the line begins.
+        pub energy,
+    }
+}
+
+/// The cubics of tables, end to end, four numbers a cell, and the energy at the far end of each cell; as long as powers of two.
+#[derive(Clone, Debug, Default)]
+pub struct Lists {
+    cells: Vec<f64>,
+    energies: Vec<f64>,
+}
+
+impl Lists {
+    fn new(cells: &[[f64; 4]], energies: &[f64]) -> Self {
+        let mut lists = Self { cells: cells.concat(), energies: energies.to_vec() };
+        lists.cells.resize(lists.cells.len().next_power_of_two(), 0.0);
+        lists.energies.resize(lists.energies.len().next_power_of_two(), 0.0);
+        lists
+    }
+
+    /// Lays the lists of tables end to end, and moves their pieces there.
+    pub fn join(tables: Vec<Table>) -> (Vec<Piece<f64>>, Self) {
+        let (mut cells, mut energies, mut pieces) = (Vec::new(), Vec::new(), Vec::new());
+        for Table { piece, lists, .. } in tables {
+            pieces.push(Piece { first: cells.len() as f64, ..piece });
+            let count = piece.last as usize + 1;
+            cells.extend(lists.cells[..4 * count].chunks(4).map(|cell| [cell[0], cell[1], cell[2], cell[3]]));
+            energies.extend(&lists.energies[..count]);
+        }
+        (pieces, Self::new(&cells, &energies))
+    }
+}
+
+impl<R: Real> Piece<R> {
+    /// The cell that a distance lies in, and where in it.
+    #[inline(always)]
+    fn place(&self, d: R) -> (R, R) {
+        let place = (self.end - d).max(R::zero()).sqrt() * self.per_width;
+        let cell = place.floor().min(self.last);
+        (cell, place - cell)
+    }
+
+    #[inline(always)]
+    fn cubic(&self, lists: &Lists, cell: R) -> [R; 4] {
+        let begin = (self.first + cell) * R::lit(4.0);
+        std::array::from_fn(|k| R::entry(&lists.cells, begin + R::lit(k as f64)))
+    }
+
+    /// Force at a distance.
+    #[inline(always)]
+    pub fn force(&self, lists: &Lists, d: R) -> R {
+        let (cell, t) = self.place(d);
+        let inside = cubic(self.cubic(lists, cell), t);
+        let deep = self.force + self.slope * (d - self.start);
+        R::select(d.lt(self.end), R::select(d.lt(self.start), deep, inside), R::zero())
+    }
+
+    /// Potential at a distance, zero from the end on.
+    #[inline(always)]
+    pub fn potential(&self, lists: &Lists, d: R) -> R {
+        let (cell, t) = self.place(d);
+        let beyond = R::entry(&lists.energies, self.first + cell);
+        let inside = beyond + work(self.cubic(lists, cell), cell, R::one() / self.per_width, t);
+        let below = d - self.start;
+        let deep = self.energy - below * (self.force + R::lit(0.5) * self.slope * below);
+        R::select(d.lt(self.end), R::select(d.lt(self.start), deep, inside), R::zero())
+    }
 }
 
 /// Most cells of a table; a tolerance that asks for more is not met.
@@ -37,7 +113,7 @@ impl Table {
             let cells = cells(&rooted, width, count);
             let error = error(&rooted, width, &cells);
             if error <= tolerance || count >= MOST_CELLS {
-                return Self::of(cells, width, start, end, slope, error);
+                return Self::of(&cells, width, start, end, slope, error);
             }
             // the error goes with the fourth power of the width
             let finer = 1.05 * (error / tolerance).sqrt().sqrt();
@@ -45,14 +121,16 @@ impl Table {
         }
     }
 
-    fn of(cells: Vec<[f64; 4]>, width: f64, start: f64, end: f64, slope: f64, error: f64) -> Self {
+    fn of(cells: &[[f64; 4]], width: f64, start: f64, end: f64, slope: f64, error: f64) -> Self {
         let mut energies = vec![0.0];
-        for (k, cell) in cells.iter().enumerate() {
+        for (k, &cell) in cells.iter().enumerate() {
             energies.push(energies[k] + work(cell, k as f64, width, 1.0));
         }
-        let (last, energy) = (cells[cells.len() - 1], energies[cells.len()]);
-        let force = last.iter().sum();
-        Self { end, width, cells, energies, deep: Line { d: start, force, slope, energy }, error }
+        let last = cells.len() - 1;
+        let (force, energy) = (cubic(cells[last], 1.0), energies[cells.len()]);
+        let (per_width, last) = (1.0 / width, last as f64);
+        let piece = Piece { end, per_width, last, first: 0.0, start, force, slope, energy };
+        Self { piece, lists: Lists::new(cells, &energies), error }
     }
 
     /// A bound of the difference between the table and the function it was made of.
@@ -61,40 +139,19 @@ impl Table {
     }
     /// Distance from which on the force is zero.
     pub fn end(&self) -> f64 {
-        self.end
+        self.piece.end
     }
     /// Number of cubics.
     pub fn cells(&self) -> usize {
-        self.cells.len()
+        self.piece.last as usize + 1
     }
-
     /// Force at a distance.
-    #[inline]
     pub fn force(&self, d: f64) -> f64 {
-        if d >= self.end {
-            return 0.0;
-        }
-        let place = (self.end - d).sqrt() / self.width;
-        match self.cells.get(place as usize) {
-            Some(cell) => cubic(cell, place - place.floor()),
-            None => self.deep.force + self.deep.slope * (d - self.deep.d),
-        }
+        self.piece.force(&self.lists, d)
     }
-
     /// Potential at a distance, zero from the end on.
     pub fn potential(&self, d: f64) -> f64 {
-        if d >= self.end {
-            return 0.0;
-        }
-        let place = (self.end - d).sqrt() / self.width;
-        let k = place as usize;
-        match self.cells.get(k) {
-            Some(cell) => self.energies[k] + work(cell, k as f64, self.width, place - place.floor()),
-            None => {
-                let Line { d: start, force, slope, energy } = self.deep;
-                energy - (d - start) * (force + 0.5 * slope * (d - start))
-            }
-        }
+        self.piece.potential(&self.lists, d)
     }
 }
 
@@ -109,30 +166,30 @@ fn cells(rooted: &impl Fn(f64) -> (f64, f64), width: f64, count: usize) -> Vec<[
     nodes.windows(2).map(cell).collect()
 }
 
-#[inline]
-fn cubic(cell: &[f64; 4], t: f64) -> f64 {
-    cell[0] + t * (cell[1] + t * (cell[2] + t * cell[3]))
+#[inline(always)]
+fn cubic<R: Real>([a, b, c, e]: [R; 4], t: R) -> R {
+    a + t * (b + t * (c + t * e))
 }
 
 /// Integral of a cubic over the distance, from the far end of its cell to the place `t` in it: the distance changes by twice the root.
-fn work(cell: &[f64; 4], k: f64, width: f64, t: f64) -> f64 {
-    let [a, b, c, e] = *cell;
-    let even = t * (a + t * (b / 2.0 + t * (c / 3.0 + t * e / 4.0)));
-    let odd = t * t * (a / 2.0 + t * (b / 3.0 + t * (c / 4.0 + t * e / 5.0)));
-    2.0 * width * width * (k * even + odd)
+#[inline(always)]
+fn work<R: Real>([a, b, c, e]: [R; 4], k: R, width: R, t: R) -> R {
+    let over = |x: R, n: f64| x / R::lit(n);
+    let even = t * (a + t * (over(b, 2.0) + t * (over(c, 3.0) + t * over(e, 4.0))));
+    let odd = t * t * (over(a, 2.0) + t * (over(b, 3.0) + t * (over(c, 4.0) + t * over(e, 5.0))));
+    R::lit(2.0) * width * width * (k * even + odd)
 }
 
 /// A bound of the error. That of a cubic with the slopes at its ends is the fourth derivative times a shape that is largest in the
 /// middle; where the derivative hardly changes in a cell, the error there is the largest, and twice the largest of all bounds it.
 fn error(rooted: &impl Fn(f64) -> (f64, f64), width: f64, cells: &[[f64; 4]]) -> f64 {
-    let middle = |(k, cell): (usize, &[f64; 4])| (cubic(cell, 0.5) - rooted((k as f64 + 0.5) * width).0).abs();
+    let middle = |(k, cell): (usize, &[f64; 4])| (cubic(*cell, 0.5) - rooted((k as f64 + 0.5) * width).0).abs();
     2.0 * cells.iter().enumerate().map(middle).fold(0.0, f64::max)
 }
 
 #[cfg(test)]
 mod laws {
     use super::*;
-    use crate::Real;
     use crate::titania::Titania;
     use proptest::prelude::*;
     use std::sync::LazyLock;

@@ -1,6 +1,7 @@
 //! The case file: what the user asks for, read, checked and expressed in engine units.
 
 mod derived;
+mod film;
 pub mod quantity;
 mod read;
 pub mod schema;
@@ -11,6 +12,7 @@ pub mod units;
 mod validation;
 
 pub use derived::{Critical, OF_WEAR, Scales};
+pub use film::*;
 pub use schema::*;
 pub use soot::*;
 pub use titania::*;

@@ -49,6 +49,7 @@ kinds! {
     Sharpness: "an inverse length" [0, -1, 0, 0] "0.18 1/nm";
     DampingPerArea: "a damping constant" [1, -2, -1, 0] "0.5e6 N s/m^3";
     Temperature: "a temperature" [0, 0, 0, 1] "300 K";
+    Viscosity: "a viscosity" [1, -1, -1, 0] "1.85e-5 Pa s";
 }
 
 macro_rules! scales {

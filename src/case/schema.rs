@@ -5,6 +5,7 @@ use super::quantity::{
     Quantity, Scaled, Step, SurfaceEnergy, Time, Velocity, YoungModulus,
 };
 use super::section::{choice, defaults, section};
+use super::film::{Film, Spectroscopy};
 use super::soot::{Aggregate, Deposition, Restructuring, Soot, SootStage};
 use super::titania::{Agglomerate, ContactTests, Stretching, Titania, TwoParticles};
 use std::path::PathBuf;
@@ -90,6 +91,8 @@ choice! {
         Pair = "pair": TwoParticles,
         /// A chain of water-covered particles of many sizes.
         Agglomerate = "agglomerate": Agglomerate,
+        /// A film of aggregates.
+        Film = "film": Film,
     }
 }
 
@@ -160,6 +163,8 @@ choice! {
         Contact = "contact": ContactTests,
         /// An agglomerate is stretched.
         Stretching = "stretching": Stretching,
+        /// A film under the tip of a force microscope.
+        Spectroscopy = "spectroscopy": Spectroscopy,
     }
 }
 

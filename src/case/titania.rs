@@ -8,7 +8,7 @@ use super::schema::InSteps;
 use super::section::{section, words};
 use super::soot::quantity;
 use super::units::{in_unit, rounded};
-use super::{Case, Experiment, Model, Sample};
+use super::{Case, Experiment, Film, Model, Sample, Spectroscopy};
 use crate::build::agglomerate::Recipe;
 use crate::spec::PairModel;
 use crate::spec::titania::def_radius::radii;
@@ -171,6 +171,8 @@ pub enum TitaniaTest<'a> {
     Contact(&'a TwoParticles, &'a ContactTests),
     /// An agglomerate.
     Stretching(&'a Agglomerate, &'a Stretching),
+    /// A film.
+    Spectroscopy(&'a Film, &'a Spectroscopy),
 }
 
 impl TitaniaTest<'_> {
@@ -179,6 +181,7 @@ impl TitaniaTest<'_> {
         match self {
             Self::Contact(TwoParticles { diameters: [first, second] }, _) => first.value.min(second.value),
             Self::Stretching(agglomerate, _) => agglomerate.smallest.value,
+            Self::Spectroscopy(film, _) => film.diameters.smallest.value,
         }
     }
 
@@ -187,6 +190,7 @@ impl TitaniaTest<'_> {
         match self {
             Self::Contact(_, tests) => ("experiment.contact.dt", &tests.dt),
             Self::Stretching(_, stretching) => ("experiment.stretching.dt", &stretching.dt),
+            Self::Spectroscopy(_, test) => ("experiment.spectroscopy.dt", &test.dt),
         }
     }
 }
@@ -251,6 +255,7 @@ impl Case {
         let test = match (&self.sample, &self.experiment) {
             (Sample::Pair(pair), Experiment::Contact(tests)) => TitaniaTest::Contact(pair, tests),
             (Sample::Agglomerate(chain), Experiment::Stretching(test)) => TitaniaTest::Stretching(chain, test),
+            (Sample::Film(film), Experiment::Spectroscopy(test)) => TitaniaTest::Spectroscopy(film, test),
             _ => return None,
         };
         Some((titania, test))

@@ -70,7 +70,8 @@ impl<M: PairModel> Block<M> {
 const NEAR: f64 = 0.01;
 
 /// Cuts the pairs, sorted by first sphere, into blocks; springs are found again in `springs`. `x` and `domain` are those that the
-/// pairs were found with, `skin` is how much closer two spheres may come before they are found anew.
+/// pairs were found with, `skin` is how much closer two spheres may come before they are found anew. Only the first
+/// `moving` particles have pairs; `shares` are the moments of inertia of the bodies.
 pub fn partition<M: PairModel>(
     model: &M,
     particles: &Particles,
@@ -78,8 +79,9 @@ pub fn partition<M: PairModel>(
     pairs: &[Neighbour],
     necks: &[(u32, u32)],
     springs: &Springs,
+    (moving, shares): (usize, &[f64]),
 ) -> Result<Vec<Block<M>>, Reason> {
-    let n = particles.len();
+    let n = moving;
     let mut first = vec![0usize; n + 1];
     for pair in pairs {
         first[pair.p as usize + 1] += 1;
@@ -113,7 +115,7 @@ pub fn partition<M: PairModel>(
             }
             let places = Places { particles, own: &own, halo: &halo };
             let far = FarPairs::lay(&places, &far);
-            let pairs = Pairs::lay(model, &places, [&near, &others], necks, springs);
+            let pairs = Pairs::lay(model, &places, [&near, &others], necks, springs, shares);
             let loads = vec![Load::zero(); CAPACITY].try_into().expect("as many as it is made of");
             Block { own, halo, pairs, far, incoming: Vec::new(), loads }
         })
@@ -149,6 +151,13 @@ fn cut_to_fit(
         return Err(Reason::TooManyNeighbours { particle: particles.id[own.start] });
     }
     Ok(())
+}
+
+/// All places of all blocks: particle, block, place within the block.
+pub fn places<M: PairModel>(blocks: &[Block<M>]) -> impl Iterator<Item = (usize, u32, u32)> {
+    let of = |block: &Block<M>| block.own.len() + block.halo.len();
+    let each = move |(block, number)| (0..of(block)).map(move |place| (block.member(place as u16).0, number, place as u32));
+    blocks.iter().zip(0..).flat_map(each)
 }
 
 /// The lasting name of a pair of places, `q` displaced by `image`.

@@ -47,7 +47,8 @@ pub fn neighbours(
                 if same && (q, image) <= (p as u32, [0; 3]) {
                     return;
                 }
-                let apart = x[p] - (x[q as usize] + domain.shift(image));
+                // In this order of operations its length is the same seen from either end.
+                let apart = (x[p] - x[q as usize]) - domain.shift(image);
                 // The exact reach is dear: most candidates fall short of any.
                 let squared = apart.dot(apart);
                 if squared < farthest * farthest && squared < reach(radius[p], radius[q as usize]).squared() {

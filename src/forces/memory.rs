@@ -1,12 +1,13 @@
 //! Contact memory carried from one neighbour list to the next.
 
 use crate::system::Image;
+use serde::{Deserialize, Serialize};
 
 /// A pair's lasting name: the ids of the spheres, the lower first, and the copy of the second as seen from the first.
 pub type Bond = (u32, u32, Image);
 
 /// The springs of the pairs that have any, found again by who the two spheres are.
-#[derive(Clone, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Springs {
     /// Sorted; each with the place of its springs.
     bonds: Vec<(Bond, u32)>,

@@ -11,7 +11,7 @@ mod pairs;
 mod surfaces;
 mod transpose;
 
-pub use blocks::{Block, CAPACITY, LANES, bond, partition};
+pub use blocks::{Block, CAPACITY, LANES, bond, partition, places};
 pub use grid::{Neighbour, neighbours};
 pub use instructions::Instructions;
 pub use kernel::{Load, Totals, evaluate};

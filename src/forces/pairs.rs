@@ -2,7 +2,9 @@
 
 use super::blocks::{LANES, NOWHERE, bond};
 use super::{Bond, Neighbour, Springs};
+use crate::motion::inertia;
 use crate::spec::numbers::Lanes;
+use crate::spec::wear::eq17_effective_mass::effective_mass;
 use crate::spec::{Flat, PairModel};
 use crate::system::{Image, Particles};
 use std::ops::Range;
@@ -101,6 +103,21 @@ impl Places<'_> {
     }
 }
 
+/// Reduced moment of inertia of two spheres of which one belongs to a free body; `shares` are the moments of the bodies.
+fn reduced_moment(particles: &Particles, shares: &[f64], p: usize, q: usize) -> Option<f64> {
+    let moment = |p: usize| match (particles.wall[p], particles.body[p] as usize) {
+        (0, 0) => Some(inertia(particles, p)),
+        (0, body) => Some(shares[body - 1]),
+        _ => None,
+    };
+    let rigid = [p, q].iter().any(|&p| particles.wall[p] == 0 && particles.body[p] > 0);
+    match (moment(p), moment(q)) {
+        (Some(of_p), Some(of_q)) if rigid => Some(effective_mass(of_p, of_q)),
+        (Some(only), None) | (None, Some(only)) if rigid => Some(only),
+        _ => None,
+    }
+}
+
 impl<M: PairModel> Pairs<M> {
     /// The constants of a row.
     pub fn constants(&self, row: usize) -> &M::Coefficients<Lanes<LANES>> {
@@ -123,6 +140,7 @@ impl<M: PairModel> Pairs<M> {
         [near, others]: [&[Neighbour]; 2],
         necks: &[(u32, u32)],
         springs: &Springs,
+        shares: &[f64],
     ) -> Self {
         let mut laid = Self {
             i: Vec::new(),
@@ -137,7 +155,13 @@ impl<M: PairModel> Pairs<M> {
             let (mut i, mut j) = ([NOWHERE; LANES], [0; LANES]);
             let (mut coefficients, mut memory) = (Vec::with_capacity(LANES), Vec::with_capacity(LANES));
             let (r, m) = (&places.particles.radius, &places.particles.mass);
-            let of = |Placed { p, q, .. }| model.coefficients(r[p], r[q], m[p], m[q]);
+            let of = |Placed { p, q, .. }| {
+                let constants = model.coefficients(r[p], r[q], m[p], m[q]);
+                match reduced_moment(places.particles, shares, p, q) {
+                    Some(inertia) => model.rigid(constants, inertia),
+                    None => constants,
+                }
+            };
             for (lane, pair) in row.iter().map(|pair| places.of(pair)).enumerate() {
                 (i[lane], j[lane]) = (pair.i, pair.j);
                 let constants = of(pair);

@@ -1,9 +1,11 @@
-//! From forces to motion: spheres, rigid walls, and the sides of the box.
+//! From forces to motion: spheres, rigid bodies and walls, and the sides of the box.
 
+mod bodies;
 mod box_relaxation;
 mod spheres;
 mod walls;
 
+pub use bodies::{Grips, advance_bodies};
 pub use box_relaxation::BoxRelaxation;
 pub use spheres::{Moved, Spheres, Step, advance, inertia};
 pub use walls::{WallWork, drive, kinetic_energy};

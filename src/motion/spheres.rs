@@ -12,7 +12,7 @@ pub fn inertia(particles: &Particles, p: usize) -> f64 {
     moment_of_inertia(particles.mass[p], particles.radius[p])
 }
 
-/// The state of the spheres of a block, and where they were when the neighbour list was built.
+/// The state of the spheres of a block that are by themselves, and where they were when the neighbour list was built.
 pub struct Spheres<'a> {
     /// Centres.
     pub x: &'a mut [Vec3<f64>],
@@ -118,12 +118,12 @@ impl Moved {
     }
 }
 
-/// Adds what other blocks hold for a block to its own loads, and moves its spheres by one step of Eq. 1.
+/// Adds what other blocks hold for the first spheres of a block to its own loads on them, and moves them by one step of Eq. 1.
 pub fn advance<M: PairModel>(blocks: &[Block<M>], number: usize, spheres: Spheres, step: &Step) -> Moved {
     let block = &blocks[number];
     let Step { dt, damping, .. } = *step;
-    let mut loads = block.loads[..block.own.len()].to_vec();
-    for &(to, from, place) in &block.incoming {
+    let mut loads = block.loads[..spheres.x.len()].to_vec();
+    for &(to, from, place) in block.incoming.iter().take_while(|entry| (entry.0 as usize) < spheres.x.len()) {
         let sum = &mut loads[to as usize];
         *sum = *sum + blocks[from as usize].loads[place as usize];
     }

@@ -41,6 +41,9 @@ pub fn drive(walls: &mut [Wall], acting: &[(Vec3<f64>, Vec3<f64>)], dt: f64) -> 
             }
         }
         wall.velocity = kick(wall.velocity, total, wall.mass, dt);
+        for a in 0..3 {
+            wall.velocity.0[a] = wall.timed(a).unwrap_or(wall.velocity.0[a]);
+        }
         wall.travel = wall.travel + wall.velocity * dt;
         wall.age += dt;
         work.scheme += 0.5 * total.dot(total) / wall.mass * dt * dt;

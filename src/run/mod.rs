@@ -211,6 +211,9 @@ impl<'a, S: Study> Run<'a, S> {
             let step = current.simulation.system().step;
             let progress = self.study.progress(number, &current.watch, &current.simulation);
             let last = progress != Progress::Going;
+            if last || [series, frames, part].iter().any(|&interval| step.is_multiple_of(interval)) {
+                current.simulation.place_members();
+            }
             if last || step.is_multiple_of(series) {
                 self.look(current, course)?;
                 self.show(current);
@@ -239,7 +242,7 @@ impl<'a, S: Study> Run<'a, S> {
 
     fn picture(&self, current: &Current<S>, when: &str) -> Result<(), Error> {
         let system = current.simulation.system();
-        report::picture(self.folder, &format!("{} {when}", current.name), system, system.domain.sides[1])
+        report::picture(self.folder, &format!("{} {when}", current.name), system, self.study.upwards())
     }
 
     fn show(&mut self, current: &Current<S>) {

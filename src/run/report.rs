@@ -7,8 +7,19 @@ use crate::output::{Finding, RunFolder, write_atomically};
 use crate::system::System;
 use std::collections::BTreeMap;
 
-/// Draws the particles as they are now.
-pub fn picture(folder: &RunFolder, name: &str, system: &System, height: f64) -> Result<(), Error> {
+/// Draws the particles as they are now, with one of the axes pointing upwards.
+pub fn picture(folder: &RunFolder, name: &str, system: &System, upwards: usize) -> Result<(), Error> {
+    let mut turned;
+    let system = if upwards == 1 {
+        system
+    } else {
+        turned = system.clone();
+        turned.domain.sides.swap(1, upwards);
+        turned.domain.periodic.swap(1, upwards);
+        turned.particles.x.iter_mut().for_each(|x| x.0.swap(1, upwards));
+        &turned
+    };
+    let height = system.domain.sides[1];
     let path = folder.figures().join(name).with_extension("svg");
     write_atomically(&path, snapshot(system, [-0.1 * height, 1.2 * height]).as_bytes())
 }

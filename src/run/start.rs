@@ -18,7 +18,10 @@ impl<'a> Prepared<'a> {
         let initial = match &case.model {
             Model::Wear(_) => wear::Plan::of(case).initial()?,
             Model::Soot(_) => soot::Plan::of(case).initial()?,
-            Model::Titania(_) => titania::Plan::of(case).initial()?,
+            Model::Titania(_) => match titania::Film::of(case) {
+                Some(film) => film.initial()?,
+                None => titania::Plan::of(case).initial()?,
+            },
         };
         Ok(Self { case, initial })
     }
@@ -35,9 +38,10 @@ impl<'a> Prepared<'a> {
         match &case.model {
             Model::Wear(_) => Run::new(case, wear::Plan::of(case), folder, manifest, control, show).start(initial),
             Model::Soot(_) => Run::new(case, soot::Plan::of(case), folder, manifest, control, show).start(initial),
-            Model::Titania(_) => {
-                Run::new(case, titania::Plan::of(case), folder, manifest, control, show).start(initial)
-            }
+            Model::Titania(_) => match titania::Film::of(case) {
+                Some(film) => Run::new(case, film, folder, manifest, control, show).start(initial),
+                None => Run::new(case, titania::Plan::of(case), folder, manifest, control, show).start(initial),
+            },
         }
     }
 }
@@ -53,6 +57,9 @@ pub fn resume(
     match &case.model {
         Model::Wear(_) => Run::new(case, wear::Plan::of(case), folder, manifest, control, show).resume(),
         Model::Soot(_) => Run::new(case, soot::Plan::of(case), folder, manifest, control, show).resume(),
-        Model::Titania(_) => Run::new(case, titania::Plan::of(case), folder, manifest, control, show).resume(),
+        Model::Titania(_) => match titania::Film::of(case) {
+            Some(film) => Run::new(case, film, folder, manifest, control, show).resume(),
+            None => Run::new(case, titania::Plan::of(case), folder, manifest, control, show).resume(),
+        },
     }
 }

@@ -38,6 +38,10 @@ pub trait Study {
     fn end(&self, stage: usize, simulation: Simulation<Self::Model>) -> Result<System, Error>;
     /// Into how many parts pictures cut a stage.
     fn parts(&self, stage: usize) -> u64;
+    /// The axis that points up in pictures, the second or the third.
+    fn upwards(&self) -> usize {
+        1
+    }
 
     /// The columns that observers add to the series.
     fn columns(&self) -> Vec<&'static str>;

@@ -1,7 +1,7 @@
 //! What a simulation must satisfy to go on.
 
 use super::Simulation;
-use crate::spec::PairModel;
+use crate::spec::{PairModel, Vec3};
 use crate::system::{Halt, Reason};
 
 impl<M: PairModel> Simulation<M> {
@@ -30,8 +30,11 @@ impl<M: PairModel> Simulation<M> {
             return Ok(());
         }
         let particles = &self.system.particles;
-        let lost = (0..particles.len())
-            .find(|&p| [particles.x[p], particles.v[p], particles.w[p]].iter().any(|u| !u.dot(*u).is_finite()));
+        let bad = |u: &Vec3<f64>| !u.dot(*u).is_finite();
+        let mut lost = (0..particles.len()).find(|&p| [particles.x[p], particles.v[p], particles.w[p]].iter().any(bad));
+        if let Some(body) = self.system.bodies.iter().position(|body| bad(&body.v) || !body.kinetic().is_finite()) {
+            lost = particles.body.iter().position(|&number| number as usize == body + 1);
+        }
         Err(self.halt(Reason::NotFinite { particle: lost.map_or(0, |p| particles.id[p]) }))
     }
 

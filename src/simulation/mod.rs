@@ -2,6 +2,7 @@
 
 mod checks;
 mod ledger;
+mod listing;
 mod necks;
 mod pairs;
 mod snapshot;
@@ -11,12 +12,12 @@ pub use ledger::{Ledger, SurfaceAccount};
 pub use pairs::Pair;
 pub use snapshot::Snapshot;
 
-use crate::forces::{self, Block, Instructions, Springs, Totals};
-use crate::motion::{self, BoxRelaxation, Moved, Spheres};
-use crate::spec::{Flat, PairModel, Vec3};
-use crate::system::{Domain, Halt, Reason, System};
+use crate::forces::{self, Block, Instructions, Totals};
+use crate::motion::{self, BoxRelaxation, Grips, Moved, Spheres};
+use crate::spec::{PairModel, Vec3};
+use crate::system::{Halt, System};
 use rayon::prelude::*;
-use serde::{Deserialize, Serialize};
+use listing::Listed;
 
 /// How a system is advanced. Units: ns, ag/ns, nm.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,6 +42,10 @@ pub struct Simulation<M: PairModel> {
     settings: Settings,
     system: System,
     blocks: Vec<Block<M>>,
+    /// Where the loads on the members of bodies are.
+    grips: Grips,
+    /// Where the loads on walls are: wall, block, place within the block.
+    on_walls: Vec<(u32, u32, u32)>,
     /// What the neighbour list was built from, and is a function of.
     listed: Listed,
     /// Largest distance at which it lists neighbours.
@@ -52,22 +57,17 @@ pub struct Simulation<M: PairModel> {
     ledger: Ledger,
 }
 
-/// What the neighbour list was built from.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-struct Listed {
-    pub x: Vec<Vec3<f64>>,
-    pub sides: [f64; 3],
-}
-
 impl<M: PairModel> Simulation<M> {
     /// Puts a system under a model. The step must be below the stability limit of every free sphere.
     pub fn new(model: M, mut system: System, settings: Settings) -> Result<Self, Halt> {
-        let listed = Listed { x: Vec::new(), sides: system.domain.sides };
         let springs = std::mem::take(&mut system.springs);
+        let listed = Listed { x: Vec::new(), sides: system.domain.sides, poses: Vec::new(), moving: 0 };
         let mut simulation = Self {
             model,
             settings,
             blocks: Vec::new(),
+            grips: Grips::default(),
+            on_walls: Vec::new(),
             listed,
             reach: 0.0,
             box_rate: [0.0; 3],
@@ -82,19 +82,27 @@ impl<M: PairModel> Simulation<M> {
         Ok(simulation)
     }
 
-    /// The state.
+    /// The state. Members of bodies that nothing touches are where they were when neighbours were listed last, until
+    /// [`place_members`](Self::place_members) is called.
     pub fn system(&self) -> &System {
         &self.system
     }
 
+    /// Moves all members of bodies to where their bodies are.
+    pub fn place_members(&mut self) {
+        self.system.place_members(self.listed.moving);
+    }
+
     /// Ends the simulation and hands back the state.
-    pub fn into_system(self) -> System {
+    pub fn into_system(mut self) -> System {
+        self.place_members();
         self.system
     }
 
-    /// Ends the simulation and hands back the state, with the springs of all pairs for a simulation that is to go on.
+    /// Ends the simulation and hands back the state with the springs of all contacts, for the next simulation to go on with.
     pub fn into_system_with_springs(self) -> System {
-        System { springs: self.springs(), ..self.system }
+        let springs = self.springs();
+        System { springs, ..self.into_system() }
     }
 
     /// The model.
@@ -145,7 +153,10 @@ impl<M: PairModel> Simulation<M> {
         self.lean_on_surfaces()?;
         let acting = self.acting_on_walls();
         let wall_work = motion::drive(&mut self.system.walls, &acting, dt);
-        let moved = self.advance(growth, dt, damping);
+        let (moved, corrected) = self.advance(growth, dt, damping);
+        for (stress, inside) in self.stress.iter_mut().zip(corrected) {
+            *stress += inside / volume;
+        }
         for (side, factor) in self.system.domain.sides.iter_mut().zip(growth) {
             *side *= factor;
         }
@@ -160,10 +171,12 @@ impl<M: PairModel> Simulation<M> {
         Ok(())
     }
 
-    fn advance(&mut self, growth: [f64; 3], dt: f64, damping: f64) -> Moved {
+    /// Moves everything; also returns what forces inside bodies must correct the virial by.
+    fn advance(&mut self, growth: [f64; 3], dt: f64, damping: f64) -> (Moved, [f64; 3]) {
         let stretch = std::array::from_fn(|a| self.system.domain.sides[a] / self.listed.sides[a] * growth[a]);
         let step = motion::Step { dt, damping, walls: &self.system.walls, growth, stretch };
         let (particles, blocks) = (&mut self.system.particles, &self.blocks);
+        let single = self.grips.single;
         let mut spheres = Spheres {
             x: &mut particles.x,
             v: &mut particles.v,
@@ -175,7 +188,7 @@ impl<M: PairModel> Simulation<M> {
         };
         let mut parts = Vec::with_capacity(self.blocks.len());
         for block in &self.blocks {
-            let (part, rest) = spheres.split(block.own.len());
+            let (part, rest) = spheres.split(block.own.end.min(single) - block.own.start.min(single));
             parts.push(part);
             spheres = rest;
         }
@@ -187,97 +200,25 @@ impl<M: PairModel> Simulation<M> {
             .with_max_len(1)
             .map(|(number, (_, part))| motion::advance(blocks, number, part, &step))
             .collect();
-        moved.into_iter().fold(Moved::default(), Moved::and)
+        let moved = moved.into_iter().fold(Moved::default(), Moved::and);
+        if self.system.bodies.is_empty() {
+            return (moved, [0.0; 3]);
+        }
+        let bodies = (&mut self.system.bodies[..], &self.listed.poses[..]);
+        let (carried, inside) =
+            motion::advance_bodies(bodies, particles, single..self.listed.moving, (&self.grips, blocks), &step);
+        (moved.and(carried), inside)
     }
 
     /// Forces on the walls and torques on their spheres.
     fn acting_on_walls(&self) -> Vec<(Vec3<f64>, Vec3<f64>)> {
         let mut acting = vec![(Vec3::zero(), Vec3::zero()); self.system.walls.len()];
-        if acting.is_empty() {
-            return acting;
-        }
-        for block in &self.blocks {
-            let own = block.own.clone();
-            let halo = block.halo.iter().map(|&(q, _)| q as usize);
-            for (p, load) in own.chain(halo).zip(block.loads.iter()) {
-                let number = (self.system.particles.wall[p] as usize).checked_sub(1);
-                if let Some((force, torque)) = number.map(|k| &mut acting[k]) {
-                    let [fx, fy, fz, tx, ty, tz, ..] = load.0;
-                    *force = *force + Vec3([fx, fy, fz]);
-                    *torque = *torque + Vec3([tx, ty, tz]);
-                }
-            }
+        for &(wall, block, place) in &self.on_walls {
+            let [fx, fy, fz, tx, ty, tz, ..] = self.blocks[block as usize].loads[place as usize].0;
+            let (force, torque) = &mut acting[wall as usize];
+            *force = *force + Vec3([fx, fy, fz]);
+            *torque = *torque + Vec3([tx, ty, tz]);
         }
         acting
-    }
-
-    /// Whether spheres may have come into range that the neighbour list does not hold.
-    fn stale(&self, moved: &Moved) -> bool {
-        let strain =
-            (0..3).map(|a| (self.system.domain.sides[a] / self.listed.sides[a] - 1.0).abs()).fold(0.0, f64::max);
-        let deformed = strain * self.reach;
-        #[expect(clippy::neg_cmp_op_on_partial_ord, reason = "a NaN is stale too")]
-        let stale = !(moved.approach() + deformed < self.settings.skin);
-        stale
-    }
-
-    fn list_neighbours(&mut self, springs: &Springs) -> Result<(), Halt> {
-        let order = forces::spatial_order(&self.system.particles.x, &self.system.domain, self.mean_diameter());
-        self.system.particles = self.system.particles.pick(&order);
-        self.listed = Listed { x: self.system.particles.x.clone(), sides: self.system.domain.sides };
-        self.relist(springs)
-    }
-
-    /// Builds the list from what it was built from, which the particles are already in the order of.
-    fn relist(&mut self, springs: &Springs) -> Result<(), Halt> {
-        let particles = &self.system.particles;
-        let domain = Domain { sides: self.listed.sides, ..self.system.domain };
-        let (model, skin) = (&self.model, self.settings.skin);
-        let largest = particles.radius.iter().copied().fold(0.0, f64::max);
-        self.reach = model.range(largest, largest) + skin;
-        let pairs =
-            forces::neighbours(&self.listed.x, &particles.radius, &domain, |r_i, r_j| model.range(r_i, r_j) + skin);
-        let pairs: Vec<_> = pairs
-            .into_iter()
-            .filter(|n| {
-                particles.wall[n.p as usize] == 0 || particles.wall[n.q as usize] != particles.wall[n.p as usize]
-            })
-            .collect();
-        let necks = &self.system.necks;
-        let mut missing: std::collections::BTreeSet<_> = necks.iter().copied().collect();
-        for pair in &pairs {
-            if missing.is_empty() {
-                break;
-            }
-            let (i, j, _) = forces::bond(particles, pair.p as usize, pair.q as usize, pair.image);
-            missing.remove(&(i, j));
-        }
-        if let Some(&pair) = missing.first() {
-            return Err(self.halt(Reason::Neck { pair }));
-        }
-        self.blocks = forces::partition(model, particles, (&self.listed.x, &domain, skin), &pairs, necks, springs)
-            .map_err(|reason| self.halt(reason))?;
-        Ok(())
-    }
-
-    /// The springs of all contacts, by who the spheres are.
-    fn springs(&self) -> Springs {
-        let particles = &self.system.particles;
-        let mut springs = Springs::new(M::Memory::<f64>::LEN);
-        for block in &self.blocks {
-            for (i, j, row, lane) in block.each_pair() {
-                let ((p, a), (q, b)) = (block.member(i), block.member(j));
-                let bond = forces::bond(particles, p, q, std::array::from_fn(|k| b[k] - a[k]));
-                let memory = Flat::from_fn(|k| block.pairs.memory[row].at(k).0[lane]);
-                let memory = self.model.relisted(&self.contact((p, a), (q, b)), memory);
-                springs.add(bond, (0..M::Memory::<f64>::LEN).map(|k| *memory.at(k)));
-            }
-        }
-        springs.sorted()
-    }
-
-    fn mean_diameter(&self) -> f64 {
-        let radius = &self.system.particles.radius;
-        2.0 * radius.iter().sum::<f64>() / radius.len() as f64
     }
 }

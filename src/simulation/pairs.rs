@@ -1,6 +1,7 @@
 //! Pairs one by one, for observers.
 
 use super::{Ledger, Simulation};
+use crate::forces::Block;
 use crate::spec::{Contact, Flat, Outcome, PairModel, Vec3};
 use crate::system::{Image, Particles};
 
@@ -21,29 +22,52 @@ pub struct Pair<M: PairModel> {
     pub stored: M::Stored<f64>,
 }
 
+/// A pair in its block.
+struct Seat<'a, M: PairModel> {
+    block: &'a Block<M>,
+    /// Row and lane; none for a far pair.
+    near: Option<(usize, usize)>,
+    i: usize,
+    j: usize,
+    contact: Contact<f64>,
+    memory: M::Memory<f64>,
+}
+
 impl<M: PairModel> Simulation<M> {
     /// All pairs in range, in an order that depends on the particles alone.
     pub fn pairs(&self) -> impl Iterator<Item = Pair<M>> + '_ {
+        let Particles { radius: r, mass: m, .. } = &self.system.particles;
+        self.seats().map(move |Seat { block, near, i, j, contact, memory }| {
+            let coefficients = match near {
+                Some((row, lane)) => Flat::from_fn(|k| block.pairs.constants(row).at(k).0[lane]),
+                None => self.model.coefficients(r[i], r[j], m[i], m[j]),
+            };
+            let outcome = self.model.pair(&contact, &coefficients, memory, self.settings.dt);
+            let stored = self.model.stored(&contact, &coefficients, &memory);
+            Pair { i, j, branch: contact.n * contact.distance, contact, outcome, stored }
+        })
+    }
+
+    /// All pairs in range by the places of their spheres, the sphere with the lower id first, with what they see of each other and their
+    /// springs: much cheaper than [`pairs`](Self::pairs).
+    pub fn contacts(&self) -> impl Iterator<Item = (usize, usize, Contact<f64>, M::Memory<f64>)> + '_ {
+        self.seats().map(|Seat { i, j, contact, memory, .. }| (i, j, contact, memory))
+    }
+
+    /// Where the pairs in range are.
+    fn seats(&self) -> impl Iterator<Item = Seat<'_, M>> + '_ {
         self.blocks.iter().flat_map(move |block| {
-            let near = block.each_pair().map(move |(i, j, row, lane)| {
-                let coefficients = Flat::from_fn(|k| block.pairs.constants(row).at(k).0[lane]);
-                let memory = Flat::from_fn(|k| block.pairs.memory[row].at(k).0[lane]);
-                (block.member(i), block.member(j), coefficients, memory)
-            });
-            let far = block.each_far().map(move |(i, j)| {
-                let (i, j) = (block.member(i), block.member(j));
-                let Particles { radius: r, mass: m, .. } = &self.system.particles;
-                let coefficients = self.model.coefficients(r[i.0], r[j.0], m[i.0], m[j.0]);
-                (i, j, coefficients, Flat::from_fn(|_| 0.0))
-            });
-            near.chain(far).filter_map(move |(end_i, end_j, coefficients, memory)| {
+            let near = block.each_pair().map(|(i, j, row, lane)| (i, j, Some((row, lane))));
+            let far = block.each_far().map(|(i, j)| (i, j, None));
+            near.chain(far).filter_map(move |(i, j, near)| {
+                let (end_i, end_j) = (block.member(i), block.member(j));
                 let contact = self.contact(end_i, end_j);
-                if contact.distance > self.model.range(contact.r_i, contact.r_j) {
-                    return None;
-                }
-                let outcome = self.model.pair(&contact, &coefficients, memory, self.settings.dt);
-                let stored = self.model.stored(&contact, &coefficients, &memory);
-                Some(Pair { i: end_i.0, j: end_j.0, branch: contact.n * contact.distance, contact, outcome, stored })
+                let memory = match near {
+                    Some((row, lane)) => Flat::from_fn(|k| block.pairs.memory[row].at(k).0[lane]),
+                    None => Flat::from_fn(|_| 0.0),
+                };
+                let in_range = contact.distance <= self.model.range(contact.r_i, contact.r_j);
+                in_range.then_some(Seat { block, near, i: end_i.0, j: end_j.0, contact, memory })
             })
         })
     }
@@ -76,12 +100,18 @@ impl<M: PairModel> Simulation<M> {
     pub(super) fn open_ledger(&mut self) {
         let particles = &self.system.particles;
         let mut kinetic = 0.0;
-        for p in (0..particles.len()).filter(|&p| particles.wall[p] == 0) {
-            let (m, v, w) = (particles.mass[p], particles.v[p], particles.w[p]);
-            kinetic += 0.5 * (m * v.dot(v) + crate::motion::inertia(particles, p) * w.dot(w));
+        let mut enter = |energy: f64, m: f64, v: Vec3<f64>| {
+            kinetic += energy;
             for a in 0..3 {
                 self.momentum_flux[a] += m * v.0[a] * v.0[a];
             }
+        };
+        for p in (0..particles.len()).filter(|&p| particles.wall[p] == 0 && particles.body[p] == 0) {
+            let (m, v, w) = (particles.mass[p], particles.v[p], particles.w[p]);
+            enter(0.5 * (m * v.dot(v) + crate::motion::inertia(particles, p) * w.dot(w)), m, v);
+        }
+        for body in self.system.bodies.iter().filter(|body| body.wall == 0) {
+            enter(body.kinetic(), body.mass, body.v);
         }
         kinetic += self.system.walls.iter().map(crate::motion::kinetic_energy).sum::<f64>();
         self.ledger = Ledger {

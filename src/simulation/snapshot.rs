@@ -4,7 +4,7 @@
 //! the same order of sums, and goes on with the same bits.
 
 use super::{Ledger, Listed, Settings, Simulation};
-use crate::forces::Springs;
+use crate::motion::Grips;
 use crate::spec::{Flat, PairModel};
 use crate::system::{Halt, System};
 use serde::{Deserialize, Serialize};
@@ -38,9 +38,11 @@ impl<M: PairModel> Simulation<M> {
                 (0..M::Memory::<f64>::LEN).map(move |k| memory.at(k).0[lane])
             })
         });
+        let mut system = self.system.clone();
+        system.place_members(self.listed.moving);
         Snapshot {
             memory: memory.collect(),
-            system: self.system.clone(),
+            system,
             listed: self.listed.clone(),
             box_rate: self.box_rate,
             momentum_flux: self.momentum_flux,
@@ -52,10 +54,22 @@ impl<M: PairModel> Simulation<M> {
     /// Takes a simulation up where a snapshot left it.
     pub fn resume(model: M, settings: Settings, snapshot: Snapshot) -> Result<Self, Halt> {
         let Snapshot { system, listed, memory, box_rate, momentum_flux, stress, ledger } = snapshot;
-        let (blocks, reach) = (Vec::new(), 0.0);
-        let mut simulation =
-            Self { model, settings, blocks, listed, reach, box_rate, momentum_flux, stress, ledger, system };
-        simulation.relist(&Springs::default())?;
+        let (blocks, grips, on_walls, reach) = (Vec::new(), Grips::default(), Vec::new(), 0.0);
+        let mut simulation = Self {
+            model,
+            settings,
+            blocks,
+            grips,
+            on_walls,
+            listed,
+            reach,
+            box_rate,
+            momentum_flux,
+            stress,
+            ledger,
+            system,
+        };
+        simulation.relist()?;
         let mut numbers = memory.into_iter();
         for block in &mut simulation.blocks {
             for k in 0..block.pairs.len {

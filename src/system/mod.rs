@@ -1,11 +1,13 @@
-//! The state of a simulation: spheres in a periodic box, some of them forming rigid walls.
+//! The state of a simulation: spheres in a periodic box, some of them forming rigid bodies or walls.
 
+mod body;
 mod domain;
 mod halt;
 pub mod mesh;
 mod surface;
 mod wall;
 
+pub use body::{Body, Pose};
 pub use domain::{Domain, Image};
 pub use halt::{Halt, Reason};
 pub use surface::{Course, Forces, Grips, Shape, Surface};
@@ -31,6 +33,10 @@ pub struct Particles {
     pub mass: Vec<f64>,
     /// 0 for a free sphere, `k` for a member of `walls[k - 1]`.
     pub wall: Vec<u32>,
+    /// 0 for a sphere by itself, `k` for a member of `bodies[k - 1]`.
+    pub body: Vec<u32>,
+    /// Where a member is in the frame of its body.
+    pub arm: Vec<Vec3<f64>>,
     /// The sphere's name, unique and lasting.
     pub id: Vec<u32>,
     /// The body it belonged to at the beginning.
@@ -41,6 +47,11 @@ impl Particles {
     /// Number of spheres.
     pub fn len(&self) -> usize {
         self.x.len()
+    }
+
+    /// Mean diameter, nm.
+    pub fn mean_diameter(&self) -> f64 {
+        2.0 * self.radius.iter().sum::<f64>() / self.radius.len() as f64
     }
 
     /// True when there is no sphere.
@@ -57,6 +68,8 @@ impl Particles {
         self.radius.push(radius);
         self.mass.push(mass);
         self.wall.push(0);
+        self.body.push(0);
+        self.arm.push(Vec3::zero());
         self.tag.push(tag);
     }
 
@@ -72,6 +85,8 @@ impl Particles {
             radius: at(&self.radius, places),
             mass: at(&self.mass, places),
             wall: at(&self.wall, places),
+            body: at(&self.body, places),
+            arm: at(&self.arm, places),
             id: at(&self.id, places),
             tag: at(&self.tag, places),
         }
@@ -85,6 +100,8 @@ pub struct System {
     pub particles: Particles,
     /// The box.
     pub domain: Domain,
+    /// The rigid bodies.
+    pub bodies: Vec<Body>,
     /// The rigid walls.
     pub walls: Vec<Wall>,
     /// The surfaces that spheres lean on.
@@ -105,6 +122,7 @@ impl System {
         Self {
             particles,
             domain,
+            bodies: Vec::new(),
             walls: Vec::new(),
             surfaces: Vec::new(),
             necks: Vec::new(),
@@ -114,7 +132,7 @@ impl System {
         }
     }
 
-    /// Makes the spheres that `member` picks into one rigid wall, whose mass is theirs.
+    /// Makes the spheres that `member` picks into one rigid wall, whose mass is theirs. Bodies are picked whole.
     pub fn add_wall(&mut self, motion: [Motion; 3], member: impl Fn(&Particles, usize) -> bool) {
         let number = self.walls.len() as u32 + 1;
         let mut mass = 0.0;
@@ -130,6 +148,10 @@ impl System {
             if self.particles.wall[i] == number {
                 self.particles.v[i] = velocity;
                 self.particles.w[i] = Vec3::zero();
+                if let Some(body) = (self.particles.body[i] as usize).checked_sub(1) {
+                    let body = &mut self.bodies[body];
+                    (body.wall, body.v, body.l) = (number, velocity, Vec3::zero());
+                }
             }
         }
     }
@@ -138,6 +160,9 @@ impl System {
     pub fn remove_walls(&mut self) {
         self.walls.clear();
         self.particles.wall.fill(0);
+        for body in &mut self.bodies {
+            body.wall = 0;
+        }
     }
 
     /// The place of the sphere with this id.

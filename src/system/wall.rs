@@ -1,7 +1,7 @@
 //! Rigid walls made of spheres.
 
 use crate::spec::Vec3;
-use crate::spec::titania::def_drive::steering;
+use crate::spec::titania::def_drive::{steering, tip};
 use serde::{Deserialize, Serialize};
 
 /// What drives a wall along one axis.
@@ -17,6 +17,13 @@ pub enum Motion {
         stiffness: f64,
         /// Velocity of its other end, m/s.
         velocity: f64,
+    },
+    /// Comes down the axis, turns, and goes up again, whatever acts on it.
+    Return {
+        /// At which it comes and goes, m/s.
+        speed: f64,
+        /// How long the turn takes, ns.
+        turn: f64,
     },
 }
 
@@ -47,19 +54,33 @@ impl Wall {
         let velocity = motion.map(|m| match m {
             Motion::Velocity(velocity) | Motion::Steered { velocity, .. } => velocity,
             Motion::Load(_) => 0.0,
+            Motion::Return { speed, .. } => -speed,
         });
         let zero = Vec3::zero();
         Self { motion, velocity: Vec3(velocity), mass, spin: zero, force: zero, torque: zero, travel: zero, age: 0.0 }
     }
 
+    /// The velocity along an axis that moves by a time table, m/s.
+    pub fn timed(&self, axis: usize) -> Option<f64> {
+        match self.motion[axis] {
+            Motion::Return { speed, turn } => Some(tip(speed, turn, self.age).0),
+            _ => None,
+        }
+    }
+
     /// The force that drives it along an axis, pN; none where its velocity is prescribed.
     pub fn load(&self, axis: usize) -> Option<f64> {
         match self.motion[axis] {
-            Motion::Velocity(_) => None,
+            Motion::Velocity(_) | Motion::Return { .. } => None,
             Motion::Load(force) => Some(force),
             Motion::Steered { stiffness, velocity } => {
                 Some(steering(stiffness, self.travel.0[axis], 0.0, velocity, self.age))
             }
         }
+    }
+
+    /// Drives it in another way from now on; an axis of prescribed velocity goes on with the velocity it is given.
+    pub fn redirect(&mut self, motion: [Motion; 3]) {
+        (self.motion, self.age) = (motion, 0.0);
     }
 }

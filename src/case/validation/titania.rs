@@ -1,5 +1,7 @@
 //! What a case of the titania paper must satisfy beyond its grammar.
 
+mod film;
+
 use super::{Found, belongs, expect};
 use crate::build::agglomerate::agglomerate;
 use crate::case::units::{decimal, in_unit};
@@ -11,8 +13,9 @@ pub fn problems(case: &Case, found: &mut Found) {
         let sample = match case.experiment {
             Experiment::Stretching(_) => "`agglomerate`",
             Experiment::Contact(_) => "`pair`",
+            Experiment::Spectroscopy(_) => "`film`",
             _ => {
-                belongs(found, false, "experiment", "`contact` or `stretching`", "titania");
+                belongs(found, false, "experiment", "`contact`, `stretching` or `spectroscopy`", "titania");
                 return;
             }
         };
@@ -64,6 +67,10 @@ pub fn problems(case: &Case, found: &mut Found) {
                 expect(found, value > 0.0, &at(key), text, "more than zero");
             }
             expect(found, stretching.drag.value >= 0.0, &at("drag"), &stretching.drag, "zero or more");
+        }
+        TitaniaTest::Spectroscopy(film, test) => {
+            film::sample(film, &thick, core_gap, found);
+            film::test(film, test, &thick, core_gap, found);
         }
     }
     if found.is_empty() {

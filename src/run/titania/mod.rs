@@ -1,7 +1,10 @@
 //! The stages of a case of the titania paper: tests of one contact, or an agglomerate stretched.
 
+mod film;
 mod stage;
 mod watch;
+
+pub use film::Plan as Film;
 
 use super::Study;
 use crate::build::agglomerate::{agglomerate, extent};
@@ -43,6 +46,7 @@ impl Plan {
                 released.into_iter().chain(slid.into_iter().flatten()).chain(rolled.into_iter().flatten()).collect()
             }
             TitaniaTest::Stretching(chain, test) => Stage::stretching(test, chain.particles as u32, dt).into(),
+            TitaniaTest::Spectroscopy(..) => unreachable!("{OTHER}"),
         };
         Self { case: case.clone(), titania: titania.clone(), dt, stages }
     }
@@ -77,6 +81,7 @@ impl Study for Plan {
                 Ok(pair(&self.titania, [first.value, second.value], 0, 0.0))
             }
             TitaniaTest::Stretching(chain, test) => Ok(self.chain(chain, test.distance.value)),
+            TitaniaTest::Spectroscopy(..) => unreachable!("{OTHER}"),
         }
     }
 
@@ -153,4 +158,5 @@ impl Study for Plan {
     }
 }
 
+const OTHER: &str = "a film has a plan of its own";
 const COMPLETE: &str = "a checked case of the titania paper is complete";

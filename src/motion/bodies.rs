@@ -1,0 +1,163 @@
+//! Rigid bodies: the loads on their spheres summed, one step taken, and the spheres that are in touch moved along.
+
+use super::{Moved, Step};
+use crate::forces::{Block, places};
+use crate::spec::titania::def_body::{aggregate_drag, spin};
+use crate::spec::titania::def_rotation::{free_rotation, to_space};
+use crate::spec::wear::eq01_symplectic_euler::{drift, kick};
+use crate::spec::{PairModel, Vec3};
+use crate::system::{Body, Particles, Pose};
+use rayon::prelude::*;
+use std::ops::Range;
+
+/// Where in the blocks the loads on the members of bodies are, body by body.
+#[derive(Default)]
+pub struct Grips {
+    /// How many particles are by themselves; they come first.
+    pub single: usize,
+    /// Where the moving members of each body begin, counted from the first member of any body.
+    members: Vec<usize>,
+    /// Where the loads on each body begin.
+    loads: Vec<usize>,
+    /// The loads: member, block, place within the block.
+    at: Vec<(u32, u32, u32)>,
+}
+
+/// Bodies that one thread advances at a time: the sums over them do not depend on how many threads there are.
+const CHUNK: usize = 128;
+
+impl Grips {
+    /// Finds the loads on members, which follow the particles by themselves in the order of their bodies, the first `moving` particles in all.
+    pub fn find<M: PairModel>(particles: &Particles, moving: usize, bodies: usize, blocks: &[Block<M>]) -> Self {
+        let single = particles.body[..moving].partition_point(|&body| body == 0);
+        let mut grips = Self { single, members: vec![0; bodies + 1], loads: vec![0; bodies + 1], at: Vec::new() };
+        for (p, block, place) in places(blocks).filter(|place| place.0 >= single) {
+            grips.at.push(((p - single) as u32, block, place));
+            grips.loads[particles.body[p] as usize] += 1;
+        }
+        grips.at.sort_unstable();
+        for p in single..moving {
+            grips.members[particles.body[p] as usize] += 1;
+        }
+        for b in 0..bodies {
+            grips.members[b + 1] += grips.members[b];
+            grips.loads[b + 1] += grips.loads[b];
+        }
+        grips
+    }
+}
+
+/// Some bodies, and their members that move every step.
+struct Crew<'a> {
+    bodies: &'a mut [Body],
+    listed: &'a [Pose],
+    x: &'a mut [Vec3<f64>],
+    v: &'a mut [Vec3<f64>],
+    w: &'a mut [Vec3<f64>],
+}
+
+/// Advances all bodies by one step and moves those of their members along that are in `moving`; also returns what the sum of branch
+/// vector times force must be corrected by, for forces inside a body have no part in the stress of the whole.
+pub fn advance_bodies<M: PairModel>(
+    (bodies, listed): (&mut [Body], &[Pose]),
+    particles: &mut Particles,
+    moving: Range<usize>,
+    (grips, blocks): (&Grips, &[Block<M>]),
+    step: &Step,
+) -> (Moved, [f64; 3]) {
+    let arms = &particles.arm[moving.clone()];
+    let (mut x, mut v, mut w) =
+        (&mut particles.x[moving.clone()], &mut particles.v[moving.clone()], &mut particles.w[moving]);
+    let mut crews = Vec::with_capacity(bodies.len().div_ceil(CHUNK));
+    for (number, (bodies, listed)) in bodies.chunks_mut(CHUNK).zip(listed.chunks(CHUNK)).enumerate() {
+        let first = number * CHUNK;
+        let count = grips.members[first + bodies.len()] - grips.members[first];
+        let (own_x, own_v, own_w);
+        ((own_x, x), (own_v, v), (own_w, w)) = (x.split_at_mut(count), v.split_at_mut(count), w.split_at_mut(count));
+        crews.push((first, Crew { bodies, listed, x: own_x, v: own_v, w: own_w }));
+    }
+    let moved: Vec<(Moved, [f64; 3])> = crews
+        .into_par_iter()
+        .with_max_len(1)
+        .map(|(first, mut crew)| {
+            let mut sums = (Moved::default(), [0.0; 3]);
+            for k in 0..crew.bodies.len() {
+                crew.advance(k, first, arms, (grips, blocks), step, &mut sums);
+            }
+            sums
+        })
+        .collect();
+    let both = |a: (Moved, [f64; 3]), b: (Moved, [f64; 3])| (a.0.and(b.0), std::array::from_fn(|k| a.1[k] + b.1[k]));
+    moved.into_iter().fold((Moved::default(), [0.0; 3]), both)
+}
+
+impl Crew<'_> {
+    fn advance<M: PairModel>(
+        &mut self,
+        k: usize,
+        first: usize,
+        arms: &[Vec3<f64>],
+        (grips, blocks): (&Grips, &[Block<M>]),
+        step: &Step,
+        (moved, virial): &mut (Moved, [f64; 3]),
+    ) {
+        let (body, before) = (&mut self.bodies[k], &self.listed[k]);
+        let begin = grips.members[first];
+        let (mut force, mut torque) = (Vec3::zero(), Vec3::zero());
+        for &(p, block, place) in &grips.at[grips.loads[first + k]..grips.loads[first + k + 1]] {
+            let [fx, fy, fz, tx, ty, tz, ..] = blocks[block as usize].loads[place as usize].0;
+            let (push, r) = (Vec3([fx, fy, fz]), self.x[p as usize - begin] - body.pose.x);
+            force = force + push;
+            torque = torque + r.cross(push) + Vec3([tx, ty, tz]);
+            for a in 0..3 {
+                virial[a] += r.0[a] * push.0[a];
+            }
+        }
+        match (body.wall as usize).checked_sub(1) {
+            None => push(body, force, torque, step, moved),
+            Some(wall) => {
+                body.v = step.walls[wall].velocity;
+                body.pose.x = drift(body.pose.x, body.v, step.dt);
+            }
+        }
+        let turned = body.turned_since(before);
+        for a in 0..3 {
+            body.pose.x.0[a] *= step.growth[a];
+            let displacement = body.pose.x.0[a] - before.x.0[a] * step.stretch[a];
+            moved.least[a] = moved.least[a].min(displacement - turned);
+            moved.most[a] = moved.most[a].max(displacement + turned);
+        }
+        let (omega, own) = (body.omega(), grips.members[first + k]..grips.members[first + k + 1]);
+        for p in own {
+            let place = p - begin;
+            (self.x[place], self.v[place]) = body.member(omega, arms[p]);
+            self.w[place] = omega;
+        }
+    }
+}
+
+/// Kicks a free body by the loads on it, then lets it go on freely for a step.
+fn push(body: &mut Body, force: Vec3<f64>, torque: Vec3<f64>, step: &Step, moved: &mut Moved) {
+    let Step { dt, damping, .. } = *step;
+    let Body { pose: Pose { x, q_0, q }, v, l, mass, moments, .. } = *body;
+    let (mut force, mut torque) = (force, to_space(q_0, -q, torque));
+    if damping > 0.0 {
+        let (v, omega) = (to_space(q_0, -q, v), Vec3(std::array::from_fn(|k| l.0[k] / moments.0[k])));
+        let [d_x, d_y, d_z] = body.spread;
+        let (drag, brake) = aggregate_drag(damping, body.count, body.lever, d_x, d_y, d_z, v, omega);
+        moved.drag -= (drag.dot(v) + brake.dot(omega)) * dt;
+        (force, torque) = (force + to_space(q_0, q, drag), torque + brake);
+    }
+    let kicked = kick(l, torque, 1.0, dt);
+    let energy = |l: Vec3<f64>| spin(1.0, Vec3::zero(), l, moments).1;
+    body.v = kick(v, force, mass, dt);
+    body.pose.x = drift(x, body.v, dt);
+    (body.pose.q_0, body.pose.q, body.l) = free_rotation(q_0, q, kicked, moments, dt);
+    let (gained, turning) = (body.v - v, energy(body.l));
+    moved.kinetic += 0.5 * mass * body.v.dot(body.v) + turning;
+    // The step of free rotation is not exact either: what it adds to the energy is the scheme's.
+    moved.scheme += 0.5 * mass * gained.dot(gained) + energy(kicked - l) + (turning - energy(kicked));
+    for a in 0..3 {
+        moved.momentum_flux[a] += mass * body.v.0[a] * body.v.0[a];
+    }
+}

@@ -1,0 +1,232 @@
+//! A film under the tip of a force microscope: it comes to rest, the tip comes down to its setpoint, and goes up again.
+
+mod contacts;
+mod tip;
+mod watch;
+
+use crate::build::film::Film;
+use crate::build::protocol::Progress;
+use crate::case::{self, Case, Spectroscopy, TitaniaTest};
+use crate::error::Error;
+use crate::forces::Instructions;
+use crate::output::{Cell, Finding};
+use crate::run::Study;
+use crate::simulation::{Settings, Simulation};
+use crate::spec::Vec3;
+use crate::spec::titania::Tabulated;
+use crate::system::{Domain, Motion, Particles, System};
+use std::sync::OnceLock;
+use watch::Watch;
+
+/// The plan of a case.
+pub struct Plan {
+    titania: case::Titania,
+    film: case::Film,
+    test: Spectroscopy,
+    seed: u64,
+    overlap: f64,
+    model: OnceLock<Tabulated>,
+}
+
+/// A stage.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stage {
+    /// The film comes to rest.
+    Relaxation,
+    /// The tip comes down.
+    Approach,
+    /// It turns and goes up.
+    Retraction,
+}
+
+impl Stage {
+    const ALL: [Self; 3] = [Self::Relaxation, Self::Approach, Self::Retraction];
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Relaxation => "relaxation",
+            Self::Approach => "approach",
+            Self::Retraction => "retraction",
+        }
+    }
+}
+
+/// Places of the two walls.
+const FIXED: usize = 0;
+const TIP: usize = 1;
+/// How much farther than their range neighbours are listed, nm.
+const SKIN: f64 = 3.0;
+/// How far the tables of the attraction may be off, pN.
+const TOLERANCE: f64 = 0.1;
+const AT_REST: [Motion; 3] = [Motion::Velocity(0.0); 3];
+
+impl Plan {
+    /// The plan of a case, if a film is what it is about.
+    pub fn of(case: &Case) -> Option<Self> {
+        let (titania, TitaniaTest::Spectroscopy(film, test)) = case.titania()? else { return None };
+        let (titania, film, test) = (titania.clone(), film.clone(), test.clone());
+        Some(Self { titania, film, test, seed: case.seed, overlap: case.limits.overlap, model: OnceLock::new() })
+    }
+
+    /// The film as bodies, those on the floor fixed, in a box that ends above it.
+    fn bodies(&self, film: &Film) -> System {
+        let mut particles = Particles::default();
+        let mut members = vec![Vec::new(); film.aggregates()];
+        for sphere in &film.spheres {
+            let (radius, mass) = self.titania.particle(sphere.diameter);
+            members[sphere.aggregate as usize].push(particles.len());
+            particles.push(sphere.centre, radius, mass, sphere.aggregate);
+        }
+        let [width, depth] = film.sides;
+        let domain = Domain { sides: [width, depth, film.thickness], periodic: [true, true, false] };
+        let mut system = System::new(particles, domain);
+        let mut floor = Vec::new();
+        for (members, fixed) in members.iter().zip(&film.on_floor) {
+            if *fixed {
+                floor.extend(members);
+            } else {
+                system.add_body(members);
+            }
+        }
+        system.add_body(&floor);
+        let fixed = system.bodies.len() as u32;
+        system.add_wall(AT_REST, |p, i| p.body[i] == fixed);
+        system
+    }
+
+    /// Places the tip above the middle of the film, and lets it come down.
+    fn add_tip(&self, system: &mut System) {
+        let case::Tip { radius, side, clearance } = &self.test.tip;
+        let [width, depth, _] = system.domain.sides;
+        let (radius, mass) = self.titania.particle(2.0 * radius.value);
+        let middle = Vec3([0.5 * width, 0.5 * depth, 0.0]);
+        let centres: Vec<_> = tip::pyramid(radius, side.value).into_iter().map(|c| c + middle).collect();
+        let lifted = tip::lift(&centres, radius, &system.particles, &system.domain, clearance.value);
+        let first = system.particles.len();
+        // Ids go on behind those that are there: places are not names any more.
+        let tag = system.particles.tag.iter().copied().max().map_or(0, |tag| tag + 1);
+        for c in centres {
+            system.particles.push(c + Vec3([0.0, 0.0, lifted]), radius, mass, tag);
+        }
+        system.add_body(&(first..system.particles.len()).collect::<Vec<_>>());
+        let tip = system.bodies.len() as u32;
+        let down = [AT_REST[0], AT_REST[1], Motion::Velocity(-self.test.speed.value)];
+        system.add_wall(down, |p, i| p.body[i] == tip);
+        let top = system.particles.x.iter().map(|x| x.0[2]).fold(0.0, f64::max);
+        system.domain.sides[2] = top + radius;
+    }
+}
+
+impl Study for Plan {
+    type Model = Tabulated;
+    type Watch = Watch;
+
+    fn stages(&self) -> Vec<&'static str> {
+        Stage::ALL.map(Stage::name).into()
+    }
+
+    fn initial(&self) -> Result<System, Error> {
+        let film = self.film.plan().build(self.seed);
+        Ok(self.bodies(&film.map_err(|failure| Error::Verification(failure.to_string()))?))
+    }
+
+    fn starts_from_sample(&self, _: usize) -> bool {
+        false
+    }
+
+    fn keep_sample(&self, _: &System) -> Result<(), Error> {
+        Ok(())
+    }
+
+    fn set_up(&self, stage: usize, mut system: System) -> Result<System, Error> {
+        match Stage::ALL[stage] {
+            Stage::Relaxation => {}
+            Stage::Approach => self.add_tip(&mut system),
+            Stage::Retraction => {
+                let turning = Motion::Return { speed: self.test.speed.value, turn: self.test.reversal.value };
+                system.walls[TIP].redirect([AT_REST[0], AT_REST[1], turning]);
+            }
+        }
+        system.step = 0;
+        Ok(system)
+    }
+
+    fn model(&self, _: usize) -> Tabulated {
+        let model = self.model.get_or_init(|| {
+            let mut diameters = self.film.sizes();
+            diameters.push(2.0 * self.test.tip.radius.value);
+            let mut radii: Vec<f64> = diameters.iter().map(|d| self.titania.particle(*d).0).collect();
+            radii.sort_by(f64::total_cmp);
+            radii.dedup();
+            Tabulated::new(self.titania.law(), &radii, TOLERANCE)
+        });
+        model.clone()
+    }
+
+    fn settings(&self, stage: usize, _: &System) -> Settings {
+        let damping = if Stage::ALL[stage] == Stage::Relaxation { self.test.drag.value } else { 0.0 };
+        Settings {
+            dt: self.test.dt.value,
+            damping,
+            skin: SKIN,
+            max_overlap: self.overlap,
+            relax_box: None,
+            instructions: Instructions::best(),
+        }
+    }
+
+    fn steps(&self, stage: usize, dt: f64) -> u64 {
+        let test = &self.test;
+        let time = match Stage::ALL[stage] {
+            Stage::Relaxation => test.relaxation.value(dt),
+            Stage::Approach => test.depth.value / test.speed.value,
+            Stage::Retraction => test.reversal.value + test.retraction.value / test.speed.value,
+        };
+        ((time / dt).round() as u64).max(1)
+    }
+
+    fn progress(&self, stage: usize, watch: &Watch, simulation: &Simulation<Tabulated>) -> Progress {
+        let done = match Stage::ALL[stage] {
+            Stage::Relaxation => false,
+            Stage::Approach => watch.force() >= self.test.setpoint.value,
+            Stage::Retraction => watch.parted_by(AFTER),
+        };
+        let last = self.steps(stage, simulation.settings().dt);
+        if done || simulation.system().step >= last { Progress::Done } else { Progress::Going }
+    }
+
+    fn end(&self, _: usize, simulation: Simulation<Tabulated>) -> Result<System, Error> {
+        Ok(simulation.into_system_with_springs())
+    }
+
+    fn parts(&self, stage: usize) -> u64 {
+        if Stage::ALL[stage] == Stage::Retraction { 4 } else { 1 }
+    }
+
+    fn upwards(&self) -> usize {
+        2
+    }
+
+    fn columns(&self) -> Vec<&'static str> {
+        watch::COLUMNS.into()
+    }
+
+    fn watch(&self, _: usize, simulation: &Simulation<Tabulated>) -> Watch {
+        Watch::begin(simulation)
+    }
+
+    fn follow(&self, stage: usize, watch: &mut Watch, simulation: &Simulation<Tabulated>) -> Vec<String> {
+        watch.follow(Stage::ALL[stage], self.test.average.value, simulation)
+    }
+
+    fn look(&self, watch: &mut Watch, simulation: &Simulation<Tabulated>) -> Vec<Cell> {
+        watch.look(simulation)
+    }
+
+    fn findings(&self, stage: usize, watch: &Watch, _: &Simulation<Tabulated>) -> Result<Vec<Finding>, Error> {
+        Ok(watch.findings(Stage::ALL[stage], self.test.setpoint.value))
+    }
+}
+
+/// How far the tip goes on once the film has let go, nm.
+const AFTER: f64 = 50.0;

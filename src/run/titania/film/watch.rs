@@ -1,0 +1,132 @@
+//! What is watched of a film under a tip: the force on the tip, and what contacts do.
+
+use super::contacts::Contacts;
+use super::{FIXED, Stage, TIP};
+use crate::observe::clusters::Clusters;
+use crate::output::{Cell, Finding};
+use crate::simulation::Simulation;
+use crate::spec::titania::Tabulated;
+use serde::{Deserialize, Serialize};
+
+/// The columns of the series.
+pub const COLUMNS: [&str; 7] =
+    ["tip moved [nm]", "force on the tip [pN]", "menisci", "bodies on the tip", "slidings", "rollings", "detachments"];
+
+/// Time between two looks at all contacts, ns.
+const LOOK: f64 = 0.05;
+/// Below this a pulling force is none, pN.
+const NOTHING: f64 = 50.0;
+
+/// What has been seen in a stage.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+pub struct Watch {
+    contacts: Contacts,
+    /// Force up on the tip, summed since the last mean was taken, and over how many steps.
+    window: (f64, u64),
+    /// How far the tip had moved, and the mean force on it.
+    curve: Vec<(f64, f64)>,
+    /// How far the tip had moved when the stage began.
+    from: f64,
+    /// Bodies that hang together with the tip, and whether the fixed ones do.
+    on_tip: u64,
+    holds: bool,
+    /// How far the tip had moved when nothing connected it with the bottom any more.
+    rupture: Option<f64>,
+}
+
+impl Watch {
+    /// Begins to watch.
+    pub fn begin(simulation: &Simulation<Tabulated>) -> Self {
+        let from = simulation.system().walls.get(TIP).map_or(0.0, |tip| tip.travel.0[2]);
+        Self { contacts: Contacts::begin(simulation), from, ..Self::default() }
+    }
+
+    /// Sees a step; says what happened since the last look. Forces are averaged over `average`, ns.
+    pub fn follow(&mut self, stage: Stage, average: f64, simulation: &Simulation<Tabulated>) -> Vec<String> {
+        let (system, dt) = (simulation.system(), simulation.settings().dt);
+        let due = |interval: f64| system.step.is_multiple_of(((interval / dt).round() as u64).max(1));
+        let mut events = if due(LOOK) { self.contacts.look(simulation) } else { Vec::new() };
+        let Some(tip) = system.walls.get(TIP) else { return events };
+        self.window = (self.window.0 + tip.force.0[2], self.window.1 + 1);
+        if due(average) {
+            self.curve.push((tip.travel.0[2], self.window.0 / self.window.1 as f64));
+            self.window = (0.0, 0);
+            self.hang_together(simulation);
+            if stage == Stage::Retraction && !self.holds && self.rupture.is_none() {
+                self.rupture = Some(tip.travel.0[2]);
+                events.push(format!("rupture, the tip takes {} aggregates along", self.on_tip));
+            }
+        }
+        events
+    }
+
+    /// What is connected with the tip.
+    fn hang_together(&mut self, simulation: &Simulation<Tabulated>) {
+        let system = simulation.system();
+        let body = |sphere: usize| system.particles.body[sphere] as usize - 1;
+        let links = simulation.contacts().map(|(i, j, ..)| (body(i), body(j)));
+        let mut clusters = Clusters::new(system.bodies.len(), links);
+        let roots: Vec<usize> = (0..system.bodies.len()).map(|b| clusters.root(b)).collect();
+        let of = |wall: usize| system.bodies.iter().position(|body| body.wall as usize == wall + 1).map(|b| roots[b]);
+        let tip = of(TIP);
+        self.holds = of(FIXED) == tip;
+        self.on_tip = roots.iter().filter(|&&root| Some(root) == tip).count() as u64 - 1;
+    }
+
+    /// Whether the tip has gone on by so much since the rupture, nm.
+    pub fn parted_by(&self, way: f64) -> bool {
+        self.rupture.zip(self.curve.last()).is_some_and(|(rupture, now)| now.0 >= rupture + way)
+    }
+
+    /// The latest mean force on the tip, pN.
+    pub fn force(&self) -> f64 {
+        self.curve.last().map_or(0.0, |point| point.1)
+    }
+
+    /// The cells of the columns.
+    pub fn look(&self, simulation: &Simulation<Tabulated>) -> Vec<Cell> {
+        let Contacts { slidings, rollings, detachments, .. } = self.contacts;
+        let tip = match (simulation.system().walls.get(TIP), self.curve.last()) {
+            (Some(tip), Some(mean)) => [Cell::Number(tip.travel.0[2]), Cell::Number(mean.1)],
+            _ => [Cell::Nothing, Cell::Nothing],
+        };
+        let counts = [self.contacts.count() as u64, self.on_tip, slidings, rollings, detachments];
+        tip.into_iter().chain(counts.map(Cell::Count)).collect()
+    }
+
+    /// What it amounts to.
+    pub fn findings(&self, stage: Stage, setpoint: f64) -> Vec<Finding> {
+        let Contacts { slidings, rollings, detachments, .. } = self.contacts;
+        let named = |what: &str| format!("{what} during {}", stage.name());
+        let mut found = match stage {
+            Stage::Relaxation => Vec::new(),
+            Stage::Approach => vec![
+                Finding::number("force at the end of the approach", self.force(), "pN", Some(setpoint)),
+                Finding::number("depth of the approach", -self.curve.last().map_or(0.0, |point| point.0), "nm", None),
+            ],
+            Stage::Retraction => self.peaks(),
+        };
+        let counts = [("slidings", slidings), ("rollings", rollings), ("detachments", detachments)];
+        found.extend(counts.map(|(what, n)| Finding::number(&named(what), n as f64, "", None)));
+        found
+    }
+
+    /// The largest pull, the last one, and where the film let go.
+    fn peaks(&self) -> Vec<Finding> {
+        let pull = |k: usize| -self.curve[k].1;
+        let largest = (0..self.curve.len()).map(pull).fold(0.0, f64::max);
+        let mut found = vec![Finding::number("largest pull on the tip", largest, "pN", None)];
+        // Back from the end: first nothing pulls, then the pull rises to its last peak.
+        let pulled = (0..self.curve.len()).rev().find(|&k| pull(k) > NOTHING);
+        if let Some(last) = pulled {
+            let peak = (1..=last).rev().find(|&k| pull(k) > pull(k - 1)).unwrap_or(0);
+            found.push(Finding::number("last peak of the pull", pull(peak), "pN", None));
+        }
+        match self.rupture {
+            Some(height) => found.push(Finding::number("way of the tip from the setpoint to the rupture", height - self.from, "nm", None)),
+            None => found.push(Finding::words("rupture of the film", "not within the retraction")),
+        }
+        found.push(Finding::number("aggregates that the tip has taken along", self.on_tip as f64, "", None));
+        found
+    }
+}

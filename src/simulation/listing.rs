@@ -1,0 +1,166 @@
+//! Who is listed as whose neighbour, and in which order everything lies in memory.
+
+use super::Simulation;
+use crate::forces::{self, Neighbour, Springs};
+use crate::motion::{Grips, Moved};
+use crate::spec::{Flat, PairModel, Vec3};
+use crate::system::{Domain, Halt, Pose, Reason};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
+
+/// What the neighbour list was built from.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Listed {
+    pub x: Vec<Vec3<f64>>,
+    pub sides: [f64; 3],
+    pub poses: Vec<Pose>,
+    /// The first particles are moved every step: those by themselves, then the members of bodies that have a partner in range.
+    pub moving: usize,
+}
+
+impl<M: PairModel> Simulation<M> {
+    /// Whether spheres may have come into range that the neighbour list does not hold.
+    pub(super) fn stale(&self, moved: &Moved) -> bool {
+        let strain =
+            (0..3).map(|a| (self.system.domain.sides[a] / self.listed.sides[a] - 1.0).abs()).fold(0.0, f64::max);
+        let deformed = strain * self.reach;
+        #[expect(clippy::neg_cmp_op_on_partial_ord, reason = "a NaN is stale too")]
+        let stale = !(moved.approach() + deformed < self.settings.skin);
+        stale
+    }
+
+    /// Puts bodies and particles in order and lists neighbours; contacts go on with the given springs.
+    pub(super) fn list_neighbours(&mut self, springs: &Springs) -> Result<(), Halt> {
+        self.place_members();
+        self.put_in_order();
+        let sides = self.system.domain.sides;
+        let poses = self.system.bodies.iter().map(|body| body.pose).collect();
+        self.listed = Listed { x: self.system.particles.x.clone(), sides, poses, moving: self.system.particles.len() };
+        let mut pairs = self.search();
+        // Surfaces may touch any sphere.
+        if !self.system.bodies.is_empty() && self.system.surfaces.is_empty() {
+            self.part(&mut pairs);
+        }
+        self.lay_out(&pairs, springs)
+    }
+
+    /// Builds the list from what it was built from, which the particles are already in the order of.
+    pub(super) fn relist(&mut self) -> Result<(), Halt> {
+        let pairs = self.search();
+        self.lay_out(&pairs, &Springs::default())
+    }
+
+    /// What is close in space shall be close in memory: first the particles by themselves, then body after body.
+    fn put_in_order(&mut self) {
+        let side = self.system.particles.mean_diameter();
+        let system = &mut self.system;
+        let particles = &mut system.particles;
+        let mut order = forces::spatial_order(&particles.x, &system.domain, side);
+        if !system.bodies.is_empty() {
+            let centres: Vec<_> = system.bodies.iter().map(|body| body.pose.x).collect();
+            let bodies = forces::spatial_order(&centres, &system.domain, side);
+            let mut number = vec![0; bodies.len() + 1];
+            for (new, &old) in (1..).zip(&bodies) {
+                number[old as usize + 1] = new;
+            }
+            particles.body.iter_mut().for_each(|body| *body = number[*body as usize]);
+            system.bodies = bodies.into_iter().map(|old| system.bodies[old as usize].clone()).collect();
+            order.sort_by_key(|&p| particles.body[p as usize]);
+        }
+        *particles = particles.pick(&order);
+    }
+
+    /// All pairs near enough, but those within a rigid body or wall.
+    fn search(&mut self) -> Vec<Neighbour> {
+        let (model, skin, particles) = (&self.model, self.settings.skin, &self.system.particles);
+        let domain = Domain { sides: self.listed.sides, ..self.system.domain };
+        let largest = particles.radius.iter().copied().fold(0.0, f64::max);
+        self.reach = model.range(largest, largest) + skin;
+        let mut pairs =
+            forces::neighbours(&self.listed.x, &particles.radius, &domain, |r_i, r_j| model.range(r_i, r_j) + skin);
+        pairs.retain(|pair| {
+            let (p, q) = (pair.p as usize, pair.q as usize);
+            let same = |of: &[u32]| of[p] > 0 && of[p] == of[q];
+            // A body may meet its own copy across the side of the box.
+            !same(&particles.wall) && !(same(&particles.body) && pair.image == [0; 3])
+        });
+        pairs
+    }
+
+    /// Puts the members of bodies that have no partner behind all others: they need not be moved until neighbours are listed again.
+    fn part(&mut self, pairs: &mut [Neighbour]) {
+        let particles = &self.system.particles;
+        let mut moving: Vec<bool> = particles.body.iter().map(|&body| body == 0).collect();
+        for pair in pairs.iter() {
+            (moving[pair.p as usize], moving[pair.q as usize]) = (true, true);
+        }
+        let (mut order, still): (Vec<u32>, Vec<u32>) =
+            (0..particles.len() as u32).partition(|&p| moving[p as usize]);
+        self.listed.moving = order.len();
+        let mut place = vec![0; particles.len()];
+        for (new, &old) in (0..).zip(&order) {
+            place[old as usize] = new;
+        }
+        for pair in pairs {
+            (pair.p, pair.q) = (place[pair.p as usize], place[pair.q as usize]);
+        }
+        order.extend(still);
+        self.system.particles = particles.pick(&order);
+        self.listed.x.clone_from(&self.system.particles.x);
+    }
+
+    /// Cuts the pairs into blocks.
+    fn lay_out(&mut self, pairs: &[Neighbour], springs: &Springs) -> Result<(), Halt> {
+        let (particles, necks) = (&self.system.particles, &self.system.necks);
+        let mut missing: BTreeSet<_> = necks.iter().copied().collect();
+        for pair in pairs {
+            if missing.is_empty() {
+                break;
+            }
+            let (i, j, _) = forces::bond(particles, pair.p as usize, pair.q as usize, pair.image);
+            missing.remove(&(i, j));
+        }
+        if let Some(&pair) = missing.first() {
+            return Err(self.halt(Reason::Neck { pair }));
+        }
+        let domain = Domain { sides: self.listed.sides, ..self.system.domain };
+        let bodies = (self.listed.moving, &self.shares(pairs)[..]);
+        self.blocks =
+            forces::partition(&self.model, particles, (&self.listed.x, &domain, self.settings.skin), pairs, necks, springs, bodies)
+                .map_err(|reason| self.halt(reason))?;
+        self.grips = Grips::find(particles, self.listed.moving, self.system.bodies.len(), &self.blocks);
+        self.on_walls = forces::places(&self.blocks)
+            .filter_map(|(p, block, place)| Some((particles.wall[p].checked_sub(1)?, block, place)))
+            .collect();
+        Ok(())
+    }
+
+    /// The moment of inertia that each contact of a body may take for its own: friction may stop what turns, and several contacts
+    /// together must not turn it back.
+    fn shares(&self, pairs: &[Neighbour]) -> Vec<f64> {
+        let mut contacts = vec![0.0f64; self.system.bodies.len() + 1];
+        for pair in pairs {
+            for p in [pair.p, pair.q] {
+                contacts[self.system.particles.body[p as usize] as usize] += 1.0;
+            }
+        }
+        let least = |moments: Vec3<f64>| moments.0.into_iter().fold(f64::INFINITY, f64::min);
+        self.system.bodies.iter().zip(&contacts[1..]).map(|(body, n)| least(body.moments) / n.max(1.0)).collect()
+    }
+
+    /// The springs of all contacts, by who the spheres are.
+    pub(super) fn springs(&self) -> Springs {
+        let particles = &self.system.particles;
+        let mut springs = Springs::new(M::Memory::<f64>::LEN);
+        for block in &self.blocks {
+            for (i, j, row, lane) in block.each_pair() {
+                let ((p, a), (q, b)) = (block.member(i), block.member(j));
+                let bond = forces::bond(particles, p, q, std::array::from_fn(|k| b[k] - a[k]));
+                let memory = Flat::from_fn(|k| block.pairs.memory[row].at(k).0[lane]);
+                let memory = self.model.relisted(&self.contact((p, a), (q, b)), memory);
+                springs.add(bond, (0..M::Memory::<f64>::LEN).map(|k| *memory.at(k)));
+            }
+        }
+        springs.sorted()
+    }
+}
