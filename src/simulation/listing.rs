@@ -45,9 +45,9 @@ impl<M: PairModel> Simulation<M> {
     }
 
     /// Builds the list from what it was built from, which the particles are already in the order of.
-    pub(super) fn relist(&mut self) -> Result<(), Halt> {
+    pub(super) fn relist(&mut self, springs: &Springs) -> Result<(), Halt> {
         let pairs = self.search();
-        self.lay_out(&pairs, &Springs::default())
+        self.lay_out(&pairs, springs)
     }
 
     /// What is close in space shall be close in memory: first the particles by themselves, then body after body.

@@ -4,6 +4,7 @@
 //! the same order of sums, and goes on with the same bits.
 
 use super::{Ledger, Listed, Settings, Simulation};
+use crate::forces::Springs;
 use crate::motion::Grips;
 use crate::spec::{Flat, PairModel};
 use crate::system::{Halt, System};
@@ -69,7 +70,7 @@ impl<M: PairModel> Simulation<M> {
             ledger,
             system,
         };
-        simulation.relist()?;
+        simulation.relist(&Springs::default())?;
         let mut numbers = memory.into_iter();
         for block in &mut simulation.blocks {
             for k in 0..block.pairs.len {
