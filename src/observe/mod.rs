@@ -3,6 +3,7 @@
 pub mod capacity;
 pub mod clusters;
 pub mod fate;
+pub mod film;
 pub mod force_curve;
 pub mod hull;
 pub mod morphology;

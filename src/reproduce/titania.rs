@@ -1,4 +1,6 @@
-//! Section 2 of the titania paper: two particles.
+//! Section 2 of the titania paper: two particles; Section 5.3: a film.
+
+mod film;
 
 use super::{Chapter, Claim, Figure, near};
 use crate::build::pair::{drag, pair};
@@ -17,12 +19,13 @@ const SIZES: [f64; 2] = [8.0, 16.0];
 /// Nominal diameter of the sphere that stands for the slab, nm.
 const SLAB: f64 = 1000.0;
 
-/// Rest, stiffness, approach, stick and slip, friction.
+/// Rest, stiffness, approach, stick and slip, friction, the structure of a film.
 pub fn chapter() -> Result<Chapter, Halt> {
     let mut chapter = Chapter::default();
     constants(&mut chapter);
     approach(&mut chapter)?;
     sliding(&mut chapter)?;
+    film::structure(&mut chapter);
     Ok(chapter)
 }
 

@@ -14,8 +14,8 @@ use rayon::prelude::*;
 
 /// Boltzmann's constant, zJ/K.
 const BOLTZMANN: f64 = 1.380649e-2;
-/// Walks that measure the hydrodynamic radius: its standard error is 2 % where half of them hit.
-const WALKS: usize = 2000;
+/// Walks that measure the hydrodynamic radius: its standard error is 3 % where half of them hit.
+const WALKS: usize = 1000;
 /// Directions in which the projected area is taken.
 const DIRECTIONS: usize = 56;
 
@@ -55,7 +55,8 @@ impl FilmPlan {
 }
 
 impl Numbers {
-    fn draw(&self, stream: &mut Stream) -> usize {
+    /// A random number.
+    pub fn draw(&self, stream: &mut Stream) -> usize {
         loop {
             let number = (self.median * Real::exp(self.deviation * stream.normal())).round();
             if number >= 1.0 && number <= f64::from(self.largest) {
@@ -67,7 +68,7 @@ impl Numbers {
 
 impl Diameters {
     /// The diameters and the shares of those up to each.
-    fn classes(&self) -> Vec<(f64, f64)> {
+    pub fn classes(&self) -> Vec<(f64, f64)> {
         let (lo, hi) = (f64::from(self.smallest), f64::from(self.largest));
         let mut up_to = 0.0;
         let class = |d| {
@@ -78,7 +79,7 @@ impl Diameters {
     }
 }
 
-fn draw(classes: &[(f64, f64)], stream: &mut Stream) -> f64 {
+pub fn draw(classes: &[(f64, f64)], stream: &mut Stream) -> f64 {
     let share = stream.uniform();
     classes[classes.partition_point(|class| class.1 <= share).min(classes.len() - 1)].0
 }

@@ -51,9 +51,14 @@ pub enum Nearest {
 }
 
 impl Column {
+    /// The shortest side of a column of spheres up to the `largest` radius.
+    pub fn least_side(largest: f64) -> f64 {
+        2.0 * CELL * largest
+    }
+
     /// A column without any spheres; none will be larger than the `largest` radius.
     pub fn new(sides: [f64; 2], largest: f64) -> Self {
-        let least = 2.0 * CELL * largest;
+        let least = Self::least_side(largest);
         let count = sides.map(|side| ((side / least) as i64).max(1));
         let cell = [sides[0] / count[0] as f64, sides[1] / count[1] as f64, least];
         Self { sides, cell, count, largest, top: 0.0, head: Vec::new(), away: Vec::new(), spheres: Vec::new() }
@@ -82,9 +87,7 @@ impl Column {
             return Room { gap: bound, nearest: Nearest::Unknown };
         }
         let away = i64::from(self.away[self.index(place)]);
-        let beyond = |cells: i64| {
-            (cells - 1) as f64 * self.cell.into_iter().fold(f64::INFINITY, f64::min) - radius - self.largest
-        };
+        let beyond = |cells: i64| (cells - 1) as f64 * self.narrowest() - radius - self.largest;
         if away >= 2 {
             let bound = bound.max(beyond(away));
             return if bound < best.gap { Room { gap: bound, nearest: Nearest::Unknown } } else { best };
@@ -92,29 +95,61 @@ impl Column {
         if beyond(2) < best.gap {
             best = Room { gap: beyond(2), nearest: Nearest::Unknown };
         }
-        for i in place[0] - 1..=place[0] + 1 {
-            for j in place[1] - 1..=place[1] + 1 {
-                let shift = [(i, 0), (j, 1)].map(|(k, a)| k.div_euclid(self.count[a]) as f64 * self.sides[a]);
-                for k in (place[2] - 1).max(0)..(place[2] + 2).min(layers) {
-                    let mut next = self.head[self.index([i, j, k])];
-                    while next != NONE {
-                        let other = &self.spheres[next as usize];
-                        let to = other.centre + Vec3([shift[0], shift[1], 0.0]) - x;
-                        let reach = best.gap + radius + other.radius;
-                        let square = to.dot(to);
-                        if square < reach * reach {
-                            let distance = square.sqrt();
-                            best = Room {
-                                gap: distance - radius - other.radius,
-                                nearest: Nearest::Sphere(to * (1.0 / distance)),
-                            };
-                        }
-                        next = other.next;
-                    }
+        for i in -1..=1 {
+            for j in -1..=1 {
+                for k in -1..=1 {
+                    best = self.room_of_cell([place[0] + i, place[1] + j, place[2] + k], x, radius, best);
                 }
             }
         }
         best
+    }
+
+    /// Distance of a point from the nearest surface, the floor's too; negative inside a sphere.
+    pub fn clearance(&self, x: Vec3<f64>) -> f64 {
+        let mut best = Room { gap: x.0[2], nearest: Nearest::Floor };
+        let place = self.place(x);
+        for ring in 0i64.. {
+            if (ring - 1) as f64 * self.narrowest() - self.largest >= best.gap {
+                break;
+            }
+            for i in -ring..=ring {
+                for j in -ring..=ring {
+                    // Inside the ring only its two lids are new.
+                    let rim = i.abs() == ring || j.abs() == ring;
+                    let step = if rim || ring == 0 { 1 } else { 2 * ring as usize };
+                    for k in (-ring..=ring).step_by(step) {
+                        best = self.room_of_cell([place[0] + i, place[1] + j, place[2] + k], x, 0.0, best);
+                    }
+                }
+            }
+        }
+        best.gap
+    }
+
+    fn room_of_cell(&self, cell: [i64; 3], x: Vec3<f64>, radius: f64, mut best: Room) -> Room {
+        if cell[2] < 0 || cell[2] >= self.layers() {
+            return best;
+        }
+        let shift = [0, 1].map(|a| cell[a].div_euclid(self.count[a]) as f64 * self.sides[a]);
+        let mut next = self.head[self.index(cell)];
+        while next != NONE {
+            let other = &self.spheres[next as usize];
+            let to = other.centre + Vec3([shift[0], shift[1], 0.0]) - x;
+            let reach = best.gap + radius + other.radius;
+            let square = to.dot(to);
+            if square < reach * reach {
+                let distance = square.sqrt();
+                let gap = distance - radius - other.radius;
+                best = Room { gap, nearest: Nearest::Sphere(to * (1.0 / distance)) };
+            }
+            next = other.next;
+        }
+        best
+    }
+
+    fn narrowest(&self) -> f64 {
+        self.cell.into_iter().fold(f64::INFINITY, f64::min)
     }
 
     /// Adds a sphere.

@@ -73,15 +73,18 @@ fn meets_itself(spheres: &[Sphere], sides: [f64; 2]) -> bool {
 }
 
 /// How an aggregate moves.
-struct Path {
-    drift: f64,
-    diffusion: f64,
-    graze: f64,
+pub struct Path {
+    /// Velocity downwards.
+    pub drift: f64,
+    /// Coefficient of diffusion.
+    pub diffusion: f64,
+    /// How near it may come to what it does not touch.
+    pub graze: f64,
 }
 
 impl Path {
     /// Where the centre of mass comes to rest, and whether on the floor.
-    fn fall(&self, column: &Column, spheres: &[Sphere], sides: [f64; 2], stream: &mut Stream) -> (Vec3<f64>, bool) {
+    pub fn fall(&self, column: &Column, spheres: &[Sphere], sides: [f64; 2], stream: &mut Stream) -> (Vec3<f64>, bool) {
         let lowest = spheres.iter().map(|s| s.centre.0[2] - s.radius).fold(f64::INFINITY, f64::min);
         let mut at = Vec3([sides[0] * stream.uniform(), sides[1] * stream.uniform(), column.top() - lowest]);
         loop {

@@ -6,11 +6,13 @@
 //! not turn; two spheres touch at their distance at rest, which is half the sum of their nominal diameters.
 
 mod aggregates;
-mod column;
+pub mod column;
 mod deposition;
 
 use super::aggregate::Failure as Ungrown;
 use crate::spec::Vec3;
+use column::Column;
+use serde::{Deserialize, Serialize};
 use std::fmt;
 
 /// What is to be built. Lengths in nm, the other quantities in the engine's units too.
@@ -72,7 +74,7 @@ pub struct Gas {
 }
 
 /// A film: its aggregates in the order in which they came, each whole, with its centre of mass inside the column.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Film {
     /// The spheres, one aggregate after the other.
     pub spheres: Vec<FilmSphere>,
@@ -85,7 +87,7 @@ pub struct Film {
 }
 
 /// A sphere of a film.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FilmSphere {
     /// Centre, nm.
     pub centre: Vec3<f64>,
@@ -107,6 +109,11 @@ pub enum Failure {
         /// Its extent, nm.
         extent: f64,
     },
+    /// A side of the column is shorter than a cell for the largest spheres.
+    Narrow {
+        /// The shortest that a side may be, nm.
+        least: f64,
+    },
 }
 
 impl fmt::Display for Failure {
@@ -117,6 +124,7 @@ impl fmt::Display for Failure {
                 f,
                 "an aggregate of {number} spheres is {extent:.0} nm long and touches its own periodic image, the column is too narrow for it"
             ),
+            Self::Narrow { least } => write!(f, "the column is too narrow, its sides must not be below {least} nm"),
         }
     }
 }
@@ -141,6 +149,10 @@ impl FilmPlan {
 
     /// Builds the film: the same for the same seed, on any number of threads.
     pub fn build(&self, seed: u64) -> Result<Film, Failure> {
+        let least = Column::least_side(0.5 * f64::from(self.diameters.largest));
+        if self.sides.iter().any(|&side| side < least) {
+            return Err(Failure::Narrow { least });
+        }
         let aggregates = aggregates::aggregates(self, seed)?;
         deposition::deposited(self, aggregates, seed)
     }
@@ -152,3 +164,6 @@ impl Film {
         self.on_floor.len()
     }
 }
+
+#[cfg(test)]
+mod tests;

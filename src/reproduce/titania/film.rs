@@ -1,0 +1,95 @@
+//! Section 5.3 of the titania paper: the film before anything is done to it.
+
+use crate::build::film::{Film, FilmPlan};
+use crate::build::sphere_volume;
+use crate::figures::{Axis, Curve, Mark, Plot};
+use crate::observe::film::Structure;
+use crate::reproduce::{Chapter, Claim, Figure, near};
+use crate::spec::titania::def_lognormal::lognormal;
+
+/// The box of the paper, nm, and the particles in it.
+const BOX: [f64; 3] = [1581.4, 1581.4, 3358.0];
+const PARTICLES: usize = 200_000;
+/// Side of the column that is built: as many particles over each nm^2 as in the paper.
+const SIDE: f64 = 790.7;
+/// A velocity at which diffusion no longer matters, nm/ns.
+const STRAIGHT: f64 = 1e4;
+
+/// Sizes, density, and what the density depends on.
+pub fn structure(chapter: &mut Chapter) {
+    let plan = FilmPlan::paper(PARTICLES / 4, [SIDE; 2]);
+    let (drifting, straight) = (build(&plan), build(&FilmPlan { drift: STRAIGHT, ..plan.clone() }));
+    let d = &plan.diameters;
+    let (mean, sauter, _) = lognormal(d.median, d.deviation, f64::from(d.smallest), f64::from(d.largest));
+    let found = drifting.0.spheres.iter().map(|s| s.diameter).sum::<f64>() / drifting.0.spheres.len() as f64;
+    chapter.claims.push(Claim::new(
+        "Section 5.3",
+        "mean diameter of the particles of a film, within a hundredth",
+        format!("{mean:.3} nm, that of the stated distribution"),
+        format!("{found:.3} nm"),
+        near(found, mean, 0.01),
+    ));
+    let of_box = BOX[0] / 140.0;
+    chapter.claims.push(Claim::new(
+        "Section 5.3",
+        "Sauter diameter, of which the box has 140, within a hundredth",
+        format!("{of_box:.2} nm"),
+        format!("{sauter:.2} nm, that of the stated distribution"),
+        near(sauter, of_box, 0.01),
+    ));
+    let mut numbers = vec![0u32; drifting.0.aggregates()];
+    for s in &drifting.0.spheres {
+        numbers[s.aggregate as usize] += 1;
+    }
+    numbers.sort_unstable();
+    let median = f64::from(numbers[numbers.len() / 2]);
+    chapter.claims.push(Claim::new(
+        "Section 5.3",
+        "median number of particles of an aggregate, within a tenth",
+        "36",
+        format!("{median}"),
+        near(median, plan.numbers.median, 0.1),
+    ));
+    density(chapter, &drifting.1, &straight.1);
+    let curve = |name: &str, s: &Structure| {
+        let layer = s.thickness / s.profile.len() as f64;
+        let points = s.profile.iter().enumerate().map(|(k, solid)| ((k as f64 + 0.5) * layer * 1e-3, 100.0 * solid));
+        Curve::new(name, Mark::Line, points.collect())
+    };
+    let plot = Plot {
+        title: "film".into(),
+        x: Axis::linear("height [µm]"),
+        y: Axis::linear("solid [%]"),
+        curves: vec![curve("0.1 m/s", &drifting.1), curve("straight down", &straight.1)],
+    };
+    let caption = "Section 5.3: density of a film of as many particles over its area as the paper's".into();
+    chapter.figures.push(Figure { name: "film".into(), caption, svg: plot.svg() });
+}
+
+fn build(plan: &FilmPlan) -> (Film, Structure) {
+    let film = plan.build(1).expect("the film of the paper can be built");
+    let structure = Structure::of(&film, 1);
+    (film, structure)
+}
+
+fn density(chapter: &mut Chapter, drifting: &Structure, straight: &Structure) {
+    let percent = |s: &Structure| 100.0 * s.porosity;
+    chapter.claims.push(Claim::new(
+        "Section 5.3",
+        "porosity of a film that came down at 0.1 m/s, to the digits of the paper",
+        "98 %",
+        format!("{:.2} %, {:.1} µm thick", percent(drifting), drifting.thickness * 1e-3),
+        (percent(drifting) - 98.0).abs() < 1.0,
+    ));
+    let plan = FilmPlan::paper(1, [1.0; 2]);
+    let d = &plan.diameters;
+    let (_, _, d_30) = lognormal(d.median, d.deviation, f64::from(d.smallest), f64::from(d.largest));
+    let of_box = 100.0 * (1.0 - PARTICLES as f64 * sphere_volume(0.5 * d_30) / BOX.iter().product::<f64>());
+    chapter.claims.push(Claim::new(
+        "Section 5.3",
+        "the porosity of the particles in the box is that of a film whose aggregates fall straight down, within 0.2 %",
+        format!("{of_box:.2} %"),
+        format!("{:.2} %, {:.1} µm thick", percent(straight), straight.thickness * 1e-3),
+        (percent(straight) - of_box).abs() < 0.2,
+    ));
+}
