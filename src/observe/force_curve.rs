@@ -45,14 +45,22 @@ impl ForceCurve {
         &self.points
     }
 
-    /// The largest reading.
-    pub fn highest(&self) -> f64 {
-        self.points.iter().map(|point| point.1).fold(0.0, f64::max)
+    /// The points since the tip has turned round: what came before is the approach.
+    fn retraction(&self) -> &[(f64, f64)] {
+        let depth = |point: &(f64, f64)| point.0;
+        let lowest = self.points.iter().map(depth).fold(f64::INFINITY, f64::min);
+        &self.points[self.points.iter().position(|point| depth(point) == lowest).unwrap_or(0)..]
     }
 
-    /// The peaks of the curve, displacement and reading: the teeth of the saw.
+    /// The largest reading as the tip is drawn back.
+    pub fn highest(&self) -> f64 {
+        self.retraction().iter().map(|point| point.1).fold(0.0, f64::max)
+    }
+
+    /// The peaks as the tip is drawn back, displacement and reading: the teeth of the saw.
     pub fn peaks(&self) -> Vec<(f64, f64)> {
-        let (least, reading) = (PROMINENT * self.highest(), |k: usize| self.points[k].1);
+        let (points, least) = (self.retraction(), PROMINENT * self.highest());
+        let reading = |k: usize| points[k].1;
         let falls = |k: usize, side: &mut dyn Iterator<Item = usize>| {
             let mut lowest = reading(k);
             for other in side {
@@ -65,15 +73,16 @@ impl ForceCurve {
         };
         let is_peak = |k: &usize| {
             let rises = *k == 0 || reading(*k - 1) < reading(*k);
-            rises && reading(*k) > 0.0 && falls(*k, &mut (0..*k).rev()) && falls(*k, &mut (*k + 1..self.points.len()))
+            rises && reading(*k) > 0.0 && falls(*k, &mut (0..*k).rev()) && falls(*k, &mut (*k + 1..points.len()))
         };
-        (0..self.points.len()).filter(is_peak).map(|k| self.points[k]).collect()
+        (0..points.len()).filter(is_peak).map(|k| points[k]).collect()
     }
 
     /// The displacement at which tip and sample parted; none while they hold together.
     pub fn rupture(&self) -> Option<f64> {
-        let last = self.points.iter().rposition(|point| point.1.abs() > PARTED * self.highest())?;
-        self.points.get(last + 1).map(|point| point.0)
+        let points = self.retraction();
+        let last = points.iter().rposition(|point| point.1.abs() > PARTED * self.highest())?;
+        points.get(last + 1).map(|point| point.0)
     }
 }
 
@@ -92,6 +101,13 @@ mod tests {
         assert_eq!(saw.peaks(), [(3.0, 10.0), (8.0, 5.6), (10.0, 3.0)]);
         assert_eq!(saw.highest(), 10.0);
         assert_eq!(saw.rupture(), Some(11.0));
+    }
+
+    #[test]
+    fn the_pull_on_a_tip_that_comes_is_no_tooth() {
+        let points = vec![(0.0, 0.0), (-1.0, 20.0), (-2.0, 5.0), (-3.0, -4.0), (-2.0, 3.0), (-1.0, 10.0), (0.0, 0.0)];
+        let curve = ForceCurve { points, ..ForceCurve::new(1.0) };
+        assert_eq!((curve.highest(), curve.peaks()), (10.0, vec![(-1.0, 10.0)]));
     }
 
     #[test]

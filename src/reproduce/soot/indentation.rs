@@ -43,13 +43,13 @@ struct Member {
 /// Claims and force curves of Figs. 4 and 6.
 pub fn chapter(extent: Extent) -> Result<Chapter, Error> {
     let reduced = "6 aggregates of 60 spheres instead of 20 of 120, 90 % of the necks kept instead of 98 %, so that as many are broken, \
-                   250 ns of each stage instead of 500 ns";
+                   200 ns of each stage instead of 500 ns";
     let protocol = Protocol {
         aggregates: extent.of(6, 20),
         spheres: extent.of(60, 120),
         keep_necks: extent.of(0.9, 0.98),
-        deposition: extent.of("250 ns", "500 ns"),
-        indentation: extent.of("250 ns", "500 ns"),
+        deposition: extent.of("200 ns", "500 ns"),
+        indentation: extent.of("200 ns", "500 ns"),
     };
     let seeds: Vec<u64> = (1..=protocol.aggregates).collect();
     let members = seeds
@@ -122,7 +122,7 @@ fn claims(members: &[Member]) -> Vec<Claim> {
     let rupture = Mean::of(&parted);
     let (one, _) = saturated_hamaker(14.0, 14.0, 0.0, 100.0, 1.0);
     let tip = plane_force(14.0, 1.0, 1000.0);
-    let within = 1e-3 * one < highest.value && highest.value < 1e-3 * 3.0 * tip;
+    let within = 1e-3 * one < highest.value && highest.value < 1e-3 * tip;
     vec![
         Claim::new(
             "Fig. 4",
@@ -140,10 +140,10 @@ fn claims(members: &[Member]) -> Vec<Claim> {
         ),
         Claim::new(
             "Section 3.1.1",
-            "they go on towards the substrate after one branch has adhered: the centre of mass sinks by more than a sphere",
+            "they go on towards the substrate after one branch has adhered: the centre of mass sinks by more than the gap at first, 1.4 nm",
             "motion continues",
             format!("{lowered:.1} nm"),
-            lowered.value > 28.0,
+            lowered.value - lowered.margin > 1.4,
         ),
         Claim::new(
             "Fig. 6a",
@@ -155,9 +155,9 @@ fn claims(members: &[Member]) -> Vec<Claim> {
         Claim::new(
             "Fig. 6a",
             format!(
-                "the highest peak is above what parts two spheres, {:.2} nN, and below what parts three from the tip, {:.2} nN",
+                "the highest peak is above what parts two spheres, {:.2} nN, and below what parts one from the tip, {:.2} nN",
                 1e-3 * one,
-                3e-3 * tip
+                1e-3 * tip
             ),
             "a picture",
             format!("{highest:.2} nN"),
