@@ -133,6 +133,8 @@ proptest! {
             let (before, after) = (seen(&body, at(k), 50.0), seen(&body, at(k + 1), 50.0));
             prop_assert!((before[0].distance - after[0].distance).abs() <= step * (1.0 + 1e-9));
             prop_assert!((before[0].n - after[0].n).norm() <= 2.0 * step / 0.3);
+            // Springs are found again by place: it moves no farther than the sphere.
+            prop_assert!((before[0].place - after[0].place).norm() <= step * (1.0 + 1e-9) + 1e-12);
         }
     }
 }
