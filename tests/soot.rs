@@ -122,12 +122,8 @@ fn a_neck_breaks_when_it_holds_more_than_it_can_and_the_energy_is_accounted_for(
         let mut system = system(|_| true);
         let pair = system.necks[0];
         system.necks = vec![pair];
-        let outwards = |system: &System| {
-            let x = &system.particles.x;
-            let n = x[pair.1 as usize] - x[pair.0 as usize];
-            n * (speed / n.norm())
-        };
-        system.particles.v[pair.1 as usize] = outwards(&system);
+        let along = system.particles.x[pair.1 as usize] - system.particles.x[pair.0 as usize];
+        system.particles.v[pair.1 as usize] = along * (speed / along.norm());
         let mut simulation = run(system, settings(DT / 4.0), 0);
         let mut broken = Vec::new();
         for _ in 0..200 {

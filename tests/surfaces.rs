@@ -208,6 +208,16 @@ fn an_aggregate_from_a_file_is_indented_with_the_bits_of_a_sequence() {
     assert_eq!(rows("whole"), rows("second"));
     assert!(place.path().join("run/whole/frames/000002.obj").exists());
 
+    let veridem = |arguments: &[&str]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_veridem"));
+        command.current_dir(place.path()).arg("--quiet").args(arguments).output().expect("it starts")
+    };
+    let paused = veridem(&["run", "whole.yaml", "--name", "paused", "--stop-after-steps", "7001"]);
+    assert_eq!(paused.status.code(), Some(75));
+    assert!(veridem(&["resume", "run/paused"]).status.success());
+    let same = veridem(&["inspect", "--diff", "run/paused", "run/whole"]);
+    assert_eq!(String::from_utf8_lossy(&same.stdout), "identical\n");
+
     let other = run("other", ", deposited: one.sample, radius: 15 nm", indentation);
     let text = String::from_utf8_lossy(&other.stderr).to_string();
     assert_eq!(text, "one.sample: was made with another model or aggregate\n");

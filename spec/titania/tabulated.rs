@@ -25,7 +25,8 @@ impl Tabulated {
     /// The law for contact spheres of these radii, in ascending order, with tables that are wrong by at most `tolerance`.
     pub fn new(law: Titania, radii: &[f64], tolerance: f64) -> Self {
         let sizes = || radii.iter().flat_map(|&r_i| radii.iter().map(move |&r_j| (r_i, r_j)));
-        let tables: Vec<_> = sizes().filter(|(r_i, r_j)| r_i <= r_j).map(|(r_i, r_j)| law.table(r_i, r_j, tolerance)).collect();
+        let tables: Vec<_> =
+            sizes().filter(|(r_i, r_j)| r_i <= r_j).map(|(r_i, r_j)| law.table(r_i, r_j, tolerance)).collect();
         let error = tables.iter().map(|table| table.error()).fold(0.0, f64::max);
         let (pieces, lists) = Lists::join(tables);
         let mut upper = pieces.iter();

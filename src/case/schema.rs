@@ -1,11 +1,11 @@
 //! The case file: every section and key, with its default.
 
+use super::film::{Film, Spectroscopy};
 use super::quantity::{
     CriticalDamping, CriticalDiameter, CriticalStep, Density, Drag, JunctionDiameter, Length, ModeDiameter, Pressure,
     Quantity, Scaled, Step, SurfaceEnergy, Time, Velocity, YoungModulus,
 };
 use super::section::{choice, defaults, section};
-use super::film::{Film, Spectroscopy};
 use super::soot::{Aggregate, Deposition, Restructuring, Soot, SootStage};
 use super::titania::{Agglomerate, ContactTests, Stretching, Titania, TwoParticles};
 use std::path::PathBuf;

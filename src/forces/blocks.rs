@@ -156,7 +156,8 @@ fn cut_to_fit(
 /// All places of all blocks: particle, block, place within the block.
 pub fn places<M: PairModel>(blocks: &[Block<M>]) -> impl Iterator<Item = (usize, u32, u32)> {
     let of = |block: &Block<M>| block.own.len() + block.halo.len();
-    let each = move |(block, number)| (0..of(block)).map(move |place| (block.member(place as u16).0, number, place as u32));
+    let each =
+        move |(block, number)| (0..of(block)).map(move |place| (block.member(place as u16).0, number, place as u32));
     blocks.iter().zip(0..).flat_map(each)
 }
 

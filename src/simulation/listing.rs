@@ -94,8 +94,7 @@ impl<M: PairModel> Simulation<M> {
         for pair in pairs.iter() {
             (moving[pair.p as usize], moving[pair.q as usize]) = (true, true);
         }
-        let (mut order, still): (Vec<u32>, Vec<u32>) =
-            (0..particles.len() as u32).partition(|&p| moving[p as usize]);
+        let (mut order, still): (Vec<u32>, Vec<u32>) = (0..particles.len() as u32).partition(|&p| moving[p as usize]);
         self.listed.moving = order.len();
         let mut place = vec![0; particles.len()];
         for (new, &old) in (0..).zip(&order) {
@@ -125,9 +124,16 @@ impl<M: PairModel> Simulation<M> {
         }
         let domain = Domain { sides: self.listed.sides, ..self.system.domain };
         let bodies = (self.listed.moving, &self.shares(pairs)[..]);
-        self.blocks =
-            forces::partition(&self.model, particles, (&self.listed.x, &domain, self.settings.skin), pairs, necks, springs, bodies)
-                .map_err(|reason| self.halt(reason))?;
+        self.blocks = forces::partition(
+            &self.model,
+            particles,
+            (&self.listed.x, &domain, self.settings.skin),
+            pairs,
+            necks,
+            springs,
+            bodies,
+        )
+        .map_err(|reason| self.halt(reason))?;
         self.grips = Grips::find(particles, self.listed.moving, self.system.bodies.len(), &self.blocks);
         self.on_walls = forces::places(&self.blocks)
             .filter_map(|(p, block, place)| Some((particles.wall[p].checked_sub(1)?, block, place)))

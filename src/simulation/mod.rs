@@ -16,8 +16,8 @@ use crate::forces::{self, Block, Instructions, Totals};
 use crate::motion::{self, BoxRelaxation, Grips, Moved, Spheres};
 use crate::spec::{PairModel, Vec3};
 use crate::system::{Halt, System};
-use rayon::prelude::*;
 use listing::Listed;
+use rayon::prelude::*;
 
 /// How a system is advanced. Units: ns, ag/ns, nm.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -76,8 +76,7 @@ impl System {
     pub fn add_body(&mut self, members: &[usize]) {
         let particles = &mut self.particles;
         let mass: f64 = members.iter().map(|&p| particles.mass[p]).sum();
-        let centre =
-            members.iter().fold(Vec3::zero(), |sum, &p| sum + particles.x[p] * (particles.mass[p] / mass));
+        let centre = members.iter().fold(Vec3::zero(), |sum, &p| sum + particles.x[p] * (particles.mass[p] / mass));
         let mut inertia = [Vec3::zero(); 3];
         for &p in members {
             let part = member_inertia(particles.mass[p], particles.radius[p], particles.x[p] - centre);

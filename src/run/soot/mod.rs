@@ -221,6 +221,13 @@ impl Study for Plan {
         watch: &Watch,
         simulation: &Simulation<soot::Soot>,
     ) -> Result<Vec<Finding>, Error> {
-        Ok(watch.findings(&self.stages[stage], simulation))
+        let mut findings = watch.findings(&self.stages[stage], simulation);
+        if self.stages.len() > 1 {
+            let name = self.stages[stage].name();
+            let before = self.stages[..stage].iter().filter(|other| other.name() == name).count();
+            let of_stage = if before == 0 { name.to_string() } else { format!("{name} {}", before + 1) };
+            findings.iter_mut().for_each(|finding| finding.name = format!("{of_stage}: {}", finding.name));
+        }
+        Ok(findings)
     }
 }

@@ -134,7 +134,7 @@ impl Watch {
                     100.0 * kinetic / self.kinetic
                 );
                 vec![
-                    Finding::words("deposition", sentence),
+                    Finding::words("end", sentence),
                     number("spheres on the substrate", spheres as f64, ""),
                     number("kinetic energy at first", self.kinetic, "zJ"),
                     number("kinetic energy at last", kinetic, "zJ"),
@@ -150,14 +150,22 @@ impl Watch {
                 };
                 let sentence = format!("the tip {end}, after {peaks} peaks of at most {:.2} nN", 1e-3 * highest);
                 let mut found = vec![
-                    Finding::words("indentation", sentence),
+                    Finding::words("end", sentence),
                     number("peaks of the force curve", peaks as f64, ""),
                     number("highest peak", highest, "pN"),
                 ];
                 found.extend(curve.rupture().map(|height| number("rupture height", height, "nm")));
                 found
             }
-            SootStage::Restructuring(_) => Vec::new(),
+            SootStage::Restructuring(_) => {
+                let (first, last) = (self.shape, shape(system));
+                let verdict = if last[0] > first[0] && last[2] < first[2] { "compacts" } else { "does not compact" };
+                let sentence = format!(
+                    "the aggregate {verdict}: coordination number {:.2} after {:.2}, gyration radius {:.0} nm after {:.0} nm",
+                    last[0], first[0], last[2], first[2]
+                );
+                vec![Finding::words("end", sentence)]
+            }
         };
         findings.push(number("necks", system.necks.len() as f64, ""));
         for (when, [coordination, convexity, gyration]) in [("at first", self.shape), ("at last", shape(system))] {

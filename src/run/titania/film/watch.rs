@@ -123,7 +123,12 @@ impl Watch {
             found.push(Finding::number("last peak of the pull", pull(peak), "pN", None));
         }
         match self.rupture {
-            Some(height) => found.push(Finding::number("way of the tip from the setpoint to the rupture", height - self.from, "nm", None)),
+            Some(height) => found.push(Finding::number(
+                "way of the tip from the setpoint to the rupture",
+                height - self.from,
+                "nm",
+                None,
+            )),
             None => found.push(Finding::words("rupture of the film", "not within the retraction")),
         }
         found.push(Finding::number("aggregates that the tip has taken along", self.on_tip as f64, "", None));
