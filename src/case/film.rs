@@ -5,6 +5,7 @@ use super::schema::InSteps;
 use super::section::{defaults, section};
 use super::soot::quantity;
 use crate::build::film::{Diameters, FilmPlan, Gas, Numbers};
+use std::path::PathBuf;
 
 section! {
     /// Aggregates that came down one by one and stayed where they touched, Section 5.3.
@@ -27,6 +28,10 @@ section! {
         gas: GasOfFilm = defaults(),
         /// Velocity at which they drifted down.
         drift: Quantity<Velocity> = quantity("0.1 m/s"),
+        /// File to keep the relaxed film in.
+        save: Option<PathBuf> = None,
+        /// File with a relaxed film to start from; it must have been made with the same keys above, model, relaxation and seed.
+        load: Option<PathBuf> = None,
     }
 }
 
@@ -109,7 +114,7 @@ section! {
 impl Film {
     /// How it is built, in engine units.
     pub fn plan(&self) -> FilmPlan {
-        let Self { particles, sides, diameters, aggregates, cluster, prefactor, dimension, gas, drift } = self;
+        let Self { particles, sides, diameters, aggregates, cluster, prefactor, dimension, gas, drift, .. } = self;
         let whole = |d: &Quantity<Length>| d.value.round() as u32;
         FilmPlan {
             spheres: *particles as usize,

@@ -9,8 +9,6 @@ use crate::spec::Vec3;
 use crate::system::Domain;
 use std::f64::consts::PI;
 
-/// Spheres touch if their gap is below this part of their distance.
-const TOUCH: f64 = 1e-6;
 /// The bulk of a film lies between the heights below which these parts of its solid are: neither floor nor surface count.
 const BULK: [f64; 2] = [0.2, 0.8];
 /// Layers of the profile.
@@ -36,12 +34,12 @@ pub struct Structure {
 }
 
 impl Structure {
-    /// Measures a film; the same `seed` gives the same pores.
-    pub fn of(film: &Film, seed: u64) -> Self {
+    /// Measures a film, in which spheres touch if their gap is less than `touch` (nm); the same `seed` gives the same pores.
+    pub fn of(film: &Film, touch: f64, seed: u64) -> Self {
         let bulk = bulk(film);
         let solid = |low, high| solid_between(film, low, high);
         let layer = film.thickness / LAYERS as f64;
-        let [within, between] = contacts(film);
+        let [within, between] = contacts(film, touch);
         Self {
             thickness: film.thickness,
             bulk,
@@ -86,12 +84,12 @@ fn below(sphere: &FilmSphere, height: f64) -> f64 {
 }
 
 /// Numbers of contacts within aggregates and between them.
-fn contacts(film: &Film) -> [usize; 2] {
+fn contacts(film: &Film, touch: f64) -> [usize; 2] {
     let centres: Vec<Vec3<f64>> = film.spheres.iter().map(|s| s.centre).collect();
     let radii: Vec<f64> = film.spheres.iter().map(radius).collect();
     let column = Domain { sides: [film.sides[0], film.sides[1], film.thickness], periodic: [true, true, false] };
     let mut numbers = [0; 2];
-    for pair in neighbours(&centres, &radii, &column, |r, s| (1.0 + TOUCH) * (r + s)) {
+    for pair in neighbours(&centres, &radii, &column, |r, s| r + s + touch) {
         let [p, q] = [pair.p, pair.q].map(|k| film.spheres[k as usize].aggregate);
         numbers[usize::from(p != q)] += 1;
     }

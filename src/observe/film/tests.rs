@@ -1,5 +1,8 @@
 use super::*;
 
+/// More than rounding, nm.
+const TOUCH: f64 = 1e-6;
+
 /// A cubic lattice of touching spheres with a diameter of 20 nm, three of them in each direction sideways.
 fn lattice(layers: usize) -> Film {
     let sphere = |k: usize| FilmSphere {
@@ -17,7 +20,7 @@ fn lattice(layers: usize) -> Film {
 
 #[test]
 fn a_cubic_lattice_has_its_porosity_contacts_and_pores() {
-    let structure = Structure::of(&lattice(20), 1);
+    let structure = Structure::of(&lattice(20), TOUCH, 1);
     let porosity = 1.0 - PI / 6.0;
     assert_eq!(structure.thickness, 400.0);
     // Layers of the profile are layers of the lattice; the bulk begins and ends in the middle of one.
@@ -39,7 +42,7 @@ fn a_wide_gap_is_a_pore_of_its_width() {
         s.centre.0[2] += 60.0;
     }
     film.thickness += 60.0;
-    let [_, median, large] = Structure::of(&film, 1).pores;
+    let [_, median, large] = Structure::of(&film, TOUCH, 1).pores;
     // Balls that reach between the spheres of both sides are a little wider than the gap.
     assert!(median > 60.0 && median <= large && large < 60.0 + 2.0 * 20.0 * (1.0 - 0.5f64.sqrt()), "{median} {large}");
 }

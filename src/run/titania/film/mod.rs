@@ -4,17 +4,19 @@ mod contacts;
 mod tip;
 mod watch;
 
-use crate::build::film::Film;
+use crate::build::film::{Film, FilmSphere};
 use crate::build::protocol::Progress;
 use crate::case::{self, Case, Spectroscopy, TitaniaTest};
 use crate::error::Error;
 use crate::forces::Instructions;
-use crate::output::{Cell, Finding};
+use crate::observe::film::Structure;
+use crate::output::{Cell, Finding, Kept, keep, kept};
 use crate::run::Study;
 use crate::simulation::{Settings, Simulation};
 use crate::spec::Vec3;
 use crate::spec::titania::Tabulated;
 use crate::system::{Domain, Motion, Particles, System};
+use serde::{Deserialize, Serialize};
 use std::sync::OnceLock;
 use watch::Watch;
 
@@ -25,7 +27,15 @@ pub struct Plan {
     test: Spectroscopy,
     seed: u64,
     overlap: f64,
+    stages: Vec<Stage>,
     model: OnceLock<Tabulated>,
+}
+
+/// A relaxed film on disk, with what it was made from.
+#[derive(Serialize, Deserialize)]
+struct Relaxed {
+    origin: String,
+    system: System,
 }
 
 /// A stage.
@@ -65,7 +75,16 @@ impl Plan {
     pub fn of(case: &Case) -> Option<Self> {
         let (titania, TitaniaTest::Spectroscopy(film, test)) = case.titania()? else { return None };
         let (titania, film, test) = (titania.clone(), film.clone(), test.clone());
-        Some(Self { titania, film, test, seed: case.seed, overlap: case.limits.overlap, model: OnceLock::new() })
+        let stages = if film.load.is_some() { &Stage::ALL[1..] } else { &Stage::ALL[..] }.to_vec();
+        let (seed, overlap) = (case.seed, case.limits.overlap);
+        Some(Self { titania, film, test, seed, overlap, stages, model: OnceLock::new() })
+    }
+
+    /// Everything that a relaxed film depends on.
+    fn origin(&self) -> String {
+        let film = case::Film { save: None, load: None, ..self.film.clone() };
+        let Spectroscopy { relaxation, drag, dt, .. } = &self.test;
+        serde_json::to_string(&(&self.titania, film, relaxation, drag, dt, self.seed)).expect("a case is plain data")
     }
 
     /// The film as bodies, those on the floor fixed, in a box that ends above it.
@@ -92,6 +111,22 @@ impl Plan {
         let fixed = system.bodies.len() as u32;
         system.add_wall(AT_REST, |p, i| p.body[i] == fixed);
         system
+    }
+
+    /// What the film is like now; spheres touch where their water layers do.
+    fn structure(&self, system: &System) -> Structure {
+        let p = &system.particles;
+        let sizes: Vec<(f64, f64)> = self.film.sizes().into_iter().map(|d| (self.titania.particle(d).0, d)).collect();
+        let nominal =
+            |radius: f64| sizes.iter().find(|size| size.0 == radius).expect("a particle has one of the sizes").1;
+        let sphere = |i: usize| FilmSphere { centre: p.x[i], diameter: nominal(p.radius[i]), aggregate: p.tag[i] };
+        let spheres: Vec<FilmSphere> = (0..p.len()).map(sphere).collect();
+        let mut on_floor = vec![false; p.tag.iter().max().map_or(0, |&tag| tag as usize + 1)];
+        (0..p.len()).filter(|&i| p.wall[i] > 0).for_each(|i| on_floor[p.tag[i] as usize] = true);
+        let thickness = spheres.iter().map(|s| s.centre.0[2] + 0.5 * s.diameter).fold(0.0, f64::max);
+        let [width, depth, _] = system.domain.sides;
+        let film = Film { spheres, on_floor, sides: [width, depth], thickness };
+        Structure::of(&film, 2.0 * sizes[0].0 - sizes[0].1, self.seed)
     }
 
     /// Places the tip above the middle of the film, and lets it come down.
@@ -122,10 +157,17 @@ impl Study for Plan {
     type Watch = Watch;
 
     fn stages(&self) -> Vec<&'static str> {
-        Stage::ALL.map(Stage::name).into()
+        self.stages.iter().map(|stage| stage.name()).collect()
     }
 
     fn initial(&self) -> Result<System, Error> {
+        if let Some(path) = &self.film.load {
+            let Relaxed { origin, system } = kept(path, Kept::Sample)?;
+            if origin != self.origin() {
+                return Err(Error::input(path, "was made with another model, film, relaxation or seed"));
+            }
+            return Ok(system);
+        }
         let film = self.film.plan().build(self.seed);
         Ok(self.bodies(&film.map_err(|failure| Error::Verification(failure.to_string()))?))
     }
@@ -139,7 +181,7 @@ impl Study for Plan {
     }
 
     fn set_up(&self, stage: usize, mut system: System) -> Result<System, Error> {
-        match Stage::ALL[stage] {
+        match self.stages[stage] {
             Stage::Relaxation => {}
             Stage::Approach => self.add_tip(&mut system),
             Stage::Retraction => {
@@ -164,7 +206,7 @@ impl Study for Plan {
     }
 
     fn settings(&self, stage: usize, _: &System) -> Settings {
-        let damping = if Stage::ALL[stage] == Stage::Relaxation { self.test.drag.value } else { 0.0 };
+        let damping = if self.stages[stage] == Stage::Relaxation { self.test.drag.value } else { 0.0 };
         Settings {
             dt: self.test.dt.value,
             damping,
@@ -177,7 +219,7 @@ impl Study for Plan {
 
     fn steps(&self, stage: usize, dt: f64) -> u64 {
         let test = &self.test;
-        let time = match Stage::ALL[stage] {
+        let time = match self.stages[stage] {
             Stage::Relaxation => test.relaxation.value(dt),
             Stage::Approach => test.depth.value / test.speed.value,
             Stage::Retraction => test.reversal.value + test.retraction.value / test.speed.value,
@@ -186,7 +228,7 @@ impl Study for Plan {
     }
 
     fn progress(&self, stage: usize, watch: &Watch, simulation: &Simulation<Tabulated>) -> Progress {
-        let done = match Stage::ALL[stage] {
+        let done = match self.stages[stage] {
             Stage::Relaxation => false,
             Stage::Approach => watch.force() >= self.test.setpoint.value,
             Stage::Retraction => watch.parted_by(AFTER),
@@ -195,12 +237,16 @@ impl Study for Plan {
         if done || simulation.system().step >= last { Progress::Done } else { Progress::Going }
     }
 
-    fn end(&self, _: usize, simulation: Simulation<Tabulated>) -> Result<System, Error> {
-        Ok(simulation.into_system_with_springs())
+    fn end(&self, stage: usize, simulation: Simulation<Tabulated>) -> Result<System, Error> {
+        let system = simulation.into_system_with_springs();
+        if let (Stage::Relaxation, Some(path)) = (self.stages[stage], &self.film.save) {
+            keep(path, Kept::Sample, &Relaxed { origin: self.origin(), system: system.clone() })?;
+        }
+        Ok(system)
     }
 
     fn parts(&self, stage: usize) -> u64 {
-        if Stage::ALL[stage] == Stage::Retraction { 4 } else { 1 }
+        if self.stages[stage] == Stage::Retraction { 4 } else { 1 }
     }
 
     fn upwards(&self) -> usize {
@@ -216,15 +262,25 @@ impl Study for Plan {
     }
 
     fn follow(&self, stage: usize, watch: &mut Watch, simulation: &Simulation<Tabulated>) -> Vec<String> {
-        watch.follow(Stage::ALL[stage], self.test.average.value, simulation)
+        watch.follow(self.stages[stage], self.test.average.value, simulation)
     }
 
     fn look(&self, watch: &mut Watch, simulation: &Simulation<Tabulated>) -> Vec<Cell> {
         watch.look(simulation)
     }
 
-    fn findings(&self, stage: usize, watch: &Watch, _: &Simulation<Tabulated>) -> Result<Vec<Finding>, Error> {
-        Ok(watch.findings(Stage::ALL[stage], self.test.setpoint.value))
+    fn findings(&self, stage: usize, watch: &Watch, simulation: &Simulation<Tabulated>) -> Result<Vec<Finding>, Error> {
+        let mut found = watch.findings(self.stages[stage], self.test.setpoint.value);
+        if self.stages[stage] == Stage::Relaxation {
+            let structure = self.structure(simulation.system());
+            found.extend([
+                Finding::number("porosity of the relaxed film", structure.porosity, "", Some(0.98)),
+                Finding::number("thickness of the relaxed film", structure.thickness, "nm", None),
+                Finding::number("contacts of an aggregate with others", structure.contacts_between, "", None),
+                Finding::number("median pore diameter", structure.pores[1], "nm", None),
+            ]);
+        }
+        Ok(found)
     }
 }
 
