@@ -150,20 +150,21 @@ pub fn aggregate(recipe: &Recipe, seed: u64) -> Result<Vec<Sphere>, Failure> {
         Method::Clusters => 1,
         Method::Spheres => recipe.number,
     };
-    grown(radii, largest_cluster, &recipe.law(), &mut places)
+    let (spheres, missed) = grown(radii, largest_cluster, &recipe.law(), &mut places);
+    missed.map_or(Ok(spheres), Err)
 }
 
 /// Grows an aggregate of given spheres, in any order: one after the other up to clusters of `largest_cluster`, as few and as equal
-/// as can be, which are then joined, halves of halves.
+/// as can be, which are then joined, halves of halves. Where the law was not met, the nearest is given, and by how much it was missed.
 pub fn grown(
     mut radii: Vec<f64>,
     largest_cluster: usize,
     law: &Law,
     places: &mut Stream,
-) -> Result<Vec<Sphere>, Failure> {
+) -> (Vec<Sphere>, Option<Failure>) {
     let number = radii.len();
     let clusters = number.div_ceil(largest_cluster);
-    let mut best: Option<Failure> = None;
+    let mut nearest: Option<(f64, Vec<Sphere>, Failure)> = None;
     for _ in 0..BEGINNINGS {
         // Another order may do what this one cannot: the last sphere may be too small or too large to meet the law.
         for k in (1..number).rev() {
@@ -173,17 +174,15 @@ pub fn grown(
         let wanted = law.gyration_radius(&grown.sums);
         let reached = grown.square.sqrt();
         if number < 3 || (reached / wanted - 1.0).abs() < ROUNDING {
-            return Ok(grown.spheres);
+            return (grown.spheres, None);
         }
-        let nearer = |failure: &Failure| match *failure {
-            Failure::Unmet { reached: before, .. } => (reached - wanted).abs() < (before - wanted).abs(),
-            Failure::Recipe => true,
-        };
-        if best.as_ref().is_none_or(nearer) {
-            best = Some(Failure::Unmet { number, wanted, reached });
+        let miss = (reached - wanted).abs();
+        if nearest.as_ref().is_none_or(|best| miss < best.0) {
+            nearest = Some((miss, grown.spheres, Failure::Unmet { number, wanted, reached }));
         }
     }
-    Err(best.expect("it was begun at least once"))
+    let (_, spheres, failure) = nearest.expect("it was begun at least once");
+    (spheres, Some(failure))
 }
 
 fn grow(law: &Law, radii: &[f64], clusters: usize, stream: &mut Stream) -> Cluster {

@@ -16,6 +16,8 @@ use rayon::prelude::*;
 const BOLTZMANN: f64 = 1.380649e-2;
 /// Walks that measure the hydrodynamic radius: its standard error is 3 % where half of them hit.
 const WALKS: usize = 1000;
+/// How often the spheres of an aggregate are drawn anew if they cannot meet the law: a large one among small ones.
+const DRAWS: usize = 5;
 /// Directions in which the projected area is taken.
 const DIRECTIONS: usize = 56;
 
@@ -35,13 +37,21 @@ pub fn aggregates(plan: &FilmPlan, seed: u64) -> Result<Vec<Aggregate>, Failure>
         total += sizes[sizes.len() - 1];
     }
     let classes = plan.diameters.classes();
+    let law = Law { k_f: plan.k_f, d_f: plan.d_f, form: Form::Titania };
     let one = |(k, &number): (usize, &usize)| {
         let mut stream = Stream::new(seed, &format!("film aggregate {k}"));
-        let radii = (0..number).map(|_| 0.5 * draw(&classes, &mut stream)).collect();
-        let law = Law { k_f: plan.k_f, d_f: plan.d_f, form: Form::Titania };
-        let spheres = grown(radii, plan.cluster, &law, &mut stream).map_err(Failure::Ungrown)?;
-        let diffusion = plan.diffusion(&spheres, &mut stream);
-        Ok(Aggregate { spheres, diffusion })
+        let mut missed = None;
+        for _ in 0..DRAWS {
+            let radii = (0..number).map(|_| 0.5 * draw(&classes, &mut stream)).collect();
+            let (spheres, failure) = grown(radii, plan.cluster, &law, &mut stream);
+            // One cluster may be too small for the law, whatever its spheres: as clusters do on the way, it comes as near as it can.
+            if failure.is_none() || number <= plan.cluster {
+                let diffusion = plan.diffusion(&spheres, &mut stream);
+                return Ok(Aggregate { spheres, diffusion });
+            }
+            missed = failure;
+        }
+        Err(Failure::Ungrown(missed.expect("it was grown at least once")))
     };
     sizes.par_iter().enumerate().map(one).collect()
 }

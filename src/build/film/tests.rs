@@ -41,6 +41,13 @@ fn aggregates_obey_the_law_and_are_trees_of_touching_spheres() {
 }
 
 #[test]
+fn aggregates_too_small_for_the_law_come_as_near_as_they_can() {
+    let plan = FilmPlan { numbers: Numbers { median: 3.0, deviation: 0.5, largest: 6 }, ..small() };
+    let aggregates = aggregates(&FilmPlan { spheres: 300, ..plan }, 3).unwrap();
+    assert!(aggregates.iter().any(|a| a.spheres.len() == 3) && aggregates.iter().all(|a| a.spheres.len() <= 6));
+}
+
+#[test]
 fn an_aggregate_rests_on_the_floor_or_touches_one_earlier_sphere_and_overlaps_none() {
     let plan = small();
     let film = plan.build(5).unwrap();
