@@ -46,7 +46,7 @@ impl Sums {
         let sum = |part: fn(f64) -> f64| spheres.iter().map(|s| part(s.radius)).sum();
         Self {
             number: spheres.len(),
-            logarithms: sum(|r| Real::ln(r)),
+            logarithms: sum(Real::ln),
             squares: sum(|r| r.squared()),
             cubes: sum(|r| r * r * r),
         }

@@ -1,6 +1,7 @@
 //! What a film and its test must satisfy.
 
 use super::super::{Found, expect};
+use crate::build::film::column::Column;
 use crate::case::units::decimal;
 use crate::case::{Film, Spectroscopy};
 
@@ -18,6 +19,13 @@ pub fn sample(film: &Film, thick: &str, core_gap: f64, found: &mut Found) {
     }
     let least = format!("at least the smallest diameter, {smallest}");
     expect(found, largest.value >= smallest.value, &at("diameters.largest"), largest, &least);
+    let classes = "at most 31 nm more than the smallest diameter";
+    expect(found, largest.value <= smallest.value + 31.0, &at("diameters.largest"), largest, classes);
+    let least = Column::least_side(0.5 * largest.value);
+    for (axis, side) in film.sides.iter().enumerate() {
+        let wide = format!("at least one and a half times the largest diameter, {} nm", decimal(least));
+        expect(found, side.value >= least, &at(&format!("sides[{axis}]")), side, &wide);
+    }
     let between = format!("between the smallest and the largest diameter, {smallest} and {largest}");
     let median = &diameters.median;
     let inside = (smallest.value..=largest.value).contains(&median.value);
