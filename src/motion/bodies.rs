@@ -1,11 +1,12 @@
 //! Rigid bodies: the loads on their spheres summed, one step taken, and the spheres that are in touch moved along.
 
 use super::{Moved, Step};
-use crate::forces::{Block, places};
+use crate::forces::{Block, LANES, places};
+use crate::spec::numbers::Lanes;
 use crate::spec::titania::def_body::{aggregate_drag, spin};
 use crate::spec::titania::def_rotation::{free_rotation, to_space};
 use crate::spec::wear::eq01_symplectic_euler::{drift, kick};
-use crate::spec::{PairModel, Vec3};
+use crate::spec::{Flat, PairModel, Real, Vec3};
 use crate::system::{Body, Particles, Pose};
 use rayon::prelude::*;
 use std::ops::Range;
@@ -81,8 +82,9 @@ pub fn advance_bodies<M: PairModel>(
         .with_max_len(1)
         .map(|(first, mut crew)| {
             let mut sums = (Moved::default(), [0.0; 3]);
-            for k in 0..crew.bodies.len() {
-                crew.advance(k, first, arms, (grips, blocks), step, &mut sums);
+            for begin in (0..crew.bodies.len()).step_by(LANES) {
+                let group = begin..(begin + LANES).min(crew.bodies.len());
+                crew.advance(group, first, arms, (grips, blocks), step, &mut sums);
             }
             sums
         })
@@ -92,72 +94,151 @@ pub fn advance_bodies<M: PairModel>(
 }
 
 impl Crew<'_> {
+    /// Advances up to as many bodies as are computed side by side.
     fn advance<M: PairModel>(
         &mut self,
-        k: usize,
+        group: Range<usize>,
         first: usize,
         arms: &[Vec3<f64>],
         (grips, blocks): (&Grips, &[Block<M>]),
         step: &Step,
         (moved, virial): &mut (Moved, [f64; 3]),
     ) {
-        let (body, before) = (&mut self.bodies[k], &self.listed[k]);
         let begin = grips.members[first];
-        let (mut force, mut torque) = (Vec3::zero(), Vec3::zero());
-        for &(p, block, place) in &grips.at[grips.loads[first + k]..grips.loads[first + k + 1]] {
-            let [fx, fy, fz, tx, ty, tz, ..] = blocks[block as usize].loads[place as usize].0;
-            let (push, r) = (Vec3([fx, fy, fz]), self.x[p as usize - begin] - body.pose.x);
-            force = force + push;
-            torque = torque + r.cross(push) + Vec3([tx, ty, tz]);
+        let mut pushed = [Pushed::at_rest(); LANES];
+        for (k, pushed) in group.clone().zip(&mut pushed) {
+            let body = &self.bodies[k];
+            let (mut force, mut torque) = (Vec3::zero(), Vec3::zero());
+            for &(p, block, place) in &grips.at[grips.loads[first + k]..grips.loads[first + k + 1]] {
+                let [fx, fy, fz, tx, ty, tz, ..] = blocks[block as usize].loads[place as usize].0;
+                let (push, r) = (Vec3([fx, fy, fz]), self.x[p as usize - begin] - body.pose.x);
+                force = force + push;
+                torque = torque + r.cross(push) + Vec3([tx, ty, tz]);
+                for a in 0..3 {
+                    virial[a] += r.0[a] * push.0[a];
+                }
+            }
+            if step.damping > 0.0 && body.wall == 0 {
+                let (drag, brake) = drag(body, step.damping);
+                moved.drag -= (drag.dot(body.v) + brake.dot(body.omega())) * step.dt;
+                (force, torque) = (force + drag, torque + brake);
+            }
+            *pushed = Pushed::new(body, force, torque);
+        }
+        let side_by_side: Pushed<Lanes<LANES>> = Flat::from_fn(|k| Lanes(pushed.each_ref().map(|one| *one.at(k))));
+        let (after, energies) = push(side_by_side, Lanes::lit(step.dt));
+        for (lane, k) in group.enumerate() {
+            let (body, before) = (&mut self.bodies[k], &self.listed[k]);
+            let omega = match (body.wall as usize).checked_sub(1) {
+                None => {
+                    let Pushed { x, v, q_0, q, l, omega, .. } = Flat::from_fn(|k| after.at(k).0[lane]);
+                    (body.pose, body.v, body.l) = (Pose { x, q_0, q }, v, l);
+                    moved.kinetic += energies.0.0[lane];
+                    moved.scheme += energies.1.0[lane];
+                    for a in 0..3 {
+                        moved.momentum_flux[a] += body.mass * v.0[a] * v.0[a];
+                    }
+                    omega
+                }
+                Some(wall) => {
+                    body.v = step.walls[wall].velocity;
+                    body.pose.x = drift(body.pose.x, body.v, step.dt);
+                    Vec3::zero()
+                }
+            };
+            let turned = body.turned_since(before);
             for a in 0..3 {
-                virial[a] += r.0[a] * push.0[a];
+                body.pose.x.0[a] *= step.growth[a];
+                let displacement = body.pose.x.0[a] - before.x.0[a] * step.stretch[a];
+                moved.least[a] = moved.least[a].min(displacement - turned);
+                moved.most[a] = moved.most[a].max(displacement + turned);
             }
-        }
-        match (body.wall as usize).checked_sub(1) {
-            None => push(body, force, torque, step, moved),
-            Some(wall) => {
-                body.v = step.walls[wall].velocity;
-                body.pose.x = drift(body.pose.x, body.v, step.dt);
+            for p in grips.members[first + k]..grips.members[first + k + 1] {
+                let place = p - begin;
+                (self.x[place], self.v[place]) = body.member(omega, arms[p]);
+                self.w[place] = omega;
             }
-        }
-        let turned = body.turned_since(before);
-        for a in 0..3 {
-            body.pose.x.0[a] *= step.growth[a];
-            let displacement = body.pose.x.0[a] - before.x.0[a] * step.stretch[a];
-            moved.least[a] = moved.least[a].min(displacement - turned);
-            moved.most[a] = moved.most[a].max(displacement + turned);
-        }
-        let (omega, own) = (body.omega(), grips.members[first + k]..grips.members[first + k + 1]);
-        for p in own {
-            let place = p - begin;
-            (self.x[place], self.v[place]) = body.member(omega, arms[p]);
-            self.w[place] = omega;
         }
     }
 }
 
-/// Kicks a free body by the loads on it, then lets it go on freely for a step.
-fn push(body: &mut Body, force: Vec3<f64>, torque: Vec3<f64>, step: &Step, moved: &mut Moved) {
-    let Step { dt, damping, .. } = *step;
-    let Body { pose: Pose { x, q_0, q }, v, l, mass, moments, .. } = *body;
-    let (mut force, mut torque) = (force, to_space(q_0, -q, torque));
-    if damping > 0.0 {
-        let (v, omega) = (to_space(q_0, -q, v), Vec3(std::array::from_fn(|k| l.0[k] / moments.0[k])));
-        let [d_x, d_y, d_z] = body.spread;
-        let (drag, brake) = aggregate_drag(damping, body.count, body.lever, d_x, d_y, d_z, v, omega);
-        moved.drag -= (drag.dot(v) + brake.dot(omega)) * dt;
-        (force, torque) = (force + to_space(q_0, q, drag), torque + brake);
+/// Drag on all spheres of a body: force and torque.
+fn drag(body: &Body, eta: f64) -> (Vec3<f64>, Vec3<f64>) {
+    let Body { pose: Pose { q_0, q, .. }, v, lever, spread: [d_x, d_y, d_z], .. } = *body;
+    let into = |u: Vec3<f64>| to_space(q_0, -q, u);
+    let (force, torque) = aggregate_drag(eta, body.count, lever, d_x, d_y, d_z, into(v), into(body.omega()));
+    (to_space(q_0, q, force), to_space(q_0, q, torque))
+}
+
+/// A free body and what pushes it, as numbers that several of are computed with side by side.
+#[derive(Clone, Copy)]
+struct Pushed<R> {
+    x: Vec3<R>,
+    v: Vec3<R>,
+    q_0: R,
+    q: Vec3<R>,
+    l: Vec3<R>,
+    omega: Vec3<R>,
+    mass: R,
+    moments: Vec3<R>,
+    force: Vec3<R>,
+    torque: Vec3<R>,
+}
+
+impl Pushed<f64> {
+    fn new(body: &Body, force: Vec3<f64>, torque: Vec3<f64>) -> Self {
+        let Body { pose: Pose { x, q_0, q }, v, l, mass, moments, .. } = *body;
+        Self { x, v, q_0, q, l, omega: Vec3::zero(), mass, moments, force, torque }
     }
-    let kicked = kick(l, torque, 1.0, dt);
-    let energy = |l: Vec3<f64>| spin(1.0, Vec3::zero(), l, moments).1;
-    body.v = kick(v, force, mass, dt);
-    body.pose.x = drift(x, body.v, dt);
-    (body.pose.q_0, body.pose.q, body.l) = free_rotation(q_0, q, kicked, moments, dt);
-    let (gained, turning) = (body.v - v, energy(body.l));
-    moved.kinetic += 0.5 * mass * body.v.dot(body.v) + turning;
+
+    /// What stands in for bodies that are not there.
+    fn at_rest() -> Self {
+        let (zero, one) = (Vec3::zero(), Vec3([1.0; 3]));
+        Self { x: zero, v: zero, q_0: 1.0, q: zero, l: zero, omega: zero, mass: 1.0, moments: one, force: zero, torque: zero }
+    }
+}
+
+impl<R: Copy + Send + Sync> Flat<R> for Pushed<R> {
+    const LEN: usize = 26;
+    #[inline(always)]
+    fn from_fn(mut f: impl FnMut(usize) -> R) -> Self {
+        let mut vector = |from: usize| Vec3([f(from), f(from + 1), f(from + 2)]);
+        let [x, v, q, l, omega, moments, force, torque] = [0, 3, 6, 9, 12, 15, 18, 21].map(&mut vector);
+        Self { x, v, q_0: f(24), q, l, omega, mass: f(25), moments, force, torque }
+    }
+    #[inline(always)]
+    fn at(&self, k: usize) -> &R {
+        let Self { x, v, q_0, q, l, omega, mass, moments, force, torque } = self;
+        match k {
+            24 => q_0,
+            25 => mass,
+            _ => &[x, v, q, l, omega, moments, force, torque][k / 3].0[k % 3],
+        }
+    }
+    #[inline(always)]
+    fn at_mut(&mut self, k: usize) -> &mut R {
+        let Self { x, v, q_0, q, l, omega, mass, moments, force, torque } = self;
+        match k {
+            24 => q_0,
+            25 => mass,
+            _ => &mut [x, v, q, l, omega, moments, force, torque].into_iter().nth(k / 3).expect("a place below LEN").0[k % 3],
+        }
+    }
+}
+
+/// Kicks a body by the loads on it, then lets it go on freely for a step. Also returns its kinetic energy, and what the scheme added to it.
+fn push<R: Real>(body: Pushed<R>, dt: R) -> (Pushed<R>, (R, R)) {
+    let Pushed { x, v, q_0, q, l, mass, moments, force, torque, .. } = body;
+    let half_mass = R::lit(0.5) * mass;
+    let energy = |l: Vec3<R>| spin(q_0, q, l, moments).1;
+    let kicked = kick(l, to_space(q_0, -q, torque), R::one(), dt);
+    let after = kick(v, force, mass, dt);
+    let gained = after - v;
+    let (q_0_next, q_next, l_next) = free_rotation(q_0, q, kicked, moments, dt);
+    let (omega, turning) = spin(q_0_next, q_next, l_next, moments);
+    let kinetic = half_mass * after.dot(after) + turning;
     // The step of free rotation is not exact either: what it adds to the energy is the scheme's.
-    moved.scheme += 0.5 * mass * gained.dot(gained) + energy(kicked - l) + (turning - energy(kicked));
-    for a in 0..3 {
-        moved.momentum_flux[a] += mass * body.v.0[a] * body.v.0[a];
-    }
+    let scheme = half_mass * gained.dot(gained) + energy(kicked - l) + (turning - energy(kicked));
+    let next = Pushed { x: drift(x, after, dt), v: after, q_0: q_0_next, q: q_next, l: l_next, omega, ..body };
+    (next, (kinetic, scheme))
 }

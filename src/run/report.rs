@@ -24,28 +24,29 @@ pub fn picture(folder: &RunFolder, name: &str, system: &System, upwards: usize) 
     write_atomically(&path, snapshot(system, [-0.1 * height, 1.2 * height]).as_bytes())
 }
 
-/// The curves that a reader asks for first: name, stage, axes.
-const CURVES: [(&str, &str, &str, &str); 20] = [
-    ("friction", "shearing", "slid [nm]", "friction [pN]"),
-    ("separation", "shearing", "slid [nm]", "separation [nm]"),
-    ("turns", "shearing", "slid [nm]", "third body turns"),
-    ("compression", "compression", "normal strain", "normal stress [MPa]"),
-    ("tension", "tension", "normal strain", "normal stress [MPa]"),
-    ("shear", "shear", "shear strain", "shear stress [MPa]"),
-    ("relaxation", "cohesion", "step", "volume fraction"),
-    ("coordination", "restructuring", "time [ns]", "coordination number"),
-    ("convexity", "restructuring", "time [ns]", "convexity"),
-    ("gyration", "restructuring", "time [ns]", "gyration radius [nm]"),
-    ("height", "deposition", "time [ns]", "height [nm]"),
-    ("deposition energy", "deposition", "time [ns]", "kinetic energy [zJ]"),
-    ("force curve", "indentation", "tip displacement [nm]", "cantilever reading [pN]"),
-    ("force on the tip", "indentation", "tip displacement [nm]", "pull on the tip [pN]"),
-    ("approach", "approach", "time [ns]", "distance [nm]"),
-    ("sliding friction", "sliding", "moved [nm]", "friction [pN]"),
-    ("rolling resistance", "rolling", "moved [nm]", "rolling resistance [pN]"),
-    ("pulling force", "pulling", "pulled [nm]", "pulling force [pN]"),
-    ("contacts", "pulling", "pulled [nm]", "contacts"),
-    ("ledger", "", "time [ns]", "relative residual"),
+/// The curves that a reader asks for first: name, stages or none for all, axes.
+const CURVES: [(&str, &[&str], &str, &str); 21] = [
+    ("friction", &["shearing"], "slid [nm]", "friction [pN]"),
+    ("separation", &["shearing"], "slid [nm]", "separation [nm]"),
+    ("turns", &["shearing"], "slid [nm]", "third body turns"),
+    ("compression", &["compression"], "normal strain", "normal stress [MPa]"),
+    ("tension", &["tension"], "normal strain", "normal stress [MPa]"),
+    ("shear", &["shear"], "shear strain", "shear stress [MPa]"),
+    ("relaxation", &["cohesion"], "step", "volume fraction"),
+    ("coordination", &["restructuring"], "time [ns]", "coordination number"),
+    ("convexity", &["restructuring"], "time [ns]", "convexity"),
+    ("gyration", &["restructuring"], "time [ns]", "gyration radius [nm]"),
+    ("height", &["deposition"], "time [ns]", "height [nm]"),
+    ("deposition energy", &["deposition"], "time [ns]", "kinetic energy [zJ]"),
+    ("force curve", &["indentation"], "tip displacement [nm]", "cantilever reading [pN]"),
+    ("force on the tip", &["indentation"], "tip displacement [nm]", "pull on the tip [pN]"),
+    ("approach", &["approach"], "time [ns]", "distance [nm]"),
+    ("sliding friction", &["sliding"], "moved [nm]", "friction [pN]"),
+    ("rolling resistance", &["rolling"], "moved [nm]", "rolling resistance [pN]"),
+    ("pulling force", &["pulling"], "pulled [nm]", "pulling force [pN]"),
+    ("contacts", &["pulling"], "pulled [nm]", "contacts"),
+    ("spectroscopy", &["approach", "retraction"], "tip moved [nm]", "force on the tip [pN]"),
+    ("ledger", &[], "time [ns]", "relative residual"),
 ];
 
 /// Makes figures and report of a finished run from what it has recorded.
@@ -55,16 +56,19 @@ pub fn report(case: &Case, folder: &RunFolder, findings: &[Finding]) -> Result<(
         findings.iter().map(|f| [f.name.clone(), f.value.clone(), f.unit.clone(), f.target.clone()]).collect();
     page.table(&["quantity", "value", "unit", "target"], &rows);
     let series = Series::read(folder)?;
-    for (name, stage, x, y) in CURVES {
-        let points = series.curve(stage, x, y);
-        if points.len() < 2 {
+    for (name, stages, x, y) in CURVES {
+        let labels = if stages.len() > 1 { stages } else { &[""] };
+        let points = |k: usize| series.curve(stages.get(k).copied().unwrap_or_default(), x, y);
+        let curves = labels.iter().enumerate().map(|(k, label)| Curve::new(*label, Mark::Line, points(k)));
+        let curves: Vec<Curve> = curves.filter(|curve| curve.points.len() > 1).collect();
+        if curves.is_empty() {
             continue;
         }
         let plot = Plot {
             title: name.into(),
             x: Axis::linear(x),
             y: Axis::linear(y),
-            curves: vec![Curve::new("", Mark::Line, points)],
+            curves,
         };
         let svg = plot.svg();
         write_atomically(&folder.figures().join(name).with_extension("svg"), svg.as_bytes())?;

@@ -1,0 +1,82 @@
+//! Does a film under a tip run, and is what it says of the forces what was done to it?
+
+use std::path::Path;
+use std::process::Command;
+
+fn veridem(place: &Path, arguments: &[&str]) -> String {
+    let output =
+        Command::new(env!("CARGO_BIN_EXE_veridem")).current_dir(place).args(arguments).output().expect("the program");
+    assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).expect("text")
+}
+
+fn case() -> String {
+    format!("{}/tests/cases/good/titania-film.yaml", env!("CARGO_MANIFEST_DIR"))
+}
+
+fn finding(run: &Path, name: &str) -> f64 {
+    let results: serde_yaml::Value =
+        serde_yaml::from_str(&std::fs::read_to_string(run.join("results.yaml")).unwrap()).unwrap();
+    let found = results.as_sequence().unwrap().iter().find(|finding| finding["name"] == name).cloned();
+    found.unwrap_or_else(|| panic!("no {name}"))["value"].as_str().unwrap().parse().unwrap()
+}
+
+/// Two columns of a stage, where both have a number.
+fn columns(run: &Path, stage: &str, names: [&str; 2]) -> Vec<[f64; 2]> {
+    let mut reader = csv::Reader::from_path(run.join("series.csv")).unwrap();
+    let headers = reader.headers().unwrap().clone();
+    let places = names.map(|name| headers.iter().position(|column| column == name).unwrap());
+    let rows = reader.records().map(|row| row.unwrap()).filter(|row| &row[0] == stage);
+    rows.filter_map(|row| Some([row[places[0]].parse().ok()?, row[places[1]].parse().ok()?])).collect()
+}
+
+#[test]
+fn the_tip_comes_down_to_its_setpoint_turns_and_pulls_and_the_events_are_those_that_are_counted() {
+    let place = tempfile::tempdir().unwrap();
+    veridem(place.path(), &["--quiet", "--threads", "1", "run", &case(), "--name", "film"]);
+    let run = place.path().join("run/film");
+    let curve = |stage: &str| columns(&run, stage, ["tip moved [nm]", "force on the tip [pN]"]);
+    let (down, up) = (curve("approach"), curve("retraction"));
+    let (lowest, setpoint) = (down[down.len() - 1][0], down[down.len() - 1][1]);
+    assert!(setpoint >= 1000.0 && down[..down.len() - 1].iter().all(|point| point[1] < 1000.0));
+    assert_eq!(finding(&run, "force at the end of the approach"), setpoint);
+    // Half of the turn is a way down by a quarter of speed times duration, 5 nm; then the tip is as fast as it was.
+    let deepest = up.iter().map(|point| point[0]).fold(0.0, f64::min);
+    assert!((deepest - (lowest - 5.0)).abs() < 0.1, "{deepest} {lowest}");
+    let rise = up[up.len() - 1][0] - up[up.len() - 2][0];
+    assert!((rise - 5.0 * 0.5).abs() < 1e-9, "{rise}");
+    assert!(finding(&run, "largest pull on the tip") > 0.0);
+
+    let events = std::fs::read_to_string(run.join("events.jsonl")).unwrap();
+    for (what, name) in [("sliding of", "slidings"), ("rolling of", "rollings"), ("detachment of", "detachments")] {
+        for stage in ["relaxation", "approach", "retraction"] {
+            let lines = events.lines().filter(|line| line.contains(what) && line.contains(&format!("\"stage\":\"{stage}\"")));
+            assert_eq!(lines.count() as f64, finding(&run, &format!("{name} during {stage}")), "{name} {stage}");
+        }
+    }
+    for stage in ["relaxation", "approach", "retraction"] {
+        for [discrete, kinetic] in columns(&run, stage, ["discrete residual [zJ]", "kinetic energy [zJ]"]) {
+            assert!(discrete.abs() < 1e-6 * (1.0 + kinetic), "{stage}: {discrete}");
+        }
+        for [residual, _] in columns(&run, stage, ["relative residual", "step"]) {
+            assert!(residual.abs() < 5e-3, "{stage}: {residual}");
+        }
+    }
+}
+
+#[test]
+fn the_same_bits_for_any_number_of_threads_and_when_resumed() {
+    let place = tempfile::tempdir().unwrap();
+    for threads in ["1", "2"] {
+        veridem(place.path(), &["--quiet", "--threads", threads, "run", &case(), "--name", threads]);
+    }
+    assert_eq!(veridem(place.path(), &["inspect", "--diff", "run/1", "run/2"]), "identical\n");
+    let stopped = Command::new(env!("CARGO_BIN_EXE_veridem"))
+        .current_dir(place.path())
+        .args(["--quiet", "run", &case(), "--name", "stopped", "--stop-after-steps", "9123"])
+        .output()
+        .unwrap();
+    assert_eq!(stopped.status.code(), Some(75));
+    veridem(place.path(), &["--quiet", "resume", "run/stopped"]);
+    assert_eq!(veridem(place.path(), &["inspect", "--diff", "run/1", "run/stopped"]), "identical\n");
+}
