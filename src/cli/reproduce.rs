@@ -51,6 +51,8 @@ enum Name {
     Restructuring,
     /// titania: two water-covered particles, Section 2
     Contact,
+    /// titania: films under a tip, Section 3.2
+    Spectroscopy,
 }
 
 /// A chapter's name, its headline, and what computes it.
@@ -78,7 +80,10 @@ impl Paper {
                 (Name::Indentation, "Deposition and indentation", soot::indentation::chapter),
                 (Name::Restructuring, "Restructuring", soot::restructuring::chapter),
             ],
-            Self::Titania => vec![(Name::Contact, "Two particles", |_| Ok(titania::chapter()?))],
+            Self::Titania => vec![
+                (Name::Contact, "Two particles", |_| Ok(titania::chapter()?)),
+                (Name::Spectroscopy, "Films under a tip", titania::spectroscopy::chapter),
+            ],
         }
     }
 

@@ -1,6 +1,7 @@
 //! Section 2 of the titania paper: two particles; Section 5.3: a film.
 
 mod film;
+pub mod spectroscopy;
 
 use super::{Chapter, Claim, Figure, near};
 use crate::build::pair::{drag, pair};

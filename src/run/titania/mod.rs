@@ -4,7 +4,7 @@ mod film;
 mod stage;
 mod watch;
 
-pub use film::Plan as Film;
+pub use film::{Plan as Film, Spectrum};
 
 use super::Study;
 use crate::build::agglomerate::{agglomerate, extent};

@@ -1,8 +1,11 @@
 //! A film under the tip of a force microscope: it comes to rest, the tip comes down to its setpoint, and goes up again.
 
 mod contacts;
+mod spectrum;
 mod tip;
 mod watch;
+
+pub use spectrum::Spectrum;
 
 use crate::build::film::{Film, FilmSphere};
 use crate::build::protocol::Progress;
