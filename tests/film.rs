@@ -38,7 +38,7 @@ fn the_tip_comes_down_to_its_setpoint_turns_and_pulls_and_the_events_are_those_t
     let curve = |stage: &str| columns(&run, stage, ["tip moved [nm]", "force on the tip [pN]"]);
     let (down, up) = (curve("approach"), curve("retraction"));
     let (lowest, setpoint) = (down[down.len() - 1][0], down[down.len() - 1][1]);
-    assert!(setpoint >= 1000.0 && down[..down.len() - 1].iter().all(|point| point[1] < 1000.0));
+    assert!(setpoint >= 40.0 && down[..down.len() - 1].iter().all(|point| point[1] < 40.0));
     assert_eq!(finding(&run, "force at the end of the approach"), setpoint);
     // Half of the turn is a way down by a quarter of speed times duration, 5 nm; then the tip is as fast as it was.
     let deepest = up.iter().map(|point| point[0]).fold(0.0, f64::min);

@@ -19,7 +19,7 @@ use crate::wear::def_sphere::moment_of_inertia;
 use crate::wear::def_spring::stretched_spring;
 use crate::wear::def_stable_step::stable_time_step;
 use crate::wear::eq17_effective_mass::effective_mass;
-use crate::{Contact, Flat, Outcome, PairModel, Real, Vec3, Wrench, flat_struct};
+use crate::{Contact, Outcome, PairModel, Real, Vec3, Wrench, flat_struct};
 
 /// The contact law and its parameters. The radius of a particle is that of its contact sphere, $R + h_n$.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -107,30 +107,7 @@ flat_struct! {
 }
 
 /// The constants of a pair with its attraction, for an engine that solves for the meniscus instead of tabulating it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Coefficients<R> {
-    /// The contact.
-    pub contact: Parameters<R>,
-    /// The attraction.
-    pub attraction: Attraction<R>,
-}
-
-impl<R: Copy + Send + Sync> Flat<R> for Coefficients<R> {
-    const LEN: usize = Parameters::<R>::LEN + Attraction::<R>::LEN;
-    #[inline(always)]
-    fn from_fn(mut f: impl FnMut(usize) -> R) -> Self {
-        let contact = Parameters::from_fn(&mut f);
-        Self { contact, attraction: Attraction::from_fn(|k| f(Parameters::<R>::LEN + k)) }
-    }
-    #[inline(always)]
-    fn at(&self, k: usize) -> &R {
-        if k < Parameters::<R>::LEN { self.contact.at(k) } else { self.attraction.at(k - Parameters::<R>::LEN) }
-    }
-    #[inline(always)]
-    fn at_mut(&mut self, k: usize) -> &mut R {
-        if k < Parameters::<R>::LEN { self.contact.at_mut(k) } else { self.attraction.at_mut(k - Parameters::<R>::LEN) }
-    }
-}
+pub type Coefficients<R> = (Parameters<R>, Attraction<R>);
 
 impl Titania {
     /// The parameters of the paper, at half humidity and 300 K, in units in which a nanometre, a nanonewton and a nanosecond are these numbers.
@@ -245,23 +222,23 @@ impl PairModel for Titania {
     type Stored<R: Real> = Held<R>;
 
     fn coefficients<R: Real>(&self, r_i: R, r_j: R, m_i: R, m_j: R) -> Coefficients<R> {
-        Coefficients { contact: self.parameters(r_i, r_j, m_i, m_j), attraction: self.attraction(r_i, r_j) }
+        (self.parameters(r_i, r_j, m_i, m_j), self.attraction(r_i, r_j))
     }
 
-    fn rigid<R: Real>(&self, constants: Coefficients<R>, inertia: R) -> Coefficients<R> {
-        Coefficients { contact: Parameters { inertia, ..constants.contact }, ..constants }
+    fn rigid<R: Real>(&self, (contact, attraction): Coefficients<R>, inertia: R) -> Coefficients<R> {
+        (Parameters { inertia, ..contact }, attraction)
     }
 
     fn range(&self, r_i: f64, r_j: f64) -> f64 {
         self.attraction(r_i, r_j).rupture().max(r_i + r_j)
     }
 
-    fn pair<R: Real>(&self, c: &Contact<R>, k: &Coefficients<R>, spring: Vec3<R>, dt: R) -> Act<R> {
-        k.contact.act(c, k.attraction.force(c.distance), spring, dt)
+    fn pair<R: Real>(&self, c: &Contact<R>, (contact, attraction): &Coefficients<R>, spring: Vec3<R>, dt: R) -> Act<R> {
+        contact.act(c, attraction.force(c.distance), spring, dt)
     }
 
-    fn stored<R: Real>(&self, c: &Contact<R>, k: &Coefficients<R>, spring: &Vec3<R>) -> Held<R> {
-        k.contact.stored(c, k.attraction.potential(c.distance), spring)
+    fn stored<R: Real>(&self, c: &Contact<R>, (contact, attraction): &Coefficients<R>, spring: &Vec3<R>) -> Held<R> {
+        contact.stored(c, attraction.potential(c.distance), spring)
     }
 
     fn critical_time_step(&self, r: f64, m: f64) -> f64 {
