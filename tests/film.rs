@@ -50,7 +50,8 @@ fn the_tip_comes_down_to_its_setpoint_turns_and_pulls_and_the_events_are_those_t
     let events = std::fs::read_to_string(run.join("events.jsonl")).unwrap();
     for (what, name) in [("sliding of", "slidings"), ("rolling of", "rollings"), ("detachment of", "detachments")] {
         for stage in ["relaxation", "approach", "retraction"] {
-            let lines = events.lines().filter(|line| line.contains(what) && line.contains(&format!("\"stage\":\"{stage}\"")));
+            let lines =
+                events.lines().filter(|line| line.contains(what) && line.contains(&format!("\"stage\":\"{stage}\"")));
             assert_eq!(lines.count() as f64, finding(&run, &format!("{name} during {stage}")), "{name} {stage}");
         }
     }

@@ -194,7 +194,18 @@ impl Pushed<f64> {
     /// What stands in for bodies that are not there.
     fn at_rest() -> Self {
         let (zero, one) = (Vec3::zero(), Vec3([1.0; 3]));
-        Self { x: zero, v: zero, q_0: 1.0, q: zero, l: zero, omega: zero, mass: 1.0, moments: one, force: zero, torque: zero }
+        Self {
+            x: zero,
+            v: zero,
+            q_0: 1.0,
+            q: zero,
+            l: zero,
+            omega: zero,
+            mass: 1.0,
+            moments: one,
+            force: zero,
+            torque: zero,
+        }
     }
 }
 
@@ -221,7 +232,10 @@ impl<R: Copy + Send + Sync> Flat<R> for Pushed<R> {
         match k {
             24 => q_0,
             25 => mass,
-            _ => &mut [x, v, q, l, omega, moments, force, torque].into_iter().nth(k / 3).expect("a place below LEN").0[k % 3],
+            _ => {
+                &mut [x, v, q, l, omega, moments, force, torque].into_iter().nth(k / 3).expect("a place below LEN").0
+                    [k % 3]
+            }
         }
     }
 }

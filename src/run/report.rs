@@ -64,12 +64,7 @@ pub fn report(case: &Case, folder: &RunFolder, findings: &[Finding]) -> Result<(
         if curves.is_empty() {
             continue;
         }
-        let plot = Plot {
-            title: name.into(),
-            x: Axis::linear(x),
-            y: Axis::linear(y),
-            curves,
-        };
+        let plot = Plot { title: name.into(), x: Axis::linear(x), y: Axis::linear(y), curves };
         let svg = plot.svg();
         write_atomically(&folder.figures().join(name).with_extension("svg"), svg.as_bytes())?;
         page.figure(&svg, &format!("{y} against {x}"));

@@ -34,7 +34,7 @@ impl Spectrum {
     pub fn of(case: &Case) -> Result<Self, Error> {
         let plan = Plan::of(case).expect("a case that is about a film");
         let (mut system, mut spectrum) = (plan.initial()?, Self::default());
-        for (number, stage) in Stage::ALL.into_iter().enumerate() {
+        for (number, &stage) in plan.stages.iter().enumerate() {
             system = plan.set_up(number, system)?;
             let settings = plan.settings(number, &system);
             let halted = |halt| Error::Halted(halt, None);
