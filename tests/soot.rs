@@ -61,15 +61,15 @@ fn momentum_and_angular_momentum_are_kept_to_rounding() {
 }
 
 #[test]
-fn the_energy_is_accounted_for_to_rounding_and_to_first_order() {
+fn the_energy_is_accounted_for_to_rounding_and_to_more_than_first_order() {
     let account = |dt: f64| {
         let ledger = run(system(|k| k % 3 == 0), settings(dt), (0.2 / dt) as usize).ledger();
         assert!(ledger.discrete_residual().abs() < 1e-11 * ledger.turnover(), "{ledger:?}");
         ledger.physical_residual().abs() / ledger.turnover()
     };
     let (coarse, fine) = (account(DT), account(DT / 4.0));
-    assert!(coarse < 1e-2, "{coarse}");
-    assert!((3.0..5.0).contains(&(coarse / fine)), "{coarse} and {fine}");
+    assert!(coarse < 1e-5, "{coarse}");
+    assert!(coarse / fine > 3.0, "{coarse} and {fine}");
 }
 
 #[test]

@@ -209,7 +209,10 @@ impl<R: Real> Springs<R> {
         let holds = bonded | force(k, xi, eta, xi_dot).size().le(static_friction(mu_s, f_n));
         let (force, next) = rubbed(k, eta, xi, xi_dot, holds, dynamic_friction(mu_d, f_n));
         let next = S::select(acts, next, S::none());
-        Pull { force, xi: next, dashpot: eta * xi_dot.square() * dt, slip: energy(k, xi) - energy(k, next) }
+        let dashpot = eta * xi_dot.square() * dt;
+        // What friction works, less what the dashpot takes and the spring keeps; stretched by a whole step before it slips, the spring never held more.
+        let slip = force.inner(xi_dot) * dt - dashpot + energy(k, before) - energy(k, next);
+        Pull { force, xi: next, dashpot, slip: R::select(holds & acts, R::zero(), slip) }
     }
 
     /// What the four springs hold, J: normal, tangential, rolling, torsion.

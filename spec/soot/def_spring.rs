@@ -12,6 +12,8 @@ pub trait Span<R: Real>: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<R,
     fn square(self) -> R;
     /// Its magnitude.
     fn size(self) -> R;
+    /// Its scalar product with another.
+    fn inner(self, other: Self) -> R;
     /// `yes` where the mask is true, `no` elsewhere.
     fn select(mask: R::Mask, yes: Self, no: Self) -> Self;
 }
@@ -27,6 +29,10 @@ impl<R: Real> Span<R> for R {
     #[inline(always)]
     fn size(self) -> R {
         self.abs()
+    }
+    #[inline(always)]
+    fn inner(self, other: Self) -> R {
+        self * other
     }
     #[inline(always)]
     fn select(mask: R::Mask, yes: Self, no: Self) -> Self {
@@ -45,6 +51,10 @@ impl<R: Real> Span<R> for Vec3<R> {
     #[inline(always)]
     fn size(self) -> R {
         self.norm()
+    }
+    #[inline(always)]
+    fn inner(self, other: Self) -> R {
+        self.dot(other)
     }
     #[inline(always)]
     fn select(mask: R::Mask, yes: Self, no: Self) -> Self {
