@@ -151,7 +151,8 @@ impl Plan {
         let down = [AT_REST[0], AT_REST[1], Motion::Velocity(-self.test.speed.value)];
         system.add_wall(down, |p, i| p.body[i] == tip);
         let top = system.particles.x.iter().map(|x| x.0[2]).fold(0.0, f64::max);
-        system.domain.sides[2] = top + radius;
+        // Pictures are to show the tip on its way up too.
+        system.domain.sides[2] = top + radius + 0.5 * self.test.retraction.value;
     }
 }
 
