@@ -82,7 +82,7 @@ impl<M: PairModel> Simulation<M> {
             let (p, q) = (pair.p as usize, pair.q as usize);
             let same = |of: &[u32]| of[p] > 0 && of[p] == of[q];
             // A body may meet its own copy across the side of the box.
-            !same(&particles.wall) && !(same(&particles.body) && pair.image == [0; 3])
+            !(same(&particles.wall) || same(&particles.body) && pair.image == [0; 3])
         });
         pairs
     }
