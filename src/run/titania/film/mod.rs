@@ -173,7 +173,7 @@ impl Study for Plan {
             return Ok(system);
         }
         let film = self.film.plan().build(self.seed);
-        Ok(self.bodies(&film.map_err(|failure| Error::Verification(failure.to_string()))?))
+        Ok(self.bodies(&film.map_err(|failure| Error::Usage(failure.to_string()))?))
     }
 
     fn starts_from_sample(&self, _: usize) -> bool {
