@@ -1,6 +1,7 @@
 //! The laws of the contact law as a whole.
 
 use super::*;
+use crate::Flat;
 use proptest::prelude::*;
 use std::sync::LazyLock;
 
