@@ -33,7 +33,7 @@ use crate::{Real, Vec3, equation};
 /// | → `q_next` | $\mathbf{q}$ | 1 (3) | | vector part of the orientation now |
 /// | → `l_next` | $\mathbf{L}$ | kg m^2/s (3) | | angular momentum now |
 ///
-/// Rounding: at most 1.5 ULP.
+/// Rounding: at most 5 ULP.
 ///
 /// # Laws
 ///
