@@ -1,58 +1,23 @@
 //! Does a soot aggregate under its coating keep what the equations keep, with the same bits on any machine?
 
-use std::path::Path;
-use veridem::build::aggregate::necks::necks;
-use veridem::build::aggregate::{Method, Radii, Recipe, Sphere, aggregate};
-use veridem::case::Case;
+mod common;
+
+use common::soot::{DT, MASS, RADIUS, SPHERES, law, momentum, run, settings, system, third};
+use veridem::build::aggregate::Sphere;
 use veridem::forces::Instructions;
 use veridem::motion::inertia;
 use veridem::observe::morphology::coordination_number;
 use veridem::simulation::{Settings, Simulation};
-use veridem::spec::soot::{Soot, Stored};
+use veridem::spec::soot::Stored;
 use veridem::spec::{PairModel, Vec3};
-use veridem::system::{Domain, Particles, System};
-
-const SPHERES: usize = 30;
-const DT: f64 = 20e-6;
-
-/// The published interactions with the softer necks.
-fn soot() -> Soot {
-    let text = "title: t\nmodel: {soot: {necks: S}}\nsample: {aggregate: {}}\nexperiment: {restructuring: {}}\n";
-    Case::parse(Path::new("published"), text).expect("a case of defaults").soot().expect("a case of soot").0.law()
-}
-
-/// An aggregate, a third of it joined by necks.
-fn system(joined: impl Fn(usize) -> bool) -> System {
-    let recipe = Recipe { number: SPHERES, d_f: 1.8, k_f: 1.4, radii: Radii::Equal(14.0), method: Method::Clusters };
-    let spheres = aggregate(&recipe, 1).expect("an ordinary aggregate");
-    let mut particles = Particles::default();
-    for &Sphere { centre, radius } in &spheres {
-        particles.push(centre, radius, 19.54, 0);
-    }
-    let all = necks(&spheres, 0.01, true).into_iter().enumerate();
-    let necks = all.filter(|(k, _)| joined(*k)).map(|(_, (i, j))| (i as u32, j as u32)).collect();
-    System { necks, ..System::new(particles, Domain { sides: [400.0; 3], periodic: [false; 3] }) }
-}
-
-fn settings(dt: f64) -> Settings {
-    let instructions = Instructions::best();
-    Settings { dt, damping: 0.0, skin: 2.0, max_overlap: 0.1, relax_box: None, instructions }
-}
-
-fn run(system: System, settings: Settings, steps: usize) -> Simulation<Soot> {
-    let mut simulation = Simulation::new(soot(), system, settings).expect("a stable step");
-    for _ in 0..steps {
-        simulation.step().expect("a stable step");
-    }
-    simulation
-}
+use veridem::system::Particles;
 
 #[test]
 fn momentum_and_angular_momentum_are_kept_to_rounding() {
-    let after = run(system(|k| k % 3 == 0), settings(DT), 20_000);
+    let after = run(law(), system(third), settings(DT), 20_000);
     let p = &after.system().particles;
     let of = |k: usize| p.v[k] * p.mass[k];
-    let momentum = (0..p.len()).fold(Vec3::zero(), |sum, k| sum + of(k));
+    let momentum = momentum(p);
     let angular = (0..p.len()).fold(Vec3::zero(), |sum, k| sum + p.x[k].cross(of(k)) + p.w[k] * inertia(p, k));
     let scale: f64 = (0..p.len()).map(|k| of(k).norm()).sum();
     assert!(scale > 1.0, "it moves");
@@ -63,7 +28,7 @@ fn momentum_and_angular_momentum_are_kept_to_rounding() {
 #[test]
 fn the_energy_is_accounted_for_to_rounding_and_to_more_than_first_order() {
     let account = |dt: f64| {
-        let ledger = run(system(|k| k % 3 == 0), settings(dt), (0.2 / dt) as usize).ledger();
+        let ledger = run(law(), system(third), settings(dt), (0.2 / dt) as usize).ledger();
         assert!(ledger.discrete_residual().abs() < 1e-11 * ledger.turnover(), "{ledger:?}");
         ledger.physical_residual().abs() / ledger.turnover()
     };
@@ -77,7 +42,7 @@ fn neither_threads_nor_instructions_change_a_bit() {
     let with = |threads: usize, instructions| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
         let settings = Settings { instructions, ..settings(DT) };
-        pool.install(|| run(system(|k| k % 3 == 0), settings, 3000).snapshot())
+        pool.install(|| run(law(), system(third), settings, 3000).snapshot())
     };
     let plain = with(1, Instructions::Baseline);
     for instructions in Instructions::available() {
@@ -87,9 +52,9 @@ fn neither_threads_nor_instructions_change_a_bit() {
 
 #[test]
 fn taken_up_from_a_snapshot_it_goes_on_with_the_same_bits() {
-    let whole = run(system(|k| k % 3 == 0), settings(DT), 3000);
-    let half = run(system(|k| k % 3 == 0), settings(DT), 1500).snapshot();
-    let mut resumed = Simulation::resume(soot(), settings(DT), half).expect("a valid snapshot");
+    let whole = run(law(), system(third), settings(DT), 3000);
+    let half = run(law(), system(third), settings(DT), 1500).snapshot();
+    let mut resumed = Simulation::resume(law(), settings(DT), half).expect("a valid snapshot");
     for _ in 0..1500 {
         resumed.step().expect("a stable step");
     }
@@ -99,7 +64,7 @@ fn taken_up_from_a_snapshot_it_goes_on_with_the_same_bits() {
 #[test]
 fn necks_hold_an_aggregate_open_and_without_them_it_collapses() {
     let terminal = |joined: fn(usize) -> bool| {
-        let after = run(system(joined), Settings { dt: 2.0 * DT, ..settings(DT) }, 150_000);
+        let after = run(law(), system(joined), Settings { dt: 2.0 * DT, ..settings(DT) }, 150_000);
         let Particles { x, radius, .. } = &after.system().particles;
         let spheres: Vec<Sphere> = x.iter().zip(radius).map(|(&centre, &radius)| Sphere { centre, radius }).collect();
         coordination_number(&spheres)
@@ -112,7 +77,7 @@ fn necks_hold_an_aggregate_open_and_without_them_it_collapses() {
 
 #[test]
 fn every_published_time_step_is_below_the_limit() {
-    assert!(DT < soot().critical_time_step(14.0, 19.54));
+    assert!(DT < law().critical_time_step(RADIUS, MASS));
 }
 
 #[test]
@@ -124,7 +89,7 @@ fn a_neck_breaks_when_it_holds_more_than_it_can_and_the_energy_is_accounted_for(
         system.necks = vec![pair];
         let along = system.particles.x[pair.1 as usize] - system.particles.x[pair.0 as usize];
         system.particles.v[pair.1 as usize] = along * (speed / along.norm());
-        let mut simulation = run(system, settings(DT / 4.0), 0);
+        let mut simulation = run(law(), system, settings(DT / 4.0), 0);
         let mut broken = Vec::new();
         for _ in 0..200 {
             simulation.step().expect("a stable step");

@@ -1,32 +1,17 @@
 //! Does an aggregate between a substrate and a moving tip keep what the equations keep, with the same bits on any machine?
 
+mod common;
+
+use common::soot::{DT, RADIUS, SPHERES, between, dry, momentum, plane, settings, space};
 use std::path::Path;
 use std::process::{Command, Output};
-use veridem::build::aggregate::necks::necks;
-use veridem::build::aggregate::{Method, Radii, Recipe, Sphere, aggregate};
-use veridem::build::surface::tetrahedron;
-use veridem::case::Case;
 use veridem::forces::Instructions;
 use veridem::simulation::{Settings, Simulation};
 use veridem::spec::Vec3;
-use veridem::spec::soot::{SUBSTRATE, Soot, TIP};
+use veridem::spec::soot::{Soot, TIP};
 use veridem::spec::wear::def_sphere::sphere_mass;
 use veridem::system::mesh::Mesh;
-use veridem::system::{Course, Domain, Particles, Shape, Surface, System};
-
-const SPHERES: usize = 30;
-const DT: f64 = 20e-6;
-const RADIUS: f64 = 14.0;
-
-/// The published interactions of an indentation.
-fn soot() -> Soot {
-    let text = "title: t\nmodel: {soot: {necks: S, capillary_force: 0 nN}}\nsample: {aggregate: {}}\nexperiment: {restructuring: {}}\n";
-    Case::parse(Path::new("published"), text).expect("a case of defaults").soot().expect("a case of soot").0.law()
-}
-
-fn plane() -> Shape {
-    Shape::Plane { point: Vec3::zero(), normal: Vec3([0.0, 0.0, 1.0]) }
-}
+use veridem::system::{Course, Particles, Shape, Surface, System};
 
 /// A square far larger than the aggregate, whose diagonal passes below it.
 fn sheet() -> Shape {
@@ -34,50 +19,14 @@ fn sheet() -> Shape {
     Shape::Mesh(Mesh::new(&[[a, b, c], [a, c, d]]).expect("a sheet"))
 }
 
-/// An aggregate that has all but reached a substrate with some velocity, and a tip that comes down on its highest sphere.
-fn system(substrate: Shape) -> System {
-    let recipe = Recipe { number: SPHERES, d_f: 1.8, k_f: 1.4, radii: Radii::Equal(RADIUS), method: Method::Clusters };
-    let spheres = aggregate(&recipe, 1).expect("an ordinary aggregate");
-    let lowest = spheres.iter().map(|sphere| sphere.centre.0[2]).fold(f64::INFINITY, f64::min);
-    let mut particles = Particles::default();
-    for &Sphere { centre, radius } in &spheres {
-        particles.push(centre + Vec3([0.0, 0.0, 0.2 + radius - lowest]), radius, 19.54, 0);
-    }
-    particles.v.fill(Vec3([2.0, 1.0, -8.0]));
-    particles.w.fill(Vec3([0.1, -0.2, 0.3]));
-    let highest = particles.x.iter().copied().reduce(|a, b| if b.0[2] > a.0[2] { b } else { a }).expect("spheres");
-    let tip = tetrahedron(RADIUS).displaced(highest + Vec3([1.0, 2.0, RADIUS + 0.3]));
-    let course = Course::Tip { velocity: 15.0, rate: 5.0, turn: 0.15 };
-    let all = necks(&spheres, 0.01, true).into_iter().enumerate();
-    let necks = all.filter(|(k, _)| k % 3 == 0).map(|(_, (i, j))| (i as u32, j as u32)).collect();
-    let surfaces = vec![
-        Surface::new("substrate", SUBSTRATE, substrate, Course::Still),
-        Surface::new("tip", TIP, Shape::Mesh(tip), course),
-    ];
-    System { necks, surfaces, ..System::new(particles, Domain { sides: [400.0; 3], periodic: [false; 3] }) }
-}
-
-fn settings(dt: f64) -> Settings {
-    let instructions = Instructions::best();
-    Settings { dt, damping: 0.0, skin: 2.0, max_overlap: 0.1, relax_box: None, instructions }
-}
-
 fn run(system: System, settings: Settings, steps: usize) -> Simulation<Soot> {
-    let mut simulation = Simulation::new(soot(), system, settings).expect("a stable step");
-    for _ in 0..steps {
-        simulation.step().expect("a stable step");
-    }
-    simulation
-}
-
-fn momentum(particles: &Particles) -> Vec3<f64> {
-    particles.v.iter().zip(&particles.mass).fold(Vec3::zero(), |sum, (v, m)| sum + *v * *m)
+    common::soot::run(dry(), system, settings, steps)
 }
 
 #[test]
 fn the_energy_is_accounted_for_to_rounding_and_to_first_order() {
     let account = |dt: f64| {
-        let after = run(system(plane()), settings(dt), (0.3 / dt) as usize);
+        let after = run(between(plane()), settings(dt), (0.3 / dt) as usize);
         let ledger = after.ledger();
         assert!(ledger.discrete_residual().abs() < 1e-11 * ledger.turnover(), "{ledger:?}");
         assert!(ledger.surfaces.work > 100.0 && ledger.surfaces.lost.iter().sum::<f64>() > 10.0, "{ledger:?}");
@@ -90,7 +39,7 @@ fn the_energy_is_accounted_for_to_rounding_and_to_first_order() {
 
 #[test]
 fn surfaces_give_the_spheres_all_the_momentum_that_they_gain() {
-    let mut simulation = run(system(plane()), settings(DT), 0);
+    let mut simulation = run(between(plane()), settings(DT), 0);
     let (mut given, before) = (Vec3::zero(), momentum(&simulation.system().particles));
     let mut causes = [0.0f64; 3];
     for _ in 0..10_000 {
@@ -111,7 +60,7 @@ fn surfaces_give_the_spheres_all_the_momentum_that_they_gain() {
 
 #[test]
 fn a_square_of_two_triangles_is_as_good_as_a_plane() {
-    let end = |substrate| run(system(substrate), settings(DT), 5_000).system().particles.clone();
+    let end = |substrate| run(between(substrate), settings(DT), 5_000).system().particles.clone();
     let (plane, sheet) = (end(plane()), end(sheet()));
     for (a, b) in plane.x.iter().zip(&sheet.x) {
         assert!((*a - *b).norm() < 1e-9, "{a:?} {b:?}");
@@ -123,26 +72,26 @@ fn neither_threads_nor_instructions_nor_a_pause_change_a_bit() {
     let with = |threads: usize, instructions| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
         let settings = Settings { instructions, ..settings(DT) };
-        pool.install(|| run(system(sheet()), settings, 6000).snapshot())
+        pool.install(|| run(between(sheet()), settings, 6000).snapshot())
     };
     let plain = with(1, Instructions::Baseline);
     assert!(with(2, Instructions::best()) == plain);
 
     // The pause is made while a sphere lies on the substrate.
-    let mut first = run(system(sheet()), settings(DT), 0);
+    let mut first = run(between(sheet()), settings(DT), 0);
     while first.system().surfaces[0].grips.places.is_empty() {
         first.step().expect("a stable step");
     }
     let taken = first.system().step as usize;
-    let mut resumed = Simulation::resume(soot(), settings(DT), first.snapshot()).expect("a valid snapshot");
+    let mut resumed = Simulation::resume(dry(), settings(DT), first.snapshot()).expect("a valid snapshot");
     (taken..6000).for_each(|_| resumed.step().expect("a stable step"));
     assert!(resumed.snapshot() == plain);
 }
 
 #[test]
 fn springs_of_all_contacts_go_on_from_stage_to_stage() {
-    let whole = run(system(plane()), settings(DT), 6000);
-    let first = run(system(plane()), settings(DT), 3000).into_system_with_springs();
+    let whole = run(between(plane()), settings(DT), 6000);
+    let first = run(between(plane()), settings(DT), 3000).into_system_with_springs();
     let second = run(first, settings(DT), 3000);
     let (a, b) = (&whole.system().particles, &second.system().particles);
     for id in 0..SPHERES as u32 {
@@ -153,9 +102,9 @@ fn springs_of_all_contacts_go_on_from_stage_to_stage() {
 
 #[test]
 fn a_sphere_that_sinks_into_a_surface_is_reported() {
-    let mut deep = system(plane());
+    let mut deep = between(plane());
     deep.particles.x.iter_mut().for_each(|x| x.0[2] -= 5.0);
-    let mut simulation = Simulation::new(soot(), deep, settings(DT)).expect("a stable step");
+    let mut simulation = Simulation::new(dry(), deep, settings(DT)).expect("a stable step");
     let halt = simulation.step().expect_err("too deep").to_string();
     assert!(halt.contains("is in a surface by 0.343 of its radius (limit 0.1)"), "{halt}");
 }
@@ -172,8 +121,8 @@ fn a_sphere_falls_on_the_tip_as_the_energy_integral_says() {
     let mut particles = Particles::default();
     particles.push(Vec3([0.0, 0.0, RADIUS + start]), RADIUS, sphere_mass(1.7e-3, RADIUS), 0);
     let surfaces = vec![Surface::new("tip", TIP, sheet(), Course::Still)];
-    let system = System { surfaces, ..System::new(particles, Domain { sides: [400.0; 3], periodic: [false; 3] }) };
-    let mut simulation = Simulation::new(soot(), system, settings(DT)).expect("a stable step");
+    let system = System { surfaces, ..System::new(particles, space()) };
+    let mut simulation = Simulation::new(dry(), system, settings(DT)).expect("a stable step");
     while simulation.system().particles.x[0].0[2] > RADIUS + 1.0 {
         simulation.step().expect("a stable step");
     }
@@ -196,7 +145,8 @@ fn an_aggregate_from_a_file_is_indented_with_the_bits_of_a_sequence() {
         command.current_dir(place.path()).args(["--quiet", "run", &format!("{name}.yaml")]).output().expect("it starts")
     };
     let deposition = |save: &str| format!("    - deposition: {{velocity: 5 m/s, duration: 4000 steps{save}}}\n");
-    let indentation = "    - indentation: {gap: 0.01 r, keep_necks: 0.5, duration: 6000 steps}\n";
+    let indentation =
+        "    - indentation: {gap: 0.01 r, keep_necks: 0.5, duration: 6000 steps, integrator: velocity-verlet}\n";
     let rows = |name: &str| {
         let series = std::fs::read_to_string(place.path().join("run").join(name).join("series.csv")).expect("a series");
         series.lines().filter(|line| line.starts_with("indentation")).map(String::from).collect::<Vec<_>>()

@@ -2,7 +2,7 @@
 
 use veridem::build::hcp;
 use veridem::forces::Instructions;
-use veridem::simulation::{Settings, Simulation};
+use veridem::simulation::{Integrator, Settings, Simulation};
 use veridem::spec::wear::law::{Interaction, Material, Wear};
 use veridem::system::{Halt, System};
 
@@ -43,6 +43,7 @@ fn crystal(cells: [usize; 3]) -> System {
 pub fn simulation(cells: [usize; 3], instructions: Instructions) -> Result<Simulation<Wear>, Halt> {
     let settings = Settings {
         dt: 1e-4,
+        integrator: Integrator::HalfStep,
         damping: 0.0,
         skin: 0.1 * DIAMETER,
         max_overlap: f64::INFINITY,

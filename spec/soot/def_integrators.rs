@@ -16,7 +16,8 @@ use crate::{Real, Vec3, equation};
 ///
 /// The text leaves the integration of Eqs. 1 and 2 open; this is the scheme its results were computed with. Velocities live half a step before
 /// the positions. Forces see $\mathbf{x}_n$ and $\mathbf{v}_{n-1/2}$: a spring that grows by $\dot{\boldsymbol{\xi}}_{n-1/2} \Delta t$ before it is used is then as
-/// far as the positions are. The first velocity comes from [`half_step_start`].
+/// far as the positions are: its length at $n$ is that of the way up to $\mathbf{x}_n$, and the dashpot is half a step late. The first velocity comes from [`half_step_start`];
+/// a system that starts at rest, or all of it with one velocity, may as well take the given velocity for it.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -105,8 +106,9 @@ pub fn half_step_start<R: Real>(
 ///
 /// # Reading
 ///
-/// An alternative to [`half_step`] with velocities at the full step. The next forces see $\mathbf{x}_{n+1}$ and $\mathbf{v}_{n+1/2}$, with which the
-/// springs advance, too.
+/// An alternative to [`half_step`] with velocities at the full step. The next forces see $\mathbf{x}_{n+1}$ and $\mathbf{v}_{n+1/2}$; a spring grows by
+/// $\dot{\boldsymbol{\xi}}_{n+1/2} \Delta t$ before it is used, once a step. So they see what [`half_step`] shows them, and the positions are the same; what differs is the velocity that is reported with a position.
+/// The forces at the start see $\mathbf{x}_0$ and $\mathbf{v}_0$, and do not advance the springs.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

@@ -8,7 +8,7 @@ use super::set_system_density;
 use crate::case::{InCriticalDampings, InCriticalSteps, InSteps};
 use crate::forces::Instructions;
 use crate::motion::BoxRelaxation;
-use crate::simulation::{Settings, Simulation};
+use crate::simulation::{Integrator, Settings, Simulation};
 use crate::spec::wear::eq06_critical_time_step::critical_time_step;
 use crate::spec::wear::eq21_critical_damping::critical_damping;
 use crate::spec::wear::{Interaction, Material, Wear};
@@ -132,6 +132,7 @@ impl Stage {
         let mean_diameter = 2.0 * p.radius.iter().sum::<f64>() / p.len() as f64;
         Settings {
             dt: self.dt.value(critical_step),
+            integrator: Integrator::HalfStep,
             damping: self.damping.value(critical_damping),
             skin: SKIN * mean_diameter,
             max_overlap,

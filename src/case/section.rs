@@ -111,14 +111,22 @@ impl Visitor<'_> for KeyName<'_> {
 
 /// The message for a key that is not one of `known`.
 pub fn unknown_key(name: &str, known: &[&str]) -> String {
-    let nearest =
-        known.iter().map(|key| (strsim::damerau_levenshtein(name, key), key)).min_by_key(|(distance, _)| *distance);
-    match nearest {
-        Some((distance, key)) if 3 * distance <= name.len().max(3) => {
-            format!("unknown key `{name}`, did you mean `{key}`?")
-        }
-        _ => format!("unknown key `{name}`, expected one of `{}`", known.join("`, `")),
+    match nearest(name, known) {
+        Some(key) => format!("unknown key `{name}`, did you mean `{key}`?"),
+        None => format!("unknown key `{name}`, expected one of `{}`", known.join("`, `")),
     }
+}
+
+/// The message for a word that is not one of `known`.
+pub fn unknown_word(word: &str, known: &[&str]) -> String {
+    let meant = nearest(word, known).map(|word| format!("; did you mean `{word}`?")).unwrap_or_default();
+    format!("found `{word}`, expected one of `{}`{meant}", known.join("`, `"))
+}
+
+/// What was probably meant: at most every third letter is wrong.
+fn nearest<'a>(name: &str, known: &[&'a str]) -> Option<&'a str> {
+    let distance = |key: &str| strsim::damerau_levenshtein(name, key);
+    known.iter().copied().min_by_key(|key| distance(key)).filter(|key| 3 * distance(key) <= name.len().max(3))
 }
 
 /// A section in which every key has its default.
@@ -276,9 +284,7 @@ macro_rules! words {
                     fn visit_str<E: serde::de::Error>(self, word: &str) -> Result<$name, E> {
                         match word {
                             $($word => Ok($name::$variant),)*
-                            _ => Err(E::custom(
-                                format!("found `{word}`, expected {}", <$name as $crate::case::section::Field>::expects())
-                            )),
+                            _ => Err(E::custom($crate::case::section::unknown_word(word, &[$($word),*]))),
                         }
                     }
                 }

@@ -3,9 +3,11 @@
 mod bodies;
 mod box_relaxation;
 mod spheres;
+pub mod verlet;
 mod walls;
 
 pub use bodies::{Grips, advance_bodies};
 pub use box_relaxation::BoxRelaxation;
-pub use spheres::{Moved, Spheres, Step, advance, inertia};
+pub use spheres::{Moved, Spheres, Step, advance, gathered, inertia};
+pub use verlet::Integrator;
 pub use walls::{WallWork, drive, kinetic_energy};

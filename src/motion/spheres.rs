@@ -1,6 +1,6 @@
 //! The spheres of a block: forces gathered, one step taken.
 
-use crate::forces::Block;
+use crate::forces::{Block, Load};
 use crate::spec::wear::def_sphere::moment_of_inertia;
 use crate::spec::wear::eq01_symplectic_euler::symplectic_euler;
 use crate::spec::wear::eq21_critical_damping::global_damping;
@@ -110,6 +110,14 @@ impl Moved {
         }
     }
 
+    /// Enters the displacement of a sphere since the neighbour list was built.
+    pub fn stray(&mut self, way: Vec3<f64>) {
+        for (a, way) in way.0.into_iter().enumerate() {
+            self.least[a] = if way < self.least[a] { way } else { self.least[a] };
+            self.most[a] = if way > self.most[a] { way } else { self.most[a] };
+        }
+    }
+
     /// No two spheres have come closer than this since the neighbour list was built, nm.
     pub fn approach(&self) -> f64 {
         let range = Vec3(std::array::from_fn(|a| self.most[a] - self.least[a])).norm();
@@ -118,15 +126,21 @@ impl Moved {
     }
 }
 
-/// Adds what other blocks hold for the first spheres of a block to its own loads on them, and moves them by one step of Eq. 1.
-pub fn advance<M: PairModel>(blocks: &[Block<M>], number: usize, spheres: Spheres, step: &Step) -> Moved {
+/// The loads on the first spheres of a block: its own, and what other blocks hold for them.
+pub fn gathered<M: PairModel>(blocks: &[Block<M>], number: usize, count: usize) -> Vec<Load> {
     let block = &blocks[number];
-    let Step { dt, damping, .. } = *step;
-    let mut loads = block.loads[..spheres.x.len()].to_vec();
-    for &(to, from, place) in block.incoming.iter().take_while(|entry| (entry.0 as usize) < spheres.x.len()) {
+    let mut loads = block.loads[..count].to_vec();
+    for &(to, from, place) in block.incoming.iter().take_while(|entry| (entry.0 as usize) < count) {
         let sum = &mut loads[to as usize];
         *sum = *sum + blocks[from as usize].loads[place as usize];
     }
+    loads
+}
+
+/// Moves the first spheres of a block by one step of Eq. 1.
+pub fn advance<M: PairModel>(blocks: &[Block<M>], number: usize, spheres: Spheres, step: &Step) -> Moved {
+    let Step { dt, damping, .. } = *step;
+    let loads = gathered(blocks, number, spheres.x.len());
     let mut moved = Moved::default();
     for (p, load) in loads.iter().enumerate() {
         let (m, x, v, w) = (spheres.mass[p], spheres.x[p], spheres.v[p], spheres.w[p]);
@@ -149,11 +163,7 @@ pub fn advance<M: PairModel>(blocks: &[Block<M>], number: usize, spheres: Sphere
         };
         let x = Vec3(std::array::from_fn(|a| x.0[a] * step.growth[a]));
         let listed = Vec3(std::array::from_fn(|a| spheres.listed[p].0[a] * step.stretch[a]));
-        for a in 0..3 {
-            let way = x.0[a] - listed.0[a];
-            moved.least[a] = if way < moved.least[a] { way } else { moved.least[a] };
-            moved.most[a] = if way > moved.most[a] { way } else { moved.most[a] };
-        }
+        moved.stray(x - listed);
         (spheres.x[p], spheres.v[p], spheres.w[p]) = (x, v, w);
     }
     moved

@@ -9,7 +9,7 @@ use crate::case::Titania;
 use crate::case::section::defaults;
 use crate::figures::{Axis, Curve, Mark, Plot};
 use crate::forces::Instructions;
-use crate::simulation::{Settings, Simulation};
+use crate::simulation::{Integrator, Settings, Simulation};
 use crate::spec::titania;
 use crate::spec::{Contact, Flat, PairModel, Vec3};
 use crate::system::{Halt, System};
@@ -91,7 +91,8 @@ fn constants(chapter: &mut Chapter) {
 }
 
 fn settings(dt: f64) -> Settings {
-    Settings { dt, damping: 0.0, skin: 1.0, max_overlap: 0.8, relax_box: None, instructions: Instructions::best() }
+    let (integrator, instructions) = (Integrator::HalfStep, Instructions::best());
+    Settings { dt, integrator, damping: 0.0, skin: 1.0, max_overlap: 0.8, relax_box: None, instructions }
 }
 
 fn apart(system: &System) -> f64 {

@@ -7,7 +7,9 @@ mod necks;
 mod pairs;
 mod snapshot;
 mod surfaces;
+mod verlet;
 
+pub use crate::motion::Integrator;
 pub use ledger::{Ledger, SurfaceAccount};
 pub use pairs::Pair;
 pub use snapshot::Snapshot;
@@ -18,12 +20,15 @@ use crate::spec::{PairModel, Vec3};
 use crate::system::{Halt, System};
 use listing::Listed;
 use rayon::prelude::*;
+use verlet::Held;
 
 /// How a system is advanced. Units: ns, ag/ns, nm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
     /// Time step.
     pub dt: f64,
+    /// How velocities go with positions.
+    pub integrator: Integrator,
     /// Coefficient `c` of the global damping force `-c v` on every free sphere.
     pub damping: f64,
     /// How much farther than their range neighbours are listed.
@@ -55,6 +60,8 @@ pub struct Simulation<M: PairModel> {
     momentum_flux: [f64; 3],
     stress: [f64; 3],
     ledger: Ledger,
+    /// What velocity Verlet goes on with.
+    held: Held,
 }
 
 impl<M: PairModel> Simulation<M> {
@@ -74,11 +81,15 @@ impl<M: PairModel> Simulation<M> {
             momentum_flux: [0.0; 3],
             stress: [0.0; 3],
             ledger: Ledger::default(),
+            held: Held::default(),
             system,
         };
         simulation.check_time_step()?;
         simulation.list_neighbours(&springs)?;
         simulation.open_ledger();
+        if settings.integrator == Integrator::VelocityVerlet {
+            simulation.hold()?;
+        }
         Ok(simulation)
     }
 
@@ -127,7 +138,15 @@ impl<M: PairModel> Simulation<M> {
 
     /// Takes one step.
     pub fn step(&mut self) -> Result<(), Halt> {
-        let Settings { dt, damping, max_overlap, instructions, .. } = self.settings;
+        match self.settings.integrator {
+            Integrator::HalfStep => self.step_half(),
+            Integrator::VelocityVerlet => self.step_verlet(),
+        }
+    }
+
+    /// Evaluates all pairs and advances their springs by `dt`.
+    fn evaluate(&mut self, dt: f64) -> Result<Totals<M::Losses<f64>>, Halt> {
+        let Settings { max_overlap, instructions, .. } = self.settings;
         let (model, particles, domain) = (&self.model, &self.system.particles, &self.system.domain);
         let totals: Vec<Totals<_>> = self
             .blocks
@@ -136,10 +155,13 @@ impl<M: PairModel> Simulation<M> {
             .map(|block| forces::evaluate(model, instructions, block, (particles, domain), max_overlap, dt))
             .collect();
         let totals = totals.into_iter().fold(Totals::default(), Totals::and);
-        if totals.clearance < 0.0 {
-            return Err(self.overlapping());
-        }
+        if totals.clearance < 0.0 { Err(self.overlapping()) } else { Ok(totals) }
+    }
 
+    fn step_half(&mut self) -> Result<(), Halt> {
+        let Settings { dt, damping, .. } = self.settings;
+        let totals = self.evaluate(dt)?;
+        let domain = &self.system.domain;
         let volume = domain.volume();
         self.stress = std::array::from_fn(|a| (totals.virial[a] - self.momentum_flux[a]) / volume);
         let growth = match &self.settings.relax_box {

@@ -1,6 +1,6 @@
 //! Necks that break.
 
-use super::Simulation;
+use super::{Integrator, Simulation};
 use crate::forces::bond;
 use crate::spec::{Flat, PairModel};
 use crate::system::Halt;
@@ -19,6 +19,9 @@ impl<M: PairModel> Simulation<M> {
         self.system.necks.retain(|neck| !broken.contains(neck));
         self.relist(&springs)?;
         self.ledger.lost_to_breaking += before - self.stored().iter().sum::<f64>();
+        if self.settings.integrator == Integrator::VelocityVerlet {
+            self.hold()?;
+        }
         Ok(broken)
     }
 

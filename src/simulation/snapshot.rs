@@ -3,7 +3,7 @@
 //! The neighbour list is not stored but what it was built from, so a simulation taken up from a snapshot has the same list,
 //! the same order of sums, and goes on with the same bits.
 
-use super::{Ledger, Listed, Settings, Simulation};
+use super::{Held, Ledger, Listed, Settings, Simulation};
 use crate::forces::Springs;
 use crate::motion::Grips;
 use crate::spec::{Flat, PairModel};
@@ -21,6 +21,7 @@ pub struct Snapshot {
     momentum_flux: [f64; 3],
     stress: [f64; 3],
     ledger: Ledger,
+    held: Held,
 }
 
 impl Snapshot {
@@ -49,12 +50,13 @@ impl<M: PairModel> Simulation<M> {
             momentum_flux: self.momentum_flux,
             stress: self.stress,
             ledger: self.ledger.clone(),
+            held: self.held.clone(),
         }
     }
 
     /// Takes a simulation up where a snapshot left it.
     pub fn resume(model: M, settings: Settings, snapshot: Snapshot) -> Result<Self, Halt> {
-        let Snapshot { system, listed, memory, box_rate, momentum_flux, stress, ledger } = snapshot;
+        let Snapshot { system, listed, memory, box_rate, momentum_flux, stress, ledger, held } = snapshot;
         let (blocks, grips, on_walls, reach) = (Vec::new(), Grips::default(), Vec::new(), 0.0);
         let mut simulation = Self {
             model,
@@ -68,6 +70,7 @@ impl<M: PairModel> Simulation<M> {
             momentum_flux,
             stress,
             ledger,
+            held,
             system,
         };
         simulation.relist(&Springs::default())?;

@@ -14,19 +14,7 @@ impl<M: PairModel> Simulation<M> {
     pub(super) fn lean_on_surfaces(&mut self) -> Result<(), Halt> {
         let dt = self.settings.dt;
         for s in 0..self.system.surfaces.len() {
-            let (model, particles, surface) = (&self.model, &self.system.particles, &self.system.surfaces[s]);
-            let one = |block| lean(model, surface, particles, block, dt);
-            let parts: Vec<Leaning<M>> = if self.blocks.len() < MANY {
-                self.blocks.iter_mut().map(one).collect()
-            } else {
-                self.blocks.par_iter_mut().map(one).collect()
-            };
-            let leaning = parts.into_iter().fold(Leaning::default(), Leaning::and);
-            let (particle, ratio) = leaning.deepest;
-            let limit = self.settings.max_overlap;
-            if ratio > limit {
-                return Err(self.halt(Reason::Sunk { particle, ratio, limit }));
-            }
+            let leaning = self.lean_on(s, dt)?;
             let account = &mut self.ledger.surfaces;
             account.work_on_spheres += leaning.power * dt;
             for (k, lost) in account.lost.iter_mut().enumerate() {
@@ -39,6 +27,21 @@ impl<M: PairModel> Simulation<M> {
             surface.advance(dt);
         }
         Ok(())
+    }
+
+    /// Adds what a surface does to the loads on the spheres, with the springs of its contacts advanced by `dt`.
+    pub(super) fn lean_on(&mut self, s: usize, dt: f64) -> Result<Leaning<M>, Halt> {
+        let (model, particles, surface) = (&self.model, &self.system.particles, &self.system.surfaces[s]);
+        let one = |block| lean(model, surface, particles, block, dt);
+        let parts: Vec<Leaning<M>> = if self.blocks.len() < MANY {
+            self.blocks.iter_mut().map(one).collect()
+        } else {
+            self.blocks.par_iter_mut().map(one).collect()
+        };
+        let leaning = parts.into_iter().fold(Leaning::default(), Leaning::and);
+        let (particle, ratio) = leaning.deepest;
+        let limit = self.settings.max_overlap;
+        if ratio > limit { Err(self.halt(Reason::Sunk { particle, ratio, limit })) } else { Ok(leaning) }
     }
 
     /// What the surfaces hold, zJ, by cause.

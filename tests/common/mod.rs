@@ -2,10 +2,12 @@
 
 #![allow(dead_code, reason = "every test is a program that uses its own part")]
 
+pub mod soot;
+
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 use veridem::forces::Instructions;
-use veridem::simulation::{Settings, Simulation};
+use veridem::simulation::{Integrator, Settings, Simulation};
 use veridem::spec::Vec3;
 use veridem::spec::wear::law::{Interaction, Material, Wear};
 use veridem::system::{Domain, Motion, Particles, System};
@@ -68,6 +70,7 @@ pub fn wear() -> Wear {
 pub fn settings(dt: f64) -> Settings {
     Settings {
         dt,
+        integrator: Integrator::HalfStep,
         damping: 0.0,
         skin: 0.3,
         max_overlap: f64::INFINITY,

@@ -3,7 +3,8 @@
 use super::quantity;
 use crate::case::quantity::{Length, Quantity, Rate, Scaled, SphereRadius, Time, Velocity};
 use crate::case::schema::InSteps;
-use crate::case::section::{choice, section};
+use crate::case::section::{choice, section, words};
+use crate::motion;
 use std::path::PathBuf;
 
 /// A length, or a multiple of the radius of the spheres.
@@ -24,6 +25,8 @@ section! {
         duration: InSteps = Scaled::Absolute(quantity("500 ns")),
         /// Time step.
         dt: Quantity<Time> = quantity("50 fs"),
+        /// How velocities go with positions.
+        integrator: Integrator = Integrator::HalfStep,
     }
 }
 
@@ -48,6 +51,8 @@ section! {
         duration: InSteps = Scaled::Absolute(quantity("500 ns")),
         /// Time step.
         dt: Quantity<Time> = quantity("50 fs"),
+        /// How velocities go with positions.
+        integrator: Integrator = Integrator::HalfStep,
     }
 }
 
@@ -60,6 +65,18 @@ section! {
         duration: InSteps = Scaled::Absolute(quantity("50 ns")),
         /// Time step.
         dt: Quantity<Time> = quantity("5 fs"),
+        /// How velocities go with positions.
+        integrator: Integrator = Integrator::HalfStep,
+    }
+}
+
+words! {
+    /// How velocities go with positions.
+    pub enum Integrator {
+        /// Half a step behind them, as in the published program.
+        HalfStep = "half-step",
+        /// At the same time: velocity Verlet. Forces see the same positions and velocities as with `half-step`.
+        VelocityVerlet = "velocity-verlet",
     }
 }
 
@@ -82,6 +99,16 @@ choice! {
         Indentation = "indentation": Indentation,
         /// A coated aggregate collapses.
         Restructuring = "restructuring": Restructuring,
+    }
+}
+
+impl Integrator {
+    /// The same for the engine.
+    pub fn engine(self) -> motion::Integrator {
+        match self {
+            Self::HalfStep => motion::Integrator::HalfStep,
+            Self::VelocityVerlet => motion::Integrator::VelocityVerlet,
+        }
     }
 }
 
@@ -110,6 +137,15 @@ impl SootStage {
             Self::Deposition(Deposition { dt, .. })
             | Self::Indentation(Indentation { dt, .. })
             | Self::Restructuring(Restructuring { dt, .. }) => dt,
+        }
+    }
+
+    /// How its velocities go with its positions.
+    pub fn integrator(&self) -> Integrator {
+        match self {
+            Self::Deposition(Deposition { integrator, .. })
+            | Self::Indentation(Indentation { integrator, .. })
+            | Self::Restructuring(Restructuring { integrator, .. }) => *integrator,
         }
     }
 

@@ -158,6 +158,7 @@ impl Study for Plan {
     fn settings(&self, stage: usize, _: &System) -> Settings {
         Settings {
             dt: self.stages[stage].dt().value,
+            integrator: self.stages[stage].integrator().engine(),
             damping: 0.0,
             skin: SKIN * self.sample.radius.value,
             max_overlap: self.max_overlap,

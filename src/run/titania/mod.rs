@@ -14,7 +14,7 @@ use crate::case::{self, Agglomerate, Case, ContactTests, TitaniaTest, TwoParticl
 use crate::error::Error;
 use crate::forces::Instructions;
 use crate::output::{Cell, Finding};
-use crate::simulation::{Settings, Simulation};
+use crate::simulation::{Integrator, Settings, Simulation};
 use crate::spec::Vec3;
 use crate::spec::titania::Titania;
 use crate::system::{Domain, Particles, System};
@@ -112,6 +112,7 @@ impl Study for Plan {
     fn settings(&self, stage: usize, _: &System) -> Settings {
         Settings {
             dt: self.dt,
+            integrator: Integrator::HalfStep,
             damping: self.stages[stage].damping,
             skin: SKIN,
             max_overlap: self.case.limits.overlap,

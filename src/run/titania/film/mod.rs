@@ -15,7 +15,7 @@ use crate::forces::Instructions;
 use crate::observe::film::Structure;
 use crate::output::{Cell, Finding, Kept, keep, kept};
 use crate::run::Study;
-use crate::simulation::{Settings, Simulation};
+use crate::simulation::{Integrator, Settings, Simulation};
 use crate::spec::Vec3;
 use crate::spec::titania::Tabulated;
 use crate::system::{Domain, Motion, Particles, System};
@@ -213,6 +213,7 @@ impl Study for Plan {
         let damping = if self.stages[stage] == Stage::Relaxation { self.test.drag.value } else { 0.0 };
         Settings {
             dt: self.test.dt.value,
+            integrator: Integrator::HalfStep,
             damping,
             skin: SKIN,
             max_overlap: self.overlap,

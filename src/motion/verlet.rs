@@ -1,0 +1,63 @@
+//! Velocity Verlet for free spheres: half a kick and the way, then, with the forces there, the other half.
+
+use super::{Moved, inertia};
+use crate::spec::Vec3;
+use crate::spec::soot::def_integrators::{verlet_begin, verlet_end};
+use crate::system::Particles;
+
+/// How velocities go with positions.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Integrator {
+    /// Half a step behind them: [`half_step`](crate::spec::soot::def_integrators::half_step), the symplectic Euler method of the wear paper with its velocities so understood. The
+    /// velocities at the start are taken for those half a step before.
+    #[default]
+    HalfStep,
+    /// At the same time: velocity Verlet. For free spheres and surfaces, without global damping, in a box of fixed sides.
+    VelocityVerlet,
+}
+
+/// Moves spheres to their next positions, with the loads where they were and the velocities there; leaves the velocities in the middle of the step.
+pub fn begin(particles: &mut Particles, loads: &[[f64; 6]], listed: &[Vec3<f64>], dt: f64) -> Moved {
+    let mut moved = Moved::default();
+    for p in 0..particles.len() {
+        let (force, torque) = split(&loads[p]);
+        let (x, v, w, m, i) = state(particles, p);
+        let (half, x, spin) = verlet_begin(x, v, w, force, torque, m, i, dt);
+        moved.scheme += kinetic(m, half - v, i, spin - w);
+        moved.stray(x - listed[p]);
+        (particles.x[p], particles.v[p], particles.w[p]) = (x, half, spin);
+    }
+    moved
+}
+
+/// Ends the step with the loads at the new positions.
+pub fn end(particles: &mut Particles, loads: &[[f64; 6]], dt: f64) -> Moved {
+    let mut moved = Moved::default();
+    for p in 0..particles.len() {
+        let (force, torque) = split(&loads[p]);
+        let (_, half, w, m, i) = state(particles, p);
+        let (v, spin) = verlet_end(half, w, force, torque, m, i, dt);
+        moved.scheme += kinetic(m, v - half, i, spin - w);
+        moved.kinetic += kinetic(m, v, i, spin);
+        for a in 0..3 {
+            moved.momentum_flux[a] += m * v.0[a] * v.0[a];
+        }
+        (particles.v[p], particles.w[p]) = (v, spin);
+    }
+    moved
+}
+
+/// Force and torque.
+fn split(&[fx, fy, fz, tx, ty, tz]: &[f64; 6]) -> (Vec3<f64>, Vec3<f64>) {
+    (Vec3([fx, fy, fz]), Vec3([tx, ty, tz]))
+}
+
+type State = (Vec3<f64>, Vec3<f64>, Vec3<f64>, f64, f64);
+
+fn state(particles: &Particles, p: usize) -> State {
+    (particles.x[p], particles.v[p], particles.w[p], particles.mass[p], inertia(particles, p))
+}
+
+fn kinetic(m: f64, v: Vec3<f64>, i: f64, w: Vec3<f64>) -> f64 {
+    0.5 * (m * v.dot(v) + i * w.dot(w))
+}

@@ -1,0 +1,105 @@
+//! A step of velocity Verlet. Positions, velocities, and what is written of a run belong to the same time; forces see the positions there
+//! and the velocities of half a step before, with which the springs advance, too.
+
+use super::Simulation;
+use crate::forces::{Leaning, Totals};
+use crate::motion::{gathered, verlet};
+use crate::spec::numbers::Lanes;
+use crate::spec::{Flat, PairModel};
+use crate::system::Halt;
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+/// What the next step begins with: the forces that end the last one.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Held {
+    /// Force and torque on each sphere.
+    loads: Vec<[f64; 6]>,
+    /// Power of the pairs at the velocities they saw.
+    pairs: f64,
+    /// Power of the surfaces on the spheres, likewise.
+    surfaces: f64,
+    /// Energy by which this is less than the work, in half a step, at the velocities that go with the positions.
+    late: f64,
+}
+
+impl<M: PairModel> Simulation<M> {
+    pub(super) fn step_verlet(&mut self) -> Result<(), Halt> {
+        let dt = self.settings.dt;
+        let half = 0.5 * dt;
+        let moved = verlet::begin(&mut self.system.particles, &self.held.loads, &self.listed.x, dt);
+        self.enter_half(moved.scheme + self.held.late);
+        self.system.surfaces.iter_mut().for_each(|surface| surface.advance(dt));
+        if self.stale(&moved) {
+            self.list_neighbours(&self.springs())?;
+        }
+
+        let totals = self.evaluate(dt)?;
+        let mut power = 0.0;
+        for s in 0..self.system.surfaces.len() {
+            let leaning = self.lean_on(s, dt)?;
+            power += leaning.power;
+            let (surface, account) = (&mut self.system.surfaces[s], &mut self.ledger.surfaces);
+            for (k, lost) in account.lost.iter_mut().enumerate() {
+                *lost += leaning.losses.at(k);
+            }
+            let before = surface.force.reversed();
+            account.work += (before.total() + leaning.force.total()).dot(surface.velocity) * half;
+            surface.force = leaning.force.reversed();
+            leaning.keep(&mut surface.grips);
+        }
+        self.hold_loads(&totals, power);
+        let moved = verlet::end(&mut self.system.particles, &self.held.loads, dt);
+        self.enter_half(moved.scheme);
+        self.held.late = 2.0 * moved.scheme;
+        self.ledger.kinetic = moved.kinetic;
+        for (k, lost) in self.ledger.lost_by_pairs.iter_mut().enumerate() {
+            *lost += totals.losses.at(k);
+        }
+        let volume = self.system.domain.volume();
+        self.stress = std::array::from_fn(|a| (totals.virial[a] - moved.momentum_flux[a]) / volume);
+        self.momentum_flux = moved.momentum_flux;
+        self.system.step += 1;
+        self.system.time += dt;
+        self.check_finite(moved.kinetic)
+    }
+
+    /// Looks which forces act now, at the start and when necks have broken: springs do not advance.
+    pub(super) fn hold(&mut self) -> Result<(), Halt> {
+        let free = self.system.walls.is_empty() && self.system.bodies.is_empty();
+        let plain = self.settings.damping == 0.0 && self.settings.relax_box.is_none();
+        assert!(
+            free && plain,
+            "velocity Verlet moves free spheres that nothing but their partners and surfaces act on"
+        );
+        let springs: Vec<_> = self.blocks.iter().map(|block| block.pairs.memory.clone()).collect();
+        let totals = self.evaluate(0.0)?;
+        for (block, springs) in self.blocks.iter_mut().zip(springs) {
+            block.pairs.memory = springs;
+        }
+        let mut power = 0.0;
+        for s in 0..self.system.surfaces.len() {
+            let Leaning { force, power: of_surface, .. } = self.lean_on(s, 0.0)?;
+            power += of_surface;
+            self.system.surfaces[s].force = force.reversed();
+        }
+        self.hold_loads(&totals, power);
+        Ok(())
+    }
+
+    /// Half a step of the held forces, for the discrete account.
+    fn enter_half(&mut self, scheme: f64) {
+        let half = 0.5 * self.settings.dt;
+        self.ledger.work_pairs += self.held.pairs * half;
+        self.ledger.surfaces.work_on_spheres += self.held.surfaces * half;
+        self.ledger.scheme += scheme;
+    }
+
+    fn hold_loads(&mut self, totals: &Totals<M::Losses<f64>>, power_of_surfaces: f64) {
+        let blocks = &self.blocks;
+        let parts = (0..blocks.len()).into_par_iter().map(|number| gathered(blocks, number, blocks[number].own.len()));
+        let loads =
+            parts.collect::<Vec<_>>().into_iter().flatten().map(|Lanes([a, b, c, d, e, f, ..])| [a, b, c, d, e, f]);
+        self.held = Held { loads: loads.collect(), pairs: totals.power, surfaces: power_of_surfaces, late: 0.0 };
+    }
+}

@@ -1,0 +1,139 @@
+//! Do the two ways to step keep what they promise?
+
+mod common;
+
+use common::soot::{DT, MASS, RADIUS, between, dry, momentum, plane, run, settings, space};
+use veridem::motion::inertia;
+use veridem::simulation::{Integrator, Ledger, Settings, Simulation};
+use veridem::spec::Vec3;
+use veridem::spec::soot::{Soot, Stored};
+use veridem::system::{Particles, System};
+
+const BOTH: [Integrator; 2] = [Integrator::HalfStep, Integrator::VelocityVerlet];
+
+fn with(integrator: Integrator, dt: f64) -> Settings {
+    Settings { integrator, ..settings(dt) }
+}
+
+fn verlet() -> Settings {
+    with(Integrator::VelocityVerlet, DT)
+}
+
+/// The dry interactions without a dashpot.
+fn undamped() -> Soot {
+    let mut law = dry();
+    for springs in [&mut law.neck, &mut law.contact] {
+        (springs.eta_n, springs.eta_t, springs.eta_r, springs.eta_o) = (0.0, 0.0, 0.0, 0.0);
+    }
+    law
+}
+
+/// Two spheres with a neck, one of them moving.
+fn pair(v: [f64; 3], w: [f64; 3]) -> System {
+    let mut particles = Particles::default();
+    particles.push(Vec3::zero(), RADIUS, MASS, 0);
+    particles.push(Vec3([2.0 * RADIUS, 0.0, 0.0]), RADIUS, MASS, 0);
+    (particles.v[1], particles.w[1]) = (Vec3(v), Vec3(w));
+    System { necks: vec![(0, 1)], ..System::new(particles, space()) }
+}
+
+/// Two spheres that vibrate, and roll and twist about their neck.
+fn restless() -> System {
+    pair([20.0, 7.0, 0.0], [1.0, 0.0, -0.5])
+}
+
+/// The largest part of the energy that is missing in any of the next steps.
+fn missing(simulation: &mut Simulation<Soot>, steps: usize) -> f64 {
+    let share = |ledger: Ledger| ledger.physical_residual().abs() / ledger.turnover();
+    (0..steps).fold(0.0, |most: f64, _| {
+        simulation.step().expect("a stable step");
+        most.max(share(simulation.ledger()))
+    })
+}
+
+#[test]
+fn the_energy_of_a_pair_without_dashpots_is_within_the_same_bounds_after_a_thousand_periods() {
+    for integrator in BOTH {
+        let mut simulation = run(undamped(), restless(), with(integrator, DT), 0);
+        let first = missing(&mut simulation, 10_000);
+        (0..100_000).for_each(|_| simulation.step().expect("a stable step"));
+        let last = missing(&mut simulation, 10_000);
+        assert!(last < 1.03 * first, "{integrator:?}: {last} after {first}");
+    }
+}
+
+#[test]
+fn without_dashpots_the_account_closes_to_first_order_and_to_second_where_velocities_are_not_late() {
+    for (integrator, factor) in [(Integrator::HalfStep, 2.0), (Integrator::VelocityVerlet, 4.0)] {
+        let missing =
+            |dt: f64| missing(&mut run(undamped(), restless(), with(integrator, dt), 0), (0.04 / dt) as usize);
+        let (coarse, fine) = (missing(DT), missing(DT / 2.0));
+        assert!((coarse / fine / factor - 1.0).abs() < 0.03, "{integrator:?}: {coarse} and {fine}");
+    }
+}
+
+#[test]
+fn both_lead_to_the_same_positions_from_velocities_half_a_step_apart() {
+    let along = |v: f64| pair([v, 0.0, 0.0], [0.0; 3]);
+    let steps = 2_000;
+    let end = |system, integrator, steps| {
+        let simulation = run(undamped(), system, with(integrator, DT), steps);
+        let system = simulation.system();
+        [0, 1].map(|id| system.particles.x[system.place(id)])
+    };
+    let first = end(along(20.0), Integrator::VelocityVerlet, 1);
+    let at_first = along(20.0);
+    // The velocity in the middle of the first step, and what is as far on the other side of the first.
+    let before: [Vec3<f64>; 2] = std::array::from_fn(|k| {
+        let particles = &at_first.particles;
+        particles.v[k] * 2.0 - (first[k] - particles.x[k]) * (1.0 / DT)
+    });
+    let mut half_a_step_before = at_first.clone();
+    half_a_step_before.particles.v = before.into();
+    let (synchronous, late) =
+        (end(at_first, Integrator::VelocityVerlet, steps), end(half_a_step_before, Integrator::HalfStep, steps));
+    for (a, b) in synchronous.into_iter().zip(late) {
+        assert!((a - b).norm() < 1e-8, "{a:?} {b:?}");
+    }
+}
+
+#[test]
+fn velocity_verlet_keeps_momentum_and_accounts_for_surfaces_and_necks_that_break() {
+    let mut simulation = run(dry(), between(plane()), verlet(), 0);
+    let mut broken = 0;
+    let account = |simulation: &Simulation<Soot>| {
+        let ledger = simulation.ledger();
+        assert!(ledger.discrete_residual().abs() < 1e-11 * ledger.turnover(), "{ledger:?}");
+        assert!(ledger.physical_residual().abs() < 1e-2 * ledger.turnover(), "{ledger:?}");
+    };
+    account(&simulation);
+    for _ in 0..10_000 {
+        simulation.step().expect("a stable step");
+        let breaks = |held: &Stored<f64>| held.normal + held.tangential + held.rolling + held.torsion > 20.0;
+        broken += simulation.break_necks(breaks).expect("neighbours").len();
+    }
+    account(&simulation);
+    assert!(broken > 0 && !simulation.system().necks.is_empty(), "{broken} broken");
+
+    let mut free = between(plane());
+    free.surfaces.clear();
+    let total = |particles: &Particles| {
+        let spin = |k: usize| {
+            particles.x[k].cross(particles.v[k]) * particles.mass[k] + particles.w[k] * inertia(particles, k)
+        };
+        (momentum(particles), (0..particles.len()).fold(Vec3::zero(), |sum, k| sum + spin(k)))
+    };
+    let before = total(&free.particles);
+    let after = total(&run(dry(), free, verlet(), 10_000).system().particles);
+    assert!((after.0 - before.0).norm() < 1e-11 * before.0.norm(), "{before:?} {after:?}");
+    assert!((after.1 - before.1).norm() < 1e-11 * before.1.norm(), "{before:?} {after:?}");
+}
+
+#[test]
+fn velocity_verlet_goes_on_from_a_snapshot_with_the_same_bits() {
+    let whole = run(dry(), between(plane()), verlet(), 6_000).snapshot();
+    let half = run(dry(), between(plane()), verlet(), 4_321).snapshot();
+    let mut resumed = Simulation::resume(dry(), verlet(), half).expect("a valid snapshot");
+    (4_321..6_000).for_each(|_| resumed.step().expect("a stable step"));
+    assert!(resumed.snapshot() == whole);
+}
