@@ -12,7 +12,7 @@ use crate::{Real, equation};
 /// # Reading
 ///
 /// The radius of gyration is the root mean square distance of the centres from their centroid, without the particles' own extent. For unequal particles
-/// $r$ is their mean radius.
+/// both are weighted by mass, and $r$ is the geometric mean of the radii: the median of a log-normal distribution.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
