@@ -2,7 +2,7 @@
 
 use crate::case::quantity::{Kind, Quantity, Scaled};
 use crate::case::section::defaults;
-use crate::case::{Aggregate, Deposition, Indentation, Limits, NeckSet, Soot, SootStage};
+use crate::case::{Aggregate, Indentation, Limits, NeckSet, Soot, SootStage};
 use crate::error::Error;
 use crate::figures::{Axis, Curve, Mark, Plot};
 use crate::observe::force_curve::ForceCurve;
@@ -19,15 +19,15 @@ use rayon::prelude::*;
 
 /// How often the force curve is kept, ns: a fraction of the time constant of the cantilever.
 const LOOK: f64 = 0.5;
+/// Aggregates.
+const AGGREGATES: u64 = 20;
 /// Curves that are drawn.
 const DRAWN: usize = 4;
 
 /// What is done to every aggregate. All else are the authors' published inputs.
 struct Protocol {
-    aggregates: u64,
     spheres: u64,
     keep_necks: f64,
-    deposition: &'static str,
     indentation: &'static str,
 }
 
@@ -41,16 +41,14 @@ struct Member {
 
 /// Claims and force curves of Figs. 4 and 6.
 pub fn chapter(extent: Extent) -> Result<Chapter, Error> {
-    let reduced = "6 aggregates of 60 spheres instead of 20 of 120, 90 % of the necks kept instead of 98 %, so that as many are broken, \
-                   200 ns of each stage instead of 500 ns";
+    let reduced = "aggregates of 60 spheres instead of 120, 90 % of the necks kept instead of 98 %, so that more are broken, \
+                   indentations of 200 ns instead of 500 ns";
     let protocol = Protocol {
-        aggregates: extent.of(6, 20),
         spheres: extent.of(60, 120),
         keep_necks: extent.of(0.9, 0.98),
-        deposition: extent.of("200 ns", "500 ns"),
         indentation: extent.of("200 ns", "500 ns"),
     };
-    let seeds: Vec<u64> = (1..=protocol.aggregates).collect();
+    let seeds: Vec<u64> = (1..=AGGREGATES).collect();
     let members = seeds
         .into_par_iter()
         .with_max_len(1)
@@ -71,7 +69,7 @@ fn plan(protocol: &Protocol, seed: u64) -> Plan {
         soot: Soot { necks: NeckSet::S, cutoff: quantity("42 nm"), ..defaults() },
         sample: Aggregate { spheres: protocol.spheres, neck_fraction: 1.0, ..defaults() },
         stages: vec![
-            SootStage::Deposition(Deposition { duration: duration(protocol.deposition), ..defaults() }),
+            SootStage::Deposition(defaults()),
             SootStage::Indentation(Indentation {
                 keep_necks: protocol.keep_necks,
                 duration: duration(protocol.indentation),
@@ -85,15 +83,20 @@ fn plan(protocol: &Protocol, seed: u64) -> Plan {
 fn member(plan: &Plan) -> Result<Member, Error> {
     let system = plan.set_up(0, plan.initial()?)?;
     let first = height(&system);
-    let (watch, deposited) = play(plan, 0, system)?;
+    let (watch, deposited) = play(plan, 0, system, |watch, simulation| watch.deposit(simulation).rests)?;
     let (deposit, kinetic, lowered) = (watch.deposit(&deposited), watch.kinetic(), first - height(deposited.system()));
-    let (watch, _) = play(plan, 1, plan.set_up(1, plan.end(0, deposited)?)?)?;
+    let (watch, _) = play(plan, 1, plan.set_up(1, plan.end(0, deposited)?)?, |_, _| false)?;
     let curve = watch.curve().expect("an indentation has a force curve").clone();
     Ok(Member { deposit, kinetic, lowered, curve })
 }
 
-/// A stage from its beginning to its end.
-fn play(plan: &Plan, stage: usize, system: System) -> Result<(Watch, Simulation<soot::Soot>), Error> {
+/// A stage from its beginning to its end, or until all is done.
+fn play(
+    plan: &Plan,
+    stage: usize,
+    system: System,
+    done: impl Fn(&Watch, &Simulation<soot::Soot>) -> bool,
+) -> Result<(Watch, Simulation<soot::Soot>), Error> {
     let settings = plan.settings(stage, &system);
     let mut simulation = Simulation::new(plan.model(stage), system, settings)?;
     let mut watch = plan.watch(stage, &simulation);
@@ -103,6 +106,9 @@ fn play(plan: &Plan, stage: usize, system: System) -> Result<(Watch, Simulation<
         watch.follow(&simulation);
         if step.is_multiple_of(every) {
             watch.keep(&simulation);
+            if done(&watch, &simulation) {
+                break;
+            }
         }
     }
     Ok((watch, simulation))
@@ -110,9 +116,9 @@ fn play(plan: &Plan, stage: usize, system: System) -> Result<(Watch, Simulation<
 
 fn claims(members: &[Member]) -> Vec<Claim> {
     let mean = |of: &dyn Fn(&Member) -> f64| Mean::of(&members.iter().map(of).collect::<Vec<_>>());
-    let adhered = members.iter().filter(|member| member.deposit.adheres).count();
+    let rested = members.iter().filter(|member| member.deposit.rests).count();
+    let anchored = members.iter().filter(|member| member.deposit.rests && member.deposit.spheres >= 2).count();
     let spheres = mean(&|member| member.deposit.spheres as f64);
-    let left = mean(&|member| 100.0 * member.deposit.kinetic / member.kinetic);
     let dissipated = mean(&|member| member.deposit.dissipated / member.kinetic);
     let lowered = mean(&|member| member.lowered);
     let peaks = mean(&|member| member.curve.peaks().len() as f64);
@@ -124,17 +130,17 @@ fn claims(members: &[Member]) -> Vec<Claim> {
     vec![
         Claim::new(
             "Fig. 4",
-            "aggregates come to rest on the substrate, hanging on by two spheres at least",
-            "all",
-            format!("{adhered} of {}, on {spheres:.1} spheres", members.len()),
-            adhered == members.len(),
+            "aggregates come to rest on the substrate: 0.1 % of their kinetic energy is left within 500 ns",
+            "adhesion by dissipation",
+            format!("{rested} of {}; {dissipated:.2} times the kinetic energy turned into heat", members.len()),
+            rested == members.len() && dissipated.value > 0.0,
         ),
         Claim::new(
-            "Fig. 4",
-            "their kinetic energy is dissipated: less than 5 % are left",
-            "adhesion by dissipation",
-            format!("{left:.2} % left, {dissipated:.2} times the kinetic energy turned into heat"),
-            left.value < 5.0 && dissipated.value > 0.0,
+            "Section 3.1.1",
+            "they turn until they adhere at several contacts",
+            "all",
+            format!("{anchored} of {} on two spheres at least, {spheres:.1} on average", members.len()),
+            anchored == members.len(),
         ),
         Claim::new(
             "Section 3.1.1",

@@ -3,7 +3,7 @@
 use crate::build::aggregate::Sphere;
 use crate::case::SootStage;
 use crate::observe::force_curve::ForceCurve;
-use crate::observe::morphology::{Extent, convexity, coordination_number, gyration_radius};
+use crate::observe::morphology::{Extent, NEIGHBOURLY, convexity, coordination_number, gyration_radius};
 use crate::output::{Cell, Finding};
 use crate::simulation::Simulation;
 use crate::spec::Vec3;
@@ -87,7 +87,7 @@ impl Watch {
         };
         match surface(system, SUBSTRATE) {
             Some(substrate) => {
-                cells.push(Cell::Count(spheres_on(substrate)));
+                cells.push(Cell::Count(spheres_on(&system.particles, substrate)));
                 cells.extend(vertical(substrate));
             }
             None => cells.extend(vec![Cell::Nothing; 4]),
@@ -95,7 +95,7 @@ impl Watch {
         self.keep(simulation);
         match (surface(system, TIP), &self.curve) {
             (Some(tip), Some(curve)) => {
-                cells.extend([Cell::Number(tip.way.0[2]), Cell::Count(spheres_on(tip))]);
+                cells.extend([Cell::Number(tip.way.0[2]), Cell::Count(spheres_on(&system.particles, tip))]);
                 cells.extend(vertical(tip));
                 cells.extend([-tip.force.total().0[2], curve.reading()].map(Cell::Number));
             }
@@ -127,8 +127,13 @@ impl Watch {
         let number = |name: &str, value: f64, unit: &str| Finding::number(name, value, unit, None);
         let mut findings = match stage {
             SootStage::Deposition(_) => {
-                let Deposit { spheres, kinetic, dissipated, adheres } = self.deposit(simulation);
-                let verdict = if adheres { "adheres" } else { "does not adhere" };
+                let Deposit { spheres, kinetic, dissipated, rests } = self.deposit(simulation);
+                let verdict = match (rests, spheres) {
+                    (_, 0) => "does not adhere",
+                    (false, _) => "has not come to rest",
+                    (true, 1) => "stands on one sphere",
+                    (true, _) => "adheres",
+                };
                 let sentence = format!(
                     "the aggregate {verdict}: {spheres} spheres lie on the substrate, {:.2} % of its kinetic energy are left",
                     100.0 * kinetic / self.kinetic
@@ -181,26 +186,28 @@ impl Watch {
     /// What became of a deposition.
     pub fn deposit(&self, simulation: &Simulation<soot::Soot>) -> Deposit {
         let ledger = simulation.ledger();
-        let spheres = surface(simulation.system(), SUBSTRATE).map_or(0, spheres_on);
-        let adheres = spheres >= 2 && ledger.kinetic < RESTING * self.kinetic;
-        Deposit { spheres, kinetic: ledger.kinetic, dissipated: ledger.lost(), adheres }
+        let system = simulation.system();
+        let spheres = surface(system, SUBSTRATE).map_or(0, |substrate| spheres_on(&system.particles, substrate));
+        let rests = ledger.kinetic < RESTING * self.kinetic;
+        Deposit { spheres, kinetic: ledger.kinetic, dissipated: ledger.lost(), rests }
     }
 }
 
-/// An aggregate has come to rest when this part of its kinetic energy is left.
-const RESTING: f64 = 0.1;
+/// An aggregate has come to rest when this part of its kinetic energy is left: with a hundredth it may still turn about its first contact for tens of
+/// nanoseconds.
+const RESTING: f64 = 1e-3;
 
 /// What became of a deposition.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Deposit {
-    /// Spheres that touch the substrate.
+    /// Spheres that lie on the substrate.
     pub spheres: u64,
     /// Kinetic energy left, zJ.
     pub kinetic: f64,
     /// Energy turned into heat, zJ.
     pub dissipated: f64,
-    /// Whether it hangs on by two spheres at least, and has come to rest.
-    pub adheres: bool,
+    /// Whether it has come to rest.
+    pub rests: bool,
 }
 
 /// The substrate or the tip.
@@ -208,11 +215,15 @@ pub fn surface(system: &System, material: usize) -> Option<&Surface> {
     system.surfaces.iter().find(|surface| surface.material == material)
 }
 
-/// Spheres that touch a surface.
-fn spheres_on(surface: &Surface) -> u64 {
-    let mut spheres: Vec<u32> = surface.grips.places.iter().map(|place| place.0).collect();
-    spheres.dedup();
-    spheres.len() as u64
+/// Spheres that lie on a surface: as near to it as a neighbour of Eq. 26, so that one that bounces by a hundredth of a nanometre counts.
+fn spheres_on(Particles { x, radius, .. }: &Particles, surface: &Surface) -> u64 {
+    let mut seen = Vec::new();
+    let near = |p: usize| {
+        seen.clear();
+        surface.see(x[p], (1.0 + 2.0 * NEIGHBOURLY) * radius[p], 0.0, &mut seen);
+        !seen.is_empty()
+    };
+    (0..x.len()).map(near).filter(|near| *near).count() as u64
 }
 
 /// Height of the centre of mass, nm.
@@ -220,4 +231,19 @@ pub fn height(system: &System) -> f64 {
     let Particles { x, mass, .. } = &system.particles;
     let moment = x.iter().zip(mass).fold(Vec3::zero(), |sum, (x, m)| sum + *x * *m);
     moment.0[2] / mass.iter().sum::<f64>()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::system::{Course, Shape};
+
+    #[test]
+    fn a_sphere_lies_on_a_plane_up_to_a_gap_of_a_hundredth_of_its_diameter() {
+        let shape = Shape::Plane { point: Vec3::zero(), normal: Vec3([0.0, 0.0, 1.0]) };
+        let plane = Surface::new("substrate", SUBSTRATE, shape, Course::Still);
+        let mut particles = Particles::default();
+        [13.9, 14.0, 14.27, 14.29].into_iter().for_each(|z| particles.push(Vec3([0.0, 0.0, z]), 14.0, 1.0, 0));
+        assert_eq!(spheres_on(&particles, &plane), 3);
+    }
 }
