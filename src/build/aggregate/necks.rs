@@ -8,15 +8,22 @@ use crate::observe::morphology::pairs_within;
 /// A neck between the `i`-th and the `j`-th sphere, `i < j`.
 pub type Neck = (usize, usize);
 
+/// Spheres touch whose gap is below this part of the sum of their radii: what rounding leaves in files of single precision.
+const TOUCHING: f64 = 1e-6;
+
 /// The pairs of spheres whose surfaces are less than `d_crit` (nm) apart or overlap by less, in ascending order. If `acyclic`,
-/// a neck between spheres that earlier necks already hang together by is left out: the necks then form a forest.
+/// a neck between spheres that others already hang together by is left out: the necks then form a forest. Spheres that touch come first, or one
+/// that is merely near would be joined by a neck that begins stretched, in place of one that touches.
 pub fn necks(spheres: &[Sphere], d_crit: f64, acyclic: bool) -> Vec<Neck> {
-    let near = |i: usize, j: usize| spheres[i].gap(&spheres[j]).abs() < d_crit;
-    let mut all: Vec<Neck> =
-        pairs_within(spheres, |s, t| s + t + d_crit).into_iter().filter(|&(i, j)| near(i, j)).collect();
+    let near_within = |i: usize, j: usize, gap: f64| spheres[i].gap(&spheres[j]).abs() < gap;
+    let mut all: Vec<Neck> = pairs_within(spheres, |s, t| s + t + d_crit);
+    all.retain(|&(i, j)| near_within(i, j, d_crit));
     if acyclic {
         let mut trees = Clusters::new(spheres.len(), []);
+        let touch = |i: usize, j: usize| near_within(i, j, TOUCHING * (spheres[i].radius + spheres[j].radius));
+        all.sort_by_key(|&(i, j)| !touch(i, j));
         all.retain(|&(i, j)| trees.join(i, j));
+        all.sort_unstable();
     }
     all
 }
@@ -49,6 +56,12 @@ mod tests {
         assert_eq!(necks(&triangle, 0.05, false), [(0, 1), (0, 2), (1, 2)]);
         assert_eq!(necks(&triangle, 0.05, true), [(0, 1), (0, 2)]);
         assert_eq!(necks(&triangle, 0.2, true), [(0, 1), (0, 2), (0, 3)]);
+    }
+
+    #[test]
+    fn spheres_that_touch_are_joined_before_those_that_are_merely_near() {
+        let apex = [1.001, (4.0 - 1.001 * 1.001f64).sqrt(), 0.0];
+        assert_eq!(necks(&at(&[[0.0; 3], [2.002, 0.0, 0.0], apex]), 0.01, true), [(0, 2), (1, 2)]);
     }
 
     #[test]
