@@ -14,9 +14,9 @@ pub type Seen = [Row; 16];
 /// What it gives back: force on `i`, torque on `i`, torque on `j`.
 pub type Given = [Row; 9];
 
-/// Evaluates a row, advances its springs by `dt`, and enters what it lost and did.
+/// Evaluates a row, advances its springs by `dt`, and enters what it lost and did. Of pairs that are all `JOINED` the compiler leaves out what only contacts do.
 #[inline(always)]
-pub fn act<M: PairModel>(
+pub fn act<M: PairModel, const JOINED: bool>(
     model: &M,
     coefficients: &M::Coefficients<Row>,
     memory: &mut M::Memory<Row>,
@@ -26,7 +26,7 @@ pub fn act<M: PairModel>(
     allowed: f64,
     dt: f64,
 ) {
-    if M::MOSTLY_FAR {
+    if M::MOSTLY_FAR && !JOINED {
         let mut near = false;
         for lane in 0..LANES {
             let constants = Flat::from_fn(|k| coefficients.at(k).0[lane]);
@@ -40,6 +40,7 @@ pub fn act<M: PairModel>(
     for lane in 0..LANES {
         let contact = contact(seen, lane);
         let constants = Flat::from_fn(|k| coefficients.at(k).0[lane]);
+        let constants = if JOINED { model.joined(constants) } else { constants };
         let springs = Flat::from_fn(|k| memory.at(k).0[lane]);
         let outcome = model.pair(&contact, &constants, springs, dt);
         for k in 0..M::Memory::<f64>::LEN {

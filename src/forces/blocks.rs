@@ -51,10 +51,7 @@ impl<M: PairModel> Block<M> {
 
     /// Its pairs, but for the far ones, one by one: places within the block, row and lane.
     pub fn each_pair(&self) -> impl Iterator<Item = (u16, u16, usize, usize)> {
-        (0..self.pairs.len).map(|k| {
-            let (row, lane) = self.pairs.seat(k);
-            (self.pairs.i[row][lane], self.pairs.j[row][lane], row, lane)
-        })
+        self.pairs.seats().map(|(row, lane)| (self.pairs.i[row][lane], self.pairs.j[row][lane], row, lane))
     }
 
     /// The far pairs one by one: places within the block.
@@ -99,13 +96,15 @@ pub fn partition<M: PairModel>(
         .into_par_iter()
         .map(|(own, halo)| {
             let pairs = &pairs[first[own.start]..first[own.end]];
-            let (mut near, mut others, mut far) = (Vec::new(), Vec::new(), Vec::new());
+            let (mut joined, mut near, mut others, mut far) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
             for &pair in pairs {
                 let (p, q) = (pair.p as usize, pair.q as usize);
                 let radii = particles.radius[p] + particles.radius[q];
                 let gap = (x[p] - (x[q] + domain.shift(pair.image))).norm() - radii;
                 let (i, j, _) = bond(particles, p, q, pair.image);
-                if !M::MOSTLY_FAR || gap <= NEAR * radii || necks.binary_search(&(i, j)).is_ok() {
+                if necks.binary_search(&(i, j)).is_ok() {
+                    joined.push(pair);
+                } else if !M::MOSTLY_FAR || gap <= NEAR * radii {
                     near.push(pair);
                 } else if gap < skin {
                     others.push(pair);
@@ -113,9 +112,10 @@ pub fn partition<M: PairModel>(
                     far.push(pair);
                 }
             }
+            near.extend(joined.split_off(joined.len() / LANES * LANES));
             let places = Places { particles, own: &own, halo: &halo };
             let far = FarPairs::lay(&places, &far);
-            let pairs = Pairs::lay(model, &places, [&near, &others], necks, springs, shares);
+            let pairs = Pairs::lay(model, &places, [&joined, &near, &others], necks, springs, shares);
             let loads = vec![Load::zero(); CAPACITY].try_into().expect("as many as it is made of");
             Block { own, halo, pairs, far, incoming: Vec::new(), loads }
         })

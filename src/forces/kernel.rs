@@ -161,7 +161,7 @@ macro_rules! pair_loop {
 
             $(#[target_feature(enable = $features)])?
             #[inline(never)]
-            fn act<M: PairModel>(
+            fn act<M: PairModel, const JOINED: bool>(
                 model: &M,
                 coefficients: &M::Coefficients<Row>,
                 memory: &mut M::Memory<Row>,
@@ -171,7 +171,7 @@ macro_rules! pair_loop {
                 allowed: f64,
                 dt: f64,
             ) {
-                super::super::act::act(model, coefficients, memory, seen, given, sums, allowed, dt);
+                super::super::act::act::<M, JOINED>(model, coefficients, memory, seen, given, sums, allowed, dt);
             }
 
             /// Adds forces and torques to the loads on the spheres, one after the other.
@@ -199,14 +199,14 @@ macro_rules! pair_loop {
             $(#[target_feature(enable = $features)])?
             #[inline(never)]
             fn gather_far(bench: &Bench, i: &[u16; LANES], j: &[u16; LANES], apart: &mut [Row; 3]) {
-                let mut motion = [[0.0; LANES]; LANES];
+                let mut motion = [[0.0; 4]; LANES];
                 for lane in 0..LANES {
                     let (i, j) = (usize::from(i[lane]) % CAPACITY, usize::from(j[lane]) % CAPACITY);
                     for k in 0..4 {
                         motion[lane][k] = bench.motion[i][k] - bench.motion[j][k];
                     }
                 }
-                let motion = transpose::$name(motion);
+                let motion = transpose::narrow::$name(motion);
                 for k in 0..3 {
                     apart[k] = Lanes(motion[k]);
                 }
@@ -227,11 +227,8 @@ macro_rules! pair_loop {
             $(#[target_feature(enable = $features)])?
             #[inline(never)]
             fn scatter_far(loads: &mut [Load; CAPACITY], i: &[u16; LANES], j: &[u16; LANES], force: &[Row; 3]) {
-                let mut on_i = [[0.0; LANES]; LANES];
-                for k in 0..3 {
-                    on_i[k] = force[k].0;
-                }
-                let on_i = transpose::$name(on_i);
+                let [x, y, z] = force.map(|component| component.0);
+                let on_i = transpose::back::$name([x, y, z, [0.0; LANES]]);
                 for lane in 0..LANES {
                     let (i, j) = (usize::from(i[lane]) % CAPACITY, usize::from(j[lane]) % CAPACITY);
                     for k in 0..4 {
@@ -281,6 +278,7 @@ macro_rules! pair_loop {
                 let mut sums = Sums::default();
                 sums.virial = far(model, far_pairs, bench, loads);
                 let power_of_far = if far_pairs.len > 0 { bench.power(loads) } else { 0.0 };
+                let joined = pairs.joined();
                 let mut seen = [[Row::zero(); 16]; BATCH];
                 let mut given = [[Row::zero(); 9]; BATCH];
                 for start in (0..pairs.i.len()).step_by(BATCH) {
@@ -290,6 +288,7 @@ macro_rules! pair_loop {
                     }
                     for ((row, seen), given) in rows.clone().zip(&seen).zip(&mut given) {
                         let constants = &pairs.coefficients[pairs.kind[row] as usize];
+                        let act = if row < joined { act::<M, true> } else { act::<M, false> };
                         act(model, constants, &mut pairs.memory[row], seen, given, &mut sums, allowed, dt);
                     }
                     for (row, given) in rows.zip(&given) {

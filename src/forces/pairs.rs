@@ -9,9 +9,9 @@ use crate::spec::{Flat, PairModel};
 use crate::system::{Image, Particles};
 use std::ops::Range;
 
-/// Pairs that are evaluated in full, eight to a row: those that were near when they were listed, then the others. In each part every lane
-/// has a stretch of the list of its own, so that neighbouring lanes load different spheres. Spheres are counted within the block: its
-/// own first, then the halo. The sphere with the lower id is `i`.
+/// Pairs that are evaluated in full, eight to a row: those that a neck joins, as many as fill their rows, those that were near when they were listed,
+/// then the others. In each part every lane has a stretch of the list of its own, so that neighbouring lanes load different spheres. Spheres are counted
+/// within the block: its own first, then the halo. The sphere with the lower id is `i`.
 pub struct Pairs<M: PairModel> {
     /// First spheres.
     pub i: Vec<[u16; LANES]>,
@@ -23,10 +23,8 @@ pub struct Pairs<M: PairModel> {
     pub coefficients: Vec<M::Coefficients<Lanes<LANES>>>,
     /// Springs.
     pub memory: Vec<M::Memory<Lanes<LANES>>>,
-    /// Number of pairs; the rest of the last rows of both parts is padding.
-    pub len: usize,
-    /// How many of them were near.
-    near: usize,
+    /// Number of pairs in each part; the rest of its last row is padding.
+    parts: [usize; 3],
 }
 
 /// Pairs that cannot touch before neighbours are listed anew, laid out alike: they have no springs, and only attract or repel each other
@@ -124,20 +122,25 @@ impl<M: PairModel> Pairs<M> {
         &self.coefficients[self.kind[row] as usize]
     }
 
-    /// Row and lane of the pair `k`.
-    pub fn seat(&self, k: usize) -> (usize, usize) {
-        if k < self.near {
-            return seat(k, self.near);
-        }
-        let (row, lane) = seat(k - self.near, self.len - self.near);
-        (self.near.div_ceil(LANES) + row, lane)
+    /// How many rows, the first ones, are of pairs joined by necks.
+    pub fn joined(&self) -> usize {
+        self.parts[0] / LANES
     }
 
-    /// Lays out near pairs, and others that may come near.
+    /// Rows and lanes of the pairs, in order.
+    pub fn seats(&self) -> impl Iterator<Item = (usize, usize)> + use<M> {
+        let parts = self.parts;
+        (0..parts.len()).flat_map(move |part| {
+            let before: usize = parts[..part].iter().map(|pairs| pairs.div_ceil(LANES)).sum();
+            (0..parts[part]).map(move |k| seat(k, parts[part])).map(move |(row, lane)| (before + row, lane))
+        })
+    }
+
+    /// Lays out joined pairs, near pairs, and others that may come near.
     pub fn lay(
         model: &M,
         places: &Places,
-        [near, others]: [&[Neighbour]; 2],
+        parts: [&[Neighbour]; 3],
         necks: &[(u32, u32)],
         springs: &Springs,
         shares: &[f64],
@@ -148,10 +151,9 @@ impl<M: PairModel> Pairs<M> {
             kind: Vec::new(),
             coefficients: Vec::new(),
             memory: Vec::new(),
-            len: near.len() + others.len(),
-            near: near.len(),
+            parts: parts.map(<[_]>::len),
         };
-        for row in in_rows(near).chain(in_rows(others)) {
+        for row in parts.into_iter().flat_map(in_rows) {
             let (mut i, mut j) = ([NOWHERE; LANES], [0; LANES]);
             let (mut coefficients, mut memory) = (Vec::with_capacity(LANES), Vec::with_capacity(LANES));
             let (r, m) = (&places.particles.radius, &places.particles.mass);

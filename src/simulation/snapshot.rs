@@ -76,8 +76,7 @@ impl<M: PairModel> Simulation<M> {
         simulation.relist(&Springs::default())?;
         let mut numbers = memory.into_iter();
         for block in &mut simulation.blocks {
-            for k in 0..block.pairs.len {
-                let (row, lane) = block.pairs.seat(k);
+            for (row, lane) in block.pairs.seats() {
                 let row = &mut block.pairs.memory[row];
                 for k in 0..M::Memory::<f64>::LEN {
                     row.at_mut(k).0[lane] = numbers.next().unwrap_or(f64::NAN);
