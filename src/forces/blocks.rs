@@ -116,12 +116,16 @@ pub fn partition<M: PairModel>(
             let places = Places { particles, own: &own, halo: &halo };
             let far = FarPairs::lay(&places, &far);
             let pairs = Pairs::lay(model, &places, [&joined, &near, &others], necks, springs, shares);
-            let loads = vec![Load::zero(); CAPACITY].try_into().expect("as many as it is made of");
-            Block { own, halo, pairs, far, incoming: Vec::new(), loads }
+            Block { own, halo, pairs, far, incoming: Vec::new(), loads: no_loads() }
         })
         .collect();
     hand_out(n, &mut blocks);
     Ok(blocks)
+}
+
+/// Loads on the spheres of a block, all zero.
+pub fn no_loads() -> Box<[Load; CAPACITY]> {
+    vec![Load::zero(); CAPACITY].try_into().expect("as many as it is made of")
 }
 
 type Cut = (Range<usize>, Vec<(u32, Image)>);

@@ -94,29 +94,42 @@ impl Bench {
     }
 }
 
-/// Evaluates all pairs of a block, advances their springs by `dt`, and leaves the loads on its spheres (own, then halo) in it.
+/// Evaluates all pairs of a block, advances their springs by `dt`, and leaves the loads on its spheres (own, then halo) in it. Far pairs
+/// go on doing what they did, unless they are to be evaluated anew.
 pub fn evaluate<M: PairModel>(
     model: &M,
     instructions: Instructions,
     block: &mut Block<M>,
     (particles, domain): (&Particles, &Domain),
-    max_overlap: f64,
-    dt: f64,
+    far_anew: bool,
+    (max_overlap, dt): (f64, f64),
 ) -> Totals<M::Losses<f64>> {
     thread_local! {
         static BENCH: std::cell::RefCell<Box<Bench>> = std::cell::RefCell::default();
     }
     BENCH.with_borrow_mut(|bench| {
         bench.lay_out(block, particles, domain);
-        block.loads[..bench.len].fill(Load::zero());
-        dispatch(model, instructions, (&mut block.pairs, &block.far), bench, &mut block.loads, max_overlap, dt)
+        let Block { pairs, far, loads, .. } = block;
+        if far_anew {
+            dispatch_far(model, instructions, far, bench);
+        }
+        let spheres = ..bench.len;
+        let mut totals = Totals { virial: far.virial, ..Totals::default() };
+        match &far.loads {
+            Some(held) => {
+                loads[spheres].copy_from_slice(&held[spheres]);
+                totals.power = bench.power(held);
+            }
+            None => loads[spheres].fill(Load::zero()),
+        }
+        totals.and(dispatch(model, instructions, pairs, bench, loads, max_overlap, dt))
     })
 }
 
 fn dispatch<M: PairModel>(
     model: &M,
     instructions: Instructions,
-    pairs: (&mut Pairs<M>, &FarPairs),
+    pairs: &mut Pairs<M>,
     bench: &Bench,
     loads: &mut [Load; CAPACITY],
     max_overlap: f64,
@@ -130,6 +143,17 @@ fn dispatch<M: PairModel>(
         Instructions::Avx512 => return unsafe { avx512::rows(model, pairs, bench, loads, max_overlap, dt) },
     }
     baseline::rows(model, pairs, bench, loads, max_overlap, dt)
+}
+
+fn dispatch_far<M: PairModel>(model: &M, instructions: Instructions, pairs: &mut FarPairs, bench: &Bench) {
+    #[cfg(target_arch = "x86_64")]
+    #[expect(unsafe_code, reason = "`Instructions` above the baseline exist only where the processor has them")]
+    match instructions {
+        Instructions::Baseline => {}
+        Instructions::Avx2 => return unsafe { avx2::far(model, pairs, bench) },
+        Instructions::Avx512 => return unsafe { avx512::far(model, pairs, bench) },
+    }
+    baseline::far(model, pairs, bench);
 }
 
 /// The pair loop for one instruction set. Its three parts are kept apart, or the compiler mixes the narrow moves of the first and the
@@ -240,14 +264,10 @@ macro_rules! pair_loop {
                 }
             }
 
-            /// The far pairs: their virial; their forces are the first to be entered into the loads.
             $(#[target_feature(enable = $features)])?
-            fn far<M: PairModel>(
-                model: &M,
-                pairs: &FarPairs,
-                bench: &Bench,
-                loads: &mut [Load; CAPACITY],
-            ) -> [Row; 3] {
+            pub fn far<M: PairModel>(model: &M, pairs: &mut FarPairs, bench: &Bench) {
+                let Some(loads) = &mut pairs.loads else { return };
+                loads[..bench.len].fill(Load::zero());
                 let mut virial = [Row::zero(); 3];
                 let mut apart = [[Row::zero(); 3]; BATCH];
                 let mut force = [[Row::zero(); 3]; BATCH];
@@ -263,21 +283,19 @@ macro_rules! pair_loop {
                         scatter_far(loads, &pairs.i[row], &pairs.j[row], force);
                     }
                 }
-                virial
+                pairs.virial = virial.map(|row| row.0.iter().sum());
             }
 
             $(#[target_feature(enable = $features)])?
             pub fn rows<M: PairModel>(
                 model: &M,
-                (pairs, far_pairs): (&mut Pairs<M>, &FarPairs),
+                pairs: &mut Pairs<M>,
                 bench: &Bench,
                 loads: &mut [Load; CAPACITY],
                 allowed: f64,
                 dt: f64,
             ) -> Totals<M::Losses<f64>> {
                 let mut sums = Sums::default();
-                sums.virial = far(model, far_pairs, bench, loads);
-                let power_of_far = if far_pairs.len > 0 { bench.power(loads) } else { 0.0 };
                 let joined = pairs.joined();
                 let mut seen = [[Row::zero(); 16]; BATCH];
                 let mut given = [[Row::zero(); 9]; BATCH];
@@ -295,8 +313,7 @@ macro_rules! pair_loop {
                         scatter(loads, &pairs.i[row], &pairs.j[row], given);
                     }
                 }
-                let totals = sums.total();
-                Totals { power: totals.power + power_of_far, ..totals }
+                sums.total()
             }
         }
     };

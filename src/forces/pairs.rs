@@ -1,7 +1,7 @@
 //! The pairs of a block, laid out for the pair loop.
 
-use super::blocks::{LANES, NOWHERE, bond};
-use super::{Bond, Neighbour, Springs};
+use super::blocks::{CAPACITY, LANES, NOWHERE, bond, no_loads};
+use super::{Bond, Load, Neighbour, Springs};
 use crate::motion::inertia;
 use crate::spec::numbers::Lanes;
 use crate::spec::wear::eq17_effective_mass::effective_mass;
@@ -28,7 +28,7 @@ pub struct Pairs<M: PairModel> {
 }
 
 /// Pairs that cannot touch before neighbours are listed anew, laid out alike: they have no springs, and only attract or repel each other
-/// along the line of centres.
+/// along the line of centres. What they do changes little from step to step, and is kept.
 pub struct FarPairs {
     /// First spheres.
     pub i: Vec<[u16; LANES]>,
@@ -40,6 +40,10 @@ pub struct FarPairs {
     pub radii: Vec<[Lanes<LANES>; 2]>,
     /// Number of pairs.
     pub len: usize,
+    /// The loads on the spheres of the block when they were evaluated last; none without pairs.
+    pub loads: Option<Box<[Load; CAPACITY]>>,
+    /// The diagonal of their sum of branch vector times force then.
+    pub virial: [f64; 3],
 }
 
 /// Where the pair `k` of `of` is: row and lane.
@@ -194,7 +198,15 @@ impl<M: PairModel> Pairs<M> {
 impl FarPairs {
     /// Lays out far pairs.
     pub fn lay(places: &Places, pairs: &[Neighbour]) -> Self {
-        let mut laid = Self { i: Vec::new(), j: Vec::new(), kind: Vec::new(), radii: Vec::new(), len: pairs.len() };
+        let mut laid = Self {
+            i: Vec::new(),
+            j: Vec::new(),
+            kind: Vec::new(),
+            radii: Vec::new(),
+            len: pairs.len(),
+            loads: (!pairs.is_empty()).then(no_loads),
+            virial: [0.0; 3],
+        };
         for row in in_rows(pairs) {
             let (mut i, mut j) = ([NOWHERE; LANES], [0; LANES]);
             let mut radii = [const { Vec::new() }; 2];
