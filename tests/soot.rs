@@ -62,6 +62,29 @@ fn taken_up_from_a_snapshot_it_goes_on_with_the_same_bits() {
 }
 
 #[test]
+fn attraction_held_over_some_steps_errs_in_first_order_and_is_taken_up_with_the_same_bits() {
+    let held = |far_every: u64| Settings { far_every, ..settings(DT) };
+    let places = |far_every: u64| {
+        let after = run(law(), system(third), held(far_every), 3000);
+        let ledger = after.ledger();
+        assert!(ledger.discrete_residual().abs() < 1e-11 * ledger.turnover(), "{ledger:?}");
+        assert!(ledger.physical_residual().abs() < 1e-5 * ledger.turnover(), "{ledger:?}");
+        let system = after.system();
+        (0..SPHERES as u32).map(|id| system.particles.x[system.place(id)]).collect::<Vec<_>>()
+    };
+    // What is held for n steps is (n - 1) / 2 steps late.
+    let [exact, some, more] = [1, 8, 16].map(places);
+    let off = |x: &[Vec3<f64>]| x.iter().zip(&exact).map(|(x, y)| (*x - *y).norm()).fold(0.0, f64::max);
+    let (some, more) = (off(&some), off(&more));
+    assert!(some < 1e-5 && (more / some / (15.0 / 7.0) - 1.0).abs() < 0.05, "{some} nm and {more} nm");
+
+    let half = run(law(), system(third), held(7), 1500).snapshot();
+    let mut resumed = Simulation::resume(law(), held(7), half).expect("a valid snapshot");
+    (0..1500).for_each(|_| resumed.step().expect("a stable step"));
+    assert!(resumed.snapshot() == run(law(), system(third), held(7), 3000).snapshot());
+}
+
+#[test]
 fn necks_hold_an_aggregate_open_and_without_them_it_collapses() {
     let terminal = |joined: fn(usize) -> bool| {
         let after = run(law(), system(joined), Settings { dt: 2.0 * DT, ..settings(DT) }, 150_000);

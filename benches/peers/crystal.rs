@@ -44,6 +44,7 @@ pub fn simulation(cells: [usize; 3], instructions: Instructions) -> Result<Simul
     let settings = Settings {
         dt: 1e-4,
         integrator: Integrator::HalfStep,
+        far_every: 1,
         damping: 0.0,
         skin: 0.1 * DIAMETER,
         max_overlap: f64::INFINITY,

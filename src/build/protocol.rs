@@ -133,6 +133,7 @@ impl Stage {
         Settings {
             dt: self.dt.value(critical_step),
             integrator: Integrator::HalfStep,
+            far_every: 1,
             damping: self.damping.value(critical_damping),
             skin: SKIN * mean_diameter,
             max_overlap,

@@ -38,6 +38,12 @@ pub struct Block<M: PairModel> {
 }
 
 impl<M: PairModel> Block<M> {
+    /// How many spheres there are in it, its own and its halo.
+    #[expect(clippy::len_without_is_empty, reason = "none is empty")]
+    pub fn len(&self) -> usize {
+        self.own.len() + self.halo.len()
+    }
+
     /// The particle and the copy of it that a place within the block means.
     pub fn member(&self, place: u16) -> (usize, Image) {
         let place = usize::from(place);
@@ -159,10 +165,9 @@ fn cut_to_fit(
 
 /// All places of all blocks: particle, block, place within the block.
 pub fn places<M: PairModel>(blocks: &[Block<M>]) -> impl Iterator<Item = (usize, u32, u32)> {
-    let of = |block: &Block<M>| block.own.len() + block.halo.len();
-    let each =
-        move |(block, number)| (0..of(block)).map(move |place| (block.member(place as u16).0, number, place as u32));
-    blocks.iter().zip(0..).flat_map(each)
+    blocks.iter().zip(0..).flat_map(|(block, number)| {
+        (0..block.len()).map(move |place| (block.member(place as u16).0, number, place as u32))
+    })
 }
 
 /// The lasting name of a pair of places, `q` displaced by `image`.

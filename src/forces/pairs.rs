@@ -225,4 +225,22 @@ impl FarPairs {
         }
         laid
     }
+
+    /// What they do to the first so many spheres, as numbers to be written down.
+    pub fn kept(&self, spheres: usize) -> impl Iterator<Item = f64> + '_ {
+        let loads = self
+            .loads
+            .iter()
+            .flat_map(move |loads| loads[..spheres].iter().flat_map(|load| load.0[..3].iter().copied()));
+        self.virial.into_iter().chain(loads)
+    }
+
+    /// The way back.
+    pub fn keep(&mut self, spheres: usize, numbers: &mut impl Iterator<Item = f64>) {
+        let mut next = || numbers.next().unwrap_or(f64::NAN);
+        self.virial = std::array::from_fn(|_| next());
+        for load in self.loads.iter_mut().flat_map(|loads| loads[..spheres].iter_mut()) {
+            load.0[..3].fill_with(&mut next);
+        }
+    }
 }

@@ -76,7 +76,9 @@ pub mod narrow {
     #[target_feature(enable = "avx2")]
     #[inline]
     pub fn avx2(rows: Rows) -> Columns {
-        use std::arch::x86_64::{_mm256_permute2f128_pd as halves, _mm256_unpackhi_pd as odd, _mm256_unpacklo_pd as even};
+        use std::arch::x86_64::{
+            _mm256_permute2f128_pd as halves, _mm256_unpackhi_pd as odd, _mm256_unpacklo_pd as even,
+        };
         let r: [std::arch::x86_64::__m256d; LANES] = bytemuck::cast(rows);
         let mut columns = [[r[0]; 2]; 4];
         for top in 0..2 {
@@ -96,7 +98,9 @@ pub mod narrow {
     #[inline]
     pub fn avx512(rows: Rows) -> Columns {
         use std::arch::x86_64::{_mm512_castpd256_pd512 as widen, _mm512_insertf64x4 as insert};
-        use std::arch::x86_64::{_mm512_shuffle_f64x2 as quarters, _mm512_unpackhi_pd as odd, _mm512_unpacklo_pd as even};
+        use std::arch::x86_64::{
+            _mm512_shuffle_f64x2 as quarters, _mm512_unpackhi_pd as odd, _mm512_unpacklo_pd as even,
+        };
         let r: [std::arch::x86_64::__m256d; LANES] = bytemuck::cast(rows);
         let two = |a: usize, b: usize| insert::<1>(widen(r[a]), r[b]);
         let (even_02, odd_02) = (even(two(0, 2), two(1, 3)), odd(two(0, 2), two(1, 3)));
@@ -125,7 +129,9 @@ pub mod back {
     #[target_feature(enable = "avx2")]
     #[inline]
     pub fn avx2(columns: Columns) -> Rows {
-        use std::arch::x86_64::{_mm256_permute2f128_pd as halves, _mm256_unpackhi_pd as odd, _mm256_unpacklo_pd as even};
+        use std::arch::x86_64::{
+            _mm256_permute2f128_pd as halves, _mm256_unpackhi_pd as odd, _mm256_unpacklo_pd as even,
+        };
         let c: [[std::arch::x86_64::__m256d; 2]; 4] = bytemuck::cast(columns);
         let mut rows = [c[0][0]; LANES];
         for top in 0..2 {
@@ -144,8 +150,12 @@ pub mod back {
     #[target_feature(enable = "avx512f")]
     #[inline]
     pub fn avx512(columns: Columns) -> Rows {
-        use std::arch::x86_64::{_mm512_castpd512_pd256 as low, _mm512_extractf64x4_pd as half, _mm512_set_epi64 as set};
-        use std::arch::x86_64::{_mm512_permutex2var_pd as choose, _mm512_unpackhi_pd as odd, _mm512_unpacklo_pd as even};
+        use std::arch::x86_64::{
+            _mm512_castpd512_pd256 as low, _mm512_extractf64x4_pd as half, _mm512_set_epi64 as set,
+        };
+        use std::arch::x86_64::{
+            _mm512_permutex2var_pd as choose, _mm512_unpackhi_pd as odd, _mm512_unpacklo_pd as even,
+        };
         let [x, y, z, w]: [std::arch::x86_64::__m512d; 4] = bytemuck::cast(columns);
         let (first, second) = (set(11, 10, 3, 2, 9, 8, 1, 0), set(15, 14, 7, 6, 13, 12, 5, 4));
         let (even_xy, even_zw, odd_xy, odd_zw) = (even(x, y), even(z, w), odd(x, y), odd(z, w));

@@ -92,7 +92,7 @@ fn constants(chapter: &mut Chapter) {
 
 fn settings(dt: f64) -> Settings {
     let (integrator, instructions) = (Integrator::HalfStep, Instructions::best());
-    Settings { dt, integrator, damping: 0.0, skin: 1.0, max_overlap: 0.8, relax_box: None, instructions }
+    Settings { dt, integrator, damping: 0.0, skin: 1.0, max_overlap: 0.8, relax_box: None, far_every: 1, instructions }
 }
 
 fn apart(system: &System) -> f64 {

@@ -37,6 +37,8 @@ pub struct Settings {
     pub max_overlap: f64,
     /// Lets the sides of the box follow the stress.
     pub relax_box: Option<BoxRelaxation>,
+    /// Far pairs, which only attract or repel each other, are evaluated anew every so many steps.
+    pub far_every: u64,
     /// Vector instructions of the pair loop.
     pub instructions: Instructions,
 }
@@ -55,6 +57,8 @@ pub struct Simulation<M: PairModel> {
     listed: Listed,
     /// Largest distance at which it lists neighbours.
     reach: f64,
+    /// Whether what the far pairs do has been looked at since neighbours were listed.
+    far_known: bool,
     /// Rates of strain of the sides, 1/ns.
     box_rate: [f64; 3],
     momentum_flux: [f64; 3],
@@ -77,6 +81,7 @@ impl<M: PairModel> Simulation<M> {
             on_walls: Vec::new(),
             listed,
             reach: 0.0,
+            far_known: false,
             box_rate: [0.0; 3],
             momentum_flux: [0.0; 3],
             stress: [0.0; 3],
@@ -148,14 +153,21 @@ impl<M: PairModel> Simulation<M> {
     fn evaluate(&mut self, dt: f64) -> Result<Totals<M::Losses<f64>>, Halt> {
         let Settings { max_overlap, instructions, .. } = self.settings;
         let (model, particles, domain) = (&self.model, &self.system.particles, &self.system.domain);
+        let far_anew = self.far_due();
         let totals: Vec<Totals<_>> = self
             .blocks
             .par_iter_mut()
             .with_max_len(1)
-            .map(|block| forces::evaluate(model, instructions, block, (particles, domain), max_overlap, dt))
+            .map(|block| forces::evaluate(model, instructions, block, (particles, domain), far_anew, (max_overlap, dt)))
             .collect();
+        self.far_known = true;
         let totals = totals.into_iter().fold(Totals::default(), Totals::and);
         if totals.clearance < 0.0 { Err(self.overlapping()) } else { Ok(totals) }
+    }
+
+    /// Whether the far pairs are evaluated in the next step.
+    fn far_due(&self) -> bool {
+        !self.far_known || self.system.step.is_multiple_of(self.settings.far_every)
     }
 
     fn step_half(&mut self) -> Result<(), Halt> {

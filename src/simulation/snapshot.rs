@@ -17,6 +17,8 @@ pub struct Snapshot {
     listed: Listed,
     /// Springs of all pairs, in the order of the list.
     memory: Vec<f64>,
+    /// What the far pairs do, block by block, where the next step goes on with it.
+    far: Option<Vec<f64>>,
     box_rate: [f64; 3],
     momentum_flux: [f64; 3],
     stress: [f64; 3],
@@ -44,6 +46,7 @@ impl<M: PairModel> Simulation<M> {
         system.place_members(self.listed.moving);
         Snapshot {
             memory: memory.collect(),
+            far: (!self.far_due()).then(|| self.blocks.iter().flat_map(|block| block.far.kept(block.len())).collect()),
             system,
             listed: self.listed.clone(),
             box_rate: self.box_rate,
@@ -56,8 +59,8 @@ impl<M: PairModel> Simulation<M> {
 
     /// Takes a simulation up where a snapshot left it.
     pub fn resume(model: M, settings: Settings, snapshot: Snapshot) -> Result<Self, Halt> {
-        let Snapshot { system, listed, memory, box_rate, momentum_flux, stress, ledger, held } = snapshot;
-        let (blocks, grips, on_walls, reach) = (Vec::new(), Grips::default(), Vec::new(), 0.0);
+        let Snapshot { system, listed, memory, far, box_rate, momentum_flux, stress, ledger, held } = snapshot;
+        let (blocks, grips, on_walls, reach, far_known) = (Vec::new(), Grips::default(), Vec::new(), 0.0, false);
         let mut simulation = Self {
             model,
             settings,
@@ -66,6 +69,7 @@ impl<M: PairModel> Simulation<M> {
             on_walls,
             listed,
             reach,
+            far_known,
             box_rate,
             momentum_flux,
             stress,
@@ -82,6 +86,14 @@ impl<M: PairModel> Simulation<M> {
                     row.at_mut(k).0[lane] = numbers.next().unwrap_or(f64::NAN);
                 }
             }
+        }
+        if let Some(numbers) = far {
+            let mut numbers = numbers.into_iter();
+            for block in &mut simulation.blocks {
+                let spheres = block.len();
+                block.far.keep(spheres, &mut numbers);
+            }
+            simulation.far_known = true;
         }
         Ok(simulation)
     }

@@ -71,6 +71,7 @@ pub fn settings(dt: f64) -> Settings {
     Settings {
         dt,
         integrator: Integrator::HalfStep,
+        far_every: 1,
         damping: 0.0,
         skin: 0.3,
         max_overlap: f64::INFINITY,

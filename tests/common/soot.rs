@@ -82,7 +82,7 @@ pub fn between(substrate: Shape) -> System {
 /// Settings for a time step.
 pub fn settings(dt: f64) -> Settings {
     let (integrator, instructions) = (Integrator::HalfStep, Instructions::best());
-    Settings { dt, integrator, damping: 0.0, skin: 2.0, max_overlap: 0.1, relax_box: None, instructions }
+    Settings { dt, integrator, damping: 0.0, skin: 2.0, max_overlap: 0.1, relax_box: None, far_every: 1, instructions }
 }
 
 /// A simulation after some steps.

@@ -27,6 +27,8 @@ section! {
         dt: Quantity<Time> = quantity("50 fs"),
         /// How velocities go with positions.
         integrator: Integrator = Integrator::HalfStep,
+        /// Number of steps for which spheres that cannot touch go on attracting each other as they did.
+        attraction_every: u64 = 1,
     }
 }
 
@@ -53,6 +55,8 @@ section! {
         dt: Quantity<Time> = quantity("50 fs"),
         /// How velocities go with positions.
         integrator: Integrator = Integrator::HalfStep,
+        /// Number of steps for which spheres that cannot touch go on attracting each other as they did.
+        attraction_every: u64 = 1,
     }
 }
 
@@ -67,6 +71,8 @@ section! {
         dt: Quantity<Time> = quantity("5 fs"),
         /// How velocities go with positions.
         integrator: Integrator = Integrator::HalfStep,
+        /// Number of steps for which spheres that cannot touch go on attracting each other as they did.
+        attraction_every: u64 = 1,
     }
 }
 
@@ -146,6 +152,15 @@ impl SootStage {
             Self::Deposition(Deposition { integrator, .. })
             | Self::Indentation(Indentation { integrator, .. })
             | Self::Restructuring(Restructuring { integrator, .. }) => *integrator,
+        }
+    }
+
+    /// Number of steps after which the attraction of spheres that cannot touch is evaluated anew.
+    pub fn attraction_every(&self) -> u64 {
+        match self {
+            Self::Deposition(Deposition { attraction_every, .. })
+            | Self::Indentation(Indentation { attraction_every, .. })
+            | Self::Restructuring(Restructuring { attraction_every, .. }) => *attraction_every,
         }
     }
 

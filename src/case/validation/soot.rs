@@ -74,6 +74,8 @@ fn stage(case: &Case, stage: &SootStage, key: &str, found: &mut Found) {
         let name = if matches!(stage, SootStage::Deposition(_)) { "substrate.unit" } else { "tip.unit" };
         expect(found, unit.value > 0.0, &at(name), unit, "more than zero");
     }
+    let every = stage.attraction_every();
+    expect(found, every > 0, &at("attraction_every"), every, "at least 1");
     let limit = case.soot_step_limit();
     let text = format!("more than zero and less than the stability limit {}", in_unit(limit, "fs"));
     let dt = stage.dt();

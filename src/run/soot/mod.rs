@@ -159,6 +159,7 @@ impl Study for Plan {
         Settings {
             dt: self.stages[stage].dt().value,
             integrator: self.stages[stage].integrator().engine(),
+            far_every: self.stages[stage].attraction_every(),
             damping: 0.0,
             skin: SKIN * self.sample.radius.value,
             max_overlap: self.max_overlap,

@@ -113,6 +113,7 @@ impl Study for Plan {
         Settings {
             dt: self.dt,
             integrator: Integrator::HalfStep,
+            far_every: 1,
             damping: self.stages[stage].damping,
             skin: SKIN,
             max_overlap: self.case.limits.overlap,

@@ -214,6 +214,7 @@ impl Study for Plan {
         Settings {
             dt: self.test.dt.value,
             integrator: Integrator::HalfStep,
+            far_every: 1,
             damping,
             skin: SKIN,
             max_overlap: self.overlap,
