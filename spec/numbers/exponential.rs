@@ -33,19 +33,14 @@ pub fn exp(x: f64) -> f64 {
     let whole = x * std::f64::consts::LOG2_E + ROUND;
     let k = whole - ROUND;
     let r = (x - k * LN_2[0]) - k * LN_2[1];
-    let r_2 = r * r;
-    let value = 1.0 + (r + r_2 * series(r, r_2, r_2 * r_2));
+    let mut series = INVERSE_FACTORIAL[11];
+    for coefficient in INVERSE_FACTORIAL[..11].iter().rev() {
+        series = series * r + coefficient;
+    }
+    let value = 1.0 + (r + r * r * series);
     // In two halves: the whole power of two may not be a normal number.
     let half = k * 0.5 + ROUND;
     value * power_of_two(half) * power_of_two(k - (half - ROUND) + ROUND)
-}
-
-/// The sum of `r^k / (k + 2)!`, by twos, fours and twelve: each part of it waits for few others.
-#[inline(always)]
-fn series(r: f64, r_2: f64, r_4: f64) -> f64 {
-    let two = |k: usize| INVERSE_FACTORIAL[k] + INVERSE_FACTORIAL[k + 1] * r;
-    let four = |k: usize| two(k) + two(k + 2) * r_2;
-    four(0) + (four(4) * r_4 + four(8) * (r_4 * r_4))
 }
 
 /// Two to the power of `shifted - ROUND`.

@@ -6,6 +6,7 @@ use crate::spec::wear::eq01_symplectic_euler::symplectic_euler;
 use crate::spec::wear::eq21_critical_damping::global_damping;
 use crate::spec::{PairModel, Vec3};
 use crate::system::{Particles, Wall};
+use std::borrow::Cow;
 
 /// Moment of inertia of a sphere, ag nm^2.
 pub fn inertia(particles: &Particles, p: usize) -> f64 {
@@ -127,14 +128,18 @@ impl Moved {
 }
 
 /// The loads on the first spheres of a block: its own, and what other blocks hold for them.
-pub fn gathered<M: PairModel>(blocks: &[Block<M>], number: usize, count: usize) -> Vec<Load> {
+pub fn gathered<M: PairModel>(blocks: &[Block<M>], number: usize, count: usize) -> Cow<'_, [Load]> {
     let block = &blocks[number];
-    let mut loads = block.loads[..count].to_vec();
+    let own = &block.loads[..count];
+    if block.incoming.is_empty() {
+        return Cow::Borrowed(own);
+    }
+    let mut loads = own.to_vec();
     for &(to, from, place) in block.incoming.iter().take_while(|entry| (entry.0 as usize) < count) {
         let sum = &mut loads[to as usize];
         *sum = *sum + blocks[from as usize].loads[place as usize];
     }
-    loads
+    Cow::Owned(loads)
 }
 
 /// Moves the first spheres of a block by one step of Eq. 1.

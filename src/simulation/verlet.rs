@@ -98,8 +98,8 @@ impl<M: PairModel> Simulation<M> {
     fn hold_loads(&mut self, totals: &Totals<M::Losses<f64>>, power_of_surfaces: f64) {
         let blocks = &self.blocks;
         let parts = (0..blocks.len()).into_par_iter().map(|number| gathered(blocks, number, blocks[number].own.len()));
-        let loads =
-            parts.collect::<Vec<_>>().into_iter().flatten().map(|Lanes([a, b, c, d, e, f, ..])| [a, b, c, d, e, f]);
+        let parts: Vec<_> = parts.collect();
+        let loads = parts.iter().flat_map(|part| part.iter()).map(|&Lanes([a, b, c, d, e, f, ..])| [a, b, c, d, e, f]);
         self.held = Held { loads: loads.collect(), pairs: totals.power, surfaces: power_of_surfaces, late: 0.0 };
     }
 }
