@@ -40,13 +40,8 @@ impl ForceCurve {
         self.points.push((displacement, self.reading));
     }
 
-    /// The curve: displacement and reading.
-    pub fn points(&self) -> &[(f64, f64)] {
-        &self.points
-    }
-
-    /// The points since the tip has turned round: what came before is the approach.
-    fn retraction(&self) -> &[(f64, f64)] {
+    /// The curve, displacement and reading, since the tip has turned round: what came before is the approach.
+    pub fn retraction(&self) -> &[(f64, f64)] {
         let depth = |point: &(f64, f64)| point.0;
         let lowest = self.points.iter().map(depth).fold(f64::INFINITY, f64::min);
         &self.points[self.points.iter().position(|point| depth(point) == lowest).unwrap_or(0)..]
