@@ -10,6 +10,7 @@ pub mod contact;
 pub mod document;
 pub mod equation;
 pub mod model;
+pub mod necked;
 pub mod numbers;
 pub mod real;
 pub mod soot;
@@ -21,6 +22,7 @@ pub mod wear;
 pub use contact::Contact;
 use equation::{Equation, Paper};
 pub use model::{Flat, Named, Outcome, PairModel, Touch, Wrench};
+pub use necked::Necked;
 pub use real::{Real, piecewise};
 pub use vec3::{Tensor, Vec3};
 

@@ -82,6 +82,12 @@ pub trait Named<R>: Flat<R> {
     fn names() -> Vec<String>;
 }
 
+impl<R, A: Named<R>, B: Named<R>> Named<R> for (A, B) {
+    fn names() -> Vec<String> {
+        A::names().into_iter().chain(B::names()).collect()
+    }
+}
+
 impl<R: Copy + Send + Sync, const N: usize> Flat<R> for [R; N] {
     const LEN: usize = N;
     #[inline(always)]

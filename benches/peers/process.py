@@ -12,23 +12,27 @@ FEWEST_STEPS = 60  # a large crystal takes seconds to set up, and what is measur
 
 
 def run(command, threads):
-    """User CPU seconds, wall-clock seconds, and largest memory in kB."""
+    """CPU seconds, wall-clock seconds, and largest memory in kB."""
     environment = os.environ | {"OMP_NUM_THREADS": str(threads), "LD_LIBRARY_PATH": str(HOME / "lib")}
     begin = time.perf_counter()
     process = subprocess.Popen([str(word) for word in command], env=environment)
     _, status, usage = os.wait4(process.pid, 0)
     if status != 0:
         raise SystemExit(f"failed: {command}")
-    return usage.ru_utime, time.perf_counter() - begin, usage.ru_maxrss
+    return usage.ru_utime + usage.ru_stime, time.perf_counter() - begin, usage.ru_maxrss
 
 
 def per_particle_step(command, threads, cells):
     """CPU and wall-clock seconds per particle and step, from the difference of a long and a short run."""
     particles = count(cells)
     long = max(PARTICLE_STEPS // particles, FEWEST_STEPS)
-    short = long // 10
-    (cpu_a, wall_a, _), (cpu_b, wall_b, _) = run(command(cells, short), threads), run(command(cells, long), threads)
-    return [(b - a) / (particles * (long - short)) for a, b in ((cpu_a, cpu_b), (wall_a, wall_b))]
+    return [cost / particles for cost in cost_of_step(lambda steps: command(cells, steps), threads, long // 10, long)]
+
+
+def cost_of_step(command, threads, short, long):
+    """CPU and wall-clock seconds per step, from the difference of a run of `long` and one of `short` steps."""
+    (cpu_a, wall_a, _), (cpu_b, wall_b, _) = run(command(short), threads), run(command(long), threads)
+    return [(b - a) / (long - short) for a, b in ((cpu_a, cpu_b), (wall_a, wall_b))]
 
 
 def count(cells):

@@ -128,19 +128,7 @@ impl PairModel for Soot {
 
     /// Largest stable time step of two equal solid spheres in contact or with a neck, s.
     fn critical_time_step(&self, r: f64, m: f64) -> f64 {
-        let limit = |s: &Springs<f64>| {
-            let (n, t, r, o) = neck_frequencies(s.k_n, s.k_t, s.k_r, s.k_o, m, solid_inertia(m, r), r);
-            // A dashpot that acts with the velocity of the step before lowers the limit: the rate of decay of each motion follows from its frequency.
-            [(n, s.k_n, s.eta_n), (t, s.k_t, s.eta_t), (r, s.k_r, s.eta_r), (o, s.k_o, s.eta_o)]
-                .into_iter()
-                .filter(|(_, k, _)| *k > 0.0)
-                .map(|(omega, k, eta)| {
-                    let decay = 0.5 * omega * omega * eta / k;
-                    2.0 / ((omega * omega + decay * decay).sqrt() + decay)
-                })
-                .fold(f64::INFINITY, f64::min)
-        };
-        limit(&self.neck).min(limit(&self.contact))
+        self.neck.critical_time_step(r, m).min(self.contact.critical_time_step(r, m))
     }
 
     fn surface_range(&self, material: usize, r: f64) -> f64 {
@@ -161,6 +149,28 @@ impl PairModel for Soot {
         let van_der_waals = if nearest { wall.energy(gap, r) } else { 0.0 };
         let [normal, tangential, rolling, torsion] = wall.stored(gap, memory);
         Stored { normal, tangential, rolling, torsion, van_der_waals, capillary: 0.0 }
+    }
+}
+
+impl Springs<f64> {
+    /// Largest stable time step of two equal solid spheres that these springs hold, s.
+    pub fn critical_time_step(&self, r: f64, m: f64) -> f64 {
+        let (normal, tangential, rolling, torsion) =
+            neck_frequencies(self.k_n, self.k_t, self.k_r, self.k_o, m, solid_inertia(m, r), r);
+        // A dashpot that acts with the velocity of the step before lowers the limit: the rate of decay of each motion follows from its frequency.
+        [
+            (normal, self.k_n, self.eta_n),
+            (tangential, self.k_t, self.eta_t),
+            (rolling, self.k_r, self.eta_r),
+            (torsion, self.k_o, self.eta_o),
+        ]
+        .into_iter()
+        .filter(|(_, k, _)| *k > 0.0)
+        .map(|(omega, k, eta)| {
+            let decay = 0.5 * omega * omega * eta / k;
+            2.0 / ((omega * omega + decay * decay).sqrt() + decay)
+        })
+        .fold(f64::INFINITY, f64::min)
     }
 }
 

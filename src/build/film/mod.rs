@@ -8,12 +8,14 @@
 mod aggregates;
 pub mod column;
 mod deposition;
+mod system;
 
 use super::aggregate::Failure as Ungrown;
 use crate::spec::Vec3;
 use column::Column;
 use serde::{Deserialize, Serialize};
 use std::fmt;
+pub use system::Bonding;
 
 /// What is to be built. Lengths in nm, the other quantities in the engine's units too.
 #[derive(Clone, Debug, PartialEq)]

@@ -7,7 +7,7 @@ mod watch;
 
 pub use spectrum::Spectrum;
 
-use crate::build::film::{Film, FilmSphere};
+use crate::build::film::{Bonding, Film, FilmSphere};
 use crate::build::protocol::Progress;
 use crate::case::{self, Case, Spectroscopy, TitaniaTest};
 use crate::error::Error;
@@ -18,7 +18,7 @@ use crate::run::Study;
 use crate::simulation::{Integrator, Settings, Simulation};
 use crate::spec::Vec3;
 use crate::spec::titania::Tabulated;
-use crate::system::{Domain, Motion, Particles, System};
+use crate::system::{Motion, System};
 use serde::{Deserialize, Serialize};
 use std::sync::OnceLock;
 use watch::Watch;
@@ -90,32 +90,6 @@ impl Plan {
         serde_json::to_string(&(&self.titania, film, relaxation, drag, dt, self.seed)).expect("a case is plain data")
     }
 
-    /// The film as bodies, those on the floor fixed, in a box that ends above it.
-    fn bodies(&self, film: &Film) -> System {
-        let mut particles = Particles::default();
-        let mut members = vec![Vec::new(); film.aggregates()];
-        for sphere in &film.spheres {
-            let (radius, mass) = self.titania.particle(sphere.diameter);
-            members[sphere.aggregate as usize].push(particles.len());
-            particles.push(sphere.centre, radius, mass, sphere.aggregate);
-        }
-        let [width, depth] = film.sides;
-        let domain = Domain { sides: [width, depth, film.thickness], periodic: [true, true, false] };
-        let mut system = System::new(particles, domain);
-        let mut floor = Vec::new();
-        for (members, fixed) in members.iter().zip(&film.on_floor) {
-            if *fixed {
-                floor.extend(members);
-            } else {
-                system.add_body(members);
-            }
-        }
-        system.add_body(&floor);
-        let fixed = system.bodies.len() as u32;
-        system.add_wall(AT_REST, |p, i| p.body[i] == fixed);
-        system
-    }
-
     /// What the film is like now; spheres touch where their water layers do.
     fn structure(&self, system: &System) -> Structure {
         let p = &system.particles;
@@ -173,7 +147,8 @@ impl Study for Plan {
             return Ok(system);
         }
         let film = self.film.plan().build(self.seed);
-        Ok(self.bodies(&film.map_err(|failure| Error::Usage(failure.to_string()))?))
+        let film = film.map_err(|failure| Error::Usage(failure.to_string()))?;
+        Ok(film.system(Bonding::Rigid, |d| self.titania.particle(d)))
     }
 
     fn starts_from_sample(&self, _: usize) -> bool {
