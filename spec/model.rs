@@ -168,8 +168,9 @@ pub trait PairModel: Sync {
     fn joined<R: Real>(&self, constants: Self::Coefficients<R>) -> Self::Coefficients<R> {
         constants
     }
-    /// The constants of a pair whose spheres are parts of rigid bodies, with the reduced moment of inertia (kg m²) of those.
-    fn rigid<R: Real>(&self, constants: Self::Coefficients<R>, _inertia: R) -> Self::Coefficients<R> {
+    /// The constants of a pair of which the engine knows what its friction may stop: the reduced moment of inertia (kg m²) of two spheres, or
+    /// of the rigid bodies that they are parts of, each shared by all contacts.
+    fn turning<R: Real>(&self, constants: Self::Coefficients<R>, _inertia: R) -> Self::Coefficients<R> {
         constants
     }
     /// Largest distance of centres at which two spheres of these radii act on each other, m.

@@ -80,8 +80,8 @@ impl<M: PairModel> PairModel for Necked<M> {
         (constants, Joined { joined: R::one() })
     }
 
-    fn rigid<R: Real>(&self, (constants, joined): Self::Coefficients<R>, inertia: R) -> Self::Coefficients<R> {
-        (self.law.rigid(constants, inertia), joined)
+    fn turning<R: Real>(&self, (constants, joined): Self::Coefficients<R>, inertia: R) -> Self::Coefficients<R> {
+        (self.law.turning(constants, inertia), joined)
     }
 
     fn range(&self, r_i: f64, r_j: f64) -> f64 {

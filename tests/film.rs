@@ -10,8 +10,11 @@ fn veridem(place: &Path, arguments: &[&str]) -> String {
     String::from_utf8(output.stdout).expect("text")
 }
 
-fn case() -> String {
-    format!("{}/tests/cases/good/titania-film.yaml", env!("CARGO_MANIFEST_DIR"))
+const RIGID: &str = "titania-film";
+const NECKS: &str = "titania-film-necks";
+
+fn case(name: &str) -> String {
+    format!("{}/tests/cases/good/{name}.yaml", env!("CARGO_MANIFEST_DIR"))
 }
 
 fn finding(run: &Path, name: &str) -> f64 {
@@ -33,7 +36,7 @@ fn columns(run: &Path, stage: &str, names: [&str; 2]) -> Vec<[f64; 2]> {
 #[test]
 fn the_tip_comes_down_to_its_setpoint_turns_and_pulls_and_the_events_are_those_that_are_counted() {
     let place = tempfile::tempdir().unwrap();
-    veridem(place.path(), &["--quiet", "--threads", "1", "run", &case(), "--name", "film"]);
+    veridem(place.path(), &["--quiet", "--threads", "1", "run", &case(RIGID), "--name", "film"]);
     let run = place.path().join("run/film");
     let curve = |stage: &str| columns(&run, stage, ["tip moved [nm]", "force on the tip [pN]"]);
     let (down, up) = (curve("approach"), curve("retraction"));
@@ -66,18 +69,43 @@ fn the_tip_comes_down_to_its_setpoint_turns_and_pulls_and_the_events_are_those_t
 }
 
 #[test]
-fn the_same_bits_for_any_number_of_threads_and_when_resumed() {
+fn necks_break_under_the_tip_and_every_break_is_told_counted_and_booked() {
     let place = tempfile::tempdir().unwrap();
-    for threads in ["1", "2"] {
-        veridem(place.path(), &["--quiet", "--threads", threads, "run", &case(), "--name", threads]);
+    veridem(place.path(), &["--quiet", "--threads", "1", "run", &case(NECKS), "--name", "film"]);
+    let run = place.path().join("run/film");
+    let events = std::fs::read_to_string(run.join("events.jsonl")).unwrap();
+    let mut told = 0;
+    for stage in ["relaxation", "approach", "retraction"] {
+        let of_stage = events.lines().filter(|line| line.contains(&format!("\"stage\":\"{stage}\"")));
+        let breaks = of_stage.filter(|line| line.contains("breaks")).count();
+        assert_eq!(breaks as f64, finding(&run, &format!("broken necks during {stage}")), "{stage}");
+        let necks = columns(&run, stage, ["necks", "lost to breaking [zJ]"]);
+        let (first, last) = (necks[0], necks[necks.len() - 1]);
+        assert_eq!(first[0] - last[0], breaks as f64);
+        assert!((last[1] - first[1] > 0.0) == (breaks > 0), "{first:?} {last:?}");
+        told += breaks;
+        for [residual, _] in columns(&run, stage, ["relative residual", "step"]) {
+            assert!(residual.abs() < 5e-3, "{stage}: {residual}");
+        }
     }
-    assert_eq!(veridem(place.path(), &["inspect", "--diff", "run/1", "run/2"]), "identical\n");
-    let stopped = Command::new(env!("CARGO_BIN_EXE_veridem"))
-        .current_dir(place.path())
-        .args(["--quiet", "run", &case(), "--name", "stopped", "--stop-after-steps", "9123"])
-        .output()
-        .unwrap();
-    assert_eq!(stopped.status.code(), Some(75));
-    veridem(place.path(), &["--quiet", "resume", "run/stopped"]);
-    assert_eq!(veridem(place.path(), &["inspect", "--diff", "run/1", "run/stopped"]), "identical\n");
+    assert!(told > 0);
+}
+
+#[test]
+fn the_same_bits_for_any_number_of_threads_and_when_resumed() {
+    for (name, stop) in [(RIGID, "9123"), (NECKS, "12345")] {
+        let (place, case) = (tempfile::tempdir().unwrap(), case(name));
+        for threads in ["1", "2"] {
+            veridem(place.path(), &["--quiet", "--threads", threads, "run", &case, "--name", threads]);
+        }
+        assert_eq!(veridem(place.path(), &["inspect", "--diff", "run/1", "run/2"]), "identical\n");
+        let stopped = Command::new(env!("CARGO_BIN_EXE_veridem"))
+            .current_dir(place.path())
+            .args(["--quiet", "run", &case, "--name", "stopped", "--stop-after-steps", stop])
+            .output()
+            .unwrap();
+        assert_eq!(stopped.status.code(), Some(75));
+        veridem(place.path(), &["--quiet", "resume", "run/stopped"]);
+        assert_eq!(veridem(place.path(), &["inspect", "--diff", "run/1", "run/stopped"]), "identical\n");
+    }
 }

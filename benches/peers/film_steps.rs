@@ -8,14 +8,14 @@
 
 use veridem::build::film::{Bonding, FilmPlan};
 use veridem::forces::Instructions;
-use veridem::simulation::{Settings, Simulation};
+use veridem::simulation::{Integrator, Settings, Simulation};
 use veridem::spec::titania::{Tabulated, Titania};
 use veridem::spec::wear::def_sphere::sphere_mass;
 
 /// Spheres per area of the paper's film, 1/nm².
 const PER_AREA: f64 = 200_000.0 / (1581.4 * 1581.4);
 /// Density of titania, ag/nm³.
-const DENSITY: f64 = 4.23;
+const DENSITY: f64 = 4.23e-3;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let words: Vec<String> = std::env::args().skip(1).collect();
@@ -35,6 +35,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let radii: Vec<f64> = (3..=23).map(|d| law.contact_radius(f64::from(d))).collect();
     let settings = Settings {
         dt: 0.5e-3,
+        integrator: Integrator::HalfStep,
         damping: 0.0,
         skin: 3.0,
         max_overlap: f64::INFINITY,

@@ -22,7 +22,7 @@ from process import HOME, ROOT, cost_of_step
 HERE = Path(__file__).resolve().parent
 ENGINE = ROOT / "target" / "release" / "examples" / "film_steps"
 STEPS = {"rigid": 10_000, "free": 3000}
-DENSITY = 4.23  # ag/nm^3
+DENSITY = 4.23e-3  # ag/nm^3
 
 
 def write_film(bonding, spheres):

@@ -225,7 +225,7 @@ impl PairModel for Titania {
         (self.parameters(r_i, r_j, m_i, m_j), self.attraction(r_i, r_j))
     }
 
-    fn rigid<R: Real>(&self, (contact, attraction): Coefficients<R>, inertia: R) -> Coefficients<R> {
+    fn turning<R: Real>(&self, (contact, attraction): Coefficients<R>, inertia: R) -> Coefficients<R> {
         (Parameters { inertia, ..contact }, attraction)
     }
 

@@ -82,7 +82,7 @@ impl PairModel for Tabulated {
         (self.law.parameters_with(number(STIFFNESS), r_i, r_j, m_i, m_j), Piece::from_fn(number))
     }
 
-    fn rigid<R: Real>(&self, (contact, piece): Self::Coefficients<R>, inertia: R) -> Self::Coefficients<R> {
+    fn turning<R: Real>(&self, (contact, piece): Self::Coefficients<R>, inertia: R) -> Self::Coefficients<R> {
         (Parameters { inertia, ..contact }, piece)
     }
 

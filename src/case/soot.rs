@@ -192,7 +192,8 @@ impl NeckSet {
 }
 
 impl FourSprings {
-    fn spec(&self) -> soot::Springs<f64> {
+    /// The springs in engine units.
+    pub fn spec(&self) -> soot::Springs<f64> {
         soot::Springs {
             k_n: self.normal_stiffness.value,
             k_t: self.tangential_stiffness.value,

@@ -2,11 +2,12 @@
 //! is silent.
 
 use super::quantity::{
-    DampingPerArea, Density, Drag, Force, Length, Pressure, Quantity, Scaled, Stiffness, Temperature, Time, Velocity,
+    DampingPerArea, Density, Drag, Energy, Force, Length, Pressure, Quantity, Scaled, Stiffness, Temperature, Time,
+    Velocity,
 };
 use super::schema::InSteps;
 use super::section::{section, words};
-use super::soot::quantity;
+use super::soot::{FourSprings, quantity};
 use super::units::{in_unit, rounded};
 use super::{Case, Experiment, Film, Model, Sample, Spectroscopy};
 use crate::build::agglomerate::Recipe;
@@ -51,6 +52,10 @@ section! {
         slip_period: Quantity<Length> = quantity("0.5 nm"),
         /// What a slip leaves of the tangential spring.
         slip: Slip = Slip::Reset,
+        /// The springs of the necks between the particles of an aggregate, as the soot paper has them; without them aggregates are rigid.
+        neck_springs: Option<FourSprings> = None,
+        /// Energy of its four springs at which a neck breaks; without it necks never do.
+        break_energy: Option<Quantity<Energy>> = None,
     }
 }
 
@@ -261,11 +266,17 @@ impl Case {
         Some((titania, test))
     }
 
+    /// Whether a checked case tests a film.
+    pub fn is_about_a_film(&self) -> bool {
+        matches!(self.titania(), Some((_, TitaniaTest::Spectroscopy(..))))
+    }
+
     /// The largest stable time step of a case of the titania paper, ns.
     pub fn titania_step_limit(&self) -> f64 {
         let (titania, test) = self.titania().expect(OF_TITANIA);
         let (r, mass) = titania.particle(test.smallest());
-        titania.law().critical_time_step(r, mass)
+        let neck = titania.neck_springs.as_ref().map(|springs| springs.spec().critical_time_step(r, mass));
+        titania.law().critical_time_step(r, mass).min(neck.unwrap_or(f64::INFINITY))
     }
 
     /// What follows from a case of the titania paper, with units.

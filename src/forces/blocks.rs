@@ -74,7 +74,7 @@ const NEAR: f64 = 0.01;
 
 /// Cuts the pairs, sorted by first sphere, into blocks; springs are found again in `springs`. `x` and `domain` are those that the
 /// pairs were found with, `skin` is how much closer two spheres may come before they are found anew. Only the first
-/// `moving` particles have pairs; `shares` are the moments of inertia of the bodies.
+/// `moving` particles have pairs; `shares` is what moment of inertia each particle contributes to a contact.
 pub fn partition<M: PairModel>(
     model: &M,
     particles: &Particles,

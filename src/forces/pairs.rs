@@ -2,7 +2,6 @@
 
 use super::blocks::{CAPACITY, LANES, NOWHERE, bond, no_loads};
 use super::{Bond, Load, Neighbour, Springs};
-use crate::motion::inertia;
 use crate::spec::numbers::Lanes;
 use crate::spec::wear::eq17_effective_mass::effective_mass;
 use crate::spec::{Flat, PairModel};
@@ -105,18 +104,12 @@ impl Places<'_> {
     }
 }
 
-/// Reduced moment of inertia of two spheres of which one belongs to a free body; `shares` are the moments of the bodies.
+/// Reduced moment of inertia of two spheres that contribute the given moments, as far as they are free to turn.
 fn reduced_moment(particles: &Particles, shares: &[f64], p: usize, q: usize) -> Option<f64> {
-    let moment = |p: usize| match (particles.wall[p], particles.body[p] as usize) {
-        (0, 0) => Some(inertia(particles, p)),
-        (0, body) => Some(shares[body - 1]),
-        _ => None,
-    };
-    let rigid = [p, q].iter().any(|&p| particles.wall[p] == 0 && particles.body[p] > 0);
+    let moment = |p: usize| (particles.wall[p] == 0).then(|| shares[p]);
     match (moment(p), moment(q)) {
-        (Some(of_p), Some(of_q)) if rigid => Some(effective_mass(of_p, of_q)),
-        (Some(only), None) | (None, Some(only)) if rigid => Some(only),
-        _ => None,
+        (Some(of_p), Some(of_q)) => Some(effective_mass(of_p, of_q)),
+        (only, other) => only.or(other),
     }
 }
 
@@ -164,7 +157,7 @@ impl<M: PairModel> Pairs<M> {
             let of = |Placed { p, q, .. }| {
                 let constants = model.coefficients(r[p], r[q], m[p], m[q]);
                 match reduced_moment(places.particles, shares, p, q) {
-                    Some(inertia) => model.rigid(constants, inertia),
+                    Some(inertia) => model.turning(constants, inertia),
                     None => constants,
                 }
             };

@@ -5,8 +5,9 @@ use crate::output::Cell;
 use crate::simulation::Simulation;
 use crate::spec::{Named, PairModel};
 
-const COLUMNS: [&str; 14] = [
+const COLUMNS: [&str; 15] = [
     "lost to drag [zJ]",
+    "lost to breaking [zJ]",
     "work of walls [zJ]",
     "work of loads [zJ]",
     "work of box [zJ]",
@@ -46,6 +47,7 @@ pub fn measure<S: Study>(
         [system.time, ledger.kinetic].into_iter().chain(ledger.stored.clone()).chain(ledger.lost_by_pairs.clone());
     let accounts = [
         ledger.lost_drag,
+        ledger.lost_to_breaking,
         ledger.work_walls,
         ledger.work_loads,
         ledger.work_box,

@@ -4,7 +4,37 @@ use super::{Control, Glance, Run, Study, soot, titania, wear};
 use crate::case::{Case, Model};
 use crate::error::Error;
 use crate::output::{Finding, Manifest, RunFolder};
+use crate::spec::Necked;
+use crate::spec::titania::Tabulated;
 use crate::system::System;
+
+/// Does the same with the plan of any paper.
+macro_rules! with_plan {
+    ($case:expr, $plan:ident => $done:expr) => {
+        match &$case.model {
+            Model::Wear(_) => {
+                let $plan = wear::Plan::of($case);
+                $done
+            }
+            Model::Soot(_) => {
+                let $plan = soot::Plan::of($case);
+                $done
+            }
+            Model::Titania(model) if $case.is_about_a_film() && model.neck_springs.is_some() => {
+                let $plan = titania::Film::<Necked<Tabulated>>::of($case);
+                $done
+            }
+            Model::Titania(_) if $case.is_about_a_film() => {
+                let $plan = titania::Film::<Tabulated>::of($case);
+                $done
+            }
+            Model::Titania(_) => {
+                let $plan = titania::Plan::of($case);
+                $done
+            }
+        }
+    };
+}
 
 /// A case ready to be run: its particles are there, and nothing has been written.
 pub struct Prepared<'a> {
@@ -15,14 +45,7 @@ pub struct Prepared<'a> {
 impl<'a> Prepared<'a> {
     /// Finds out whatever is wrong with the input.
     pub fn new(case: &'a Case) -> Result<Self, Error> {
-        let initial = match &case.model {
-            Model::Wear(_) => wear::Plan::of(case).initial()?,
-            Model::Soot(_) => soot::Plan::of(case).initial()?,
-            Model::Titania(_) => match titania::Film::of(case) {
-                Some(film) => film.initial()?,
-                None => titania::Plan::of(case).initial()?,
-            },
-        };
+        let initial = with_plan!(case, plan => plan.initial()?);
         Ok(Self { case, initial })
     }
 
@@ -35,14 +58,7 @@ impl<'a> Prepared<'a> {
         show: &mut dyn FnMut(Glance),
     ) -> Result<Vec<Finding>, Error> {
         let Self { case, initial } = self;
-        match &case.model {
-            Model::Wear(_) => Run::new(case, wear::Plan::of(case), folder, manifest, control, show).start(initial),
-            Model::Soot(_) => Run::new(case, soot::Plan::of(case), folder, manifest, control, show).start(initial),
-            Model::Titania(_) => match titania::Film::of(case) {
-                Some(film) => Run::new(case, film, folder, manifest, control, show).start(initial),
-                None => Run::new(case, titania::Plan::of(case), folder, manifest, control, show).start(initial),
-            },
-        }
+        with_plan!(case, plan => Run::new(case, plan, folder, manifest, control, show).start(initial))
     }
 }
 
@@ -54,12 +70,5 @@ pub fn resume(
     control: &Control,
     show: &mut dyn FnMut(Glance),
 ) -> Result<Vec<Finding>, Error> {
-    match &case.model {
-        Model::Wear(_) => Run::new(case, wear::Plan::of(case), folder, manifest, control, show).resume(),
-        Model::Soot(_) => Run::new(case, soot::Plan::of(case), folder, manifest, control, show).resume(),
-        Model::Titania(_) => match titania::Film::of(case) {
-            Some(film) => Run::new(case, film, folder, manifest, control, show).resume(),
-            None => Run::new(case, titania::Plan::of(case), folder, manifest, control, show).resume(),
-        },
-    }
+    with_plan!(case, plan => Run::new(case, plan, folder, manifest, control, show).resume())
 }

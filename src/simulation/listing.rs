@@ -2,9 +2,9 @@
 
 use super::Simulation;
 use crate::forces::{self, Neighbour, Springs};
-use crate::motion::{Grips, Moved};
+use crate::motion::{self, Grips, Moved};
 use crate::spec::{Flat, PairModel, Vec3};
-use crate::system::{Domain, Halt, Pose, Reason};
+use crate::system::{Domain, Halt, Pose, Reason, System};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 
@@ -123,7 +123,7 @@ impl<M: PairModel> Simulation<M> {
             return Err(self.halt(Reason::Neck { pair }));
         }
         let domain = Domain { sides: self.listed.sides, ..self.system.domain };
-        let bodies = (self.listed.moving, &self.shares(pairs)[..]);
+        let moments = (self.listed.moving, &self.shares(pairs)[..]);
         self.blocks = forces::partition(
             &self.model,
             particles,
@@ -131,7 +131,7 @@ impl<M: PairModel> Simulation<M> {
             pairs,
             necks,
             springs,
-            bodies,
+            moments,
         )
         .map_err(|reason| self.halt(reason))?;
         self.far_known = false;
@@ -142,17 +142,30 @@ impl<M: PairModel> Simulation<M> {
         Ok(())
     }
 
-    /// The moment of inertia that each contact of a body may take for its own: friction may stop what turns, and several contacts
-    /// together must not turn it back.
+    /// The moment of inertia that each contact of a particle, or of the body it belongs to, may take for its own: friction may stop what turns,
+    /// and several contacts together must not turn it back.
     fn shares(&self, pairs: &[Neighbour]) -> Vec<f64> {
-        let mut contacts = vec![0.0f64; self.system.bodies.len() + 1];
+        let System { particles, bodies, necks, .. } = &self.system;
+        // Spheres by themselves stand behind the bodies.
+        let turning = |p: usize| (particles.body[p] as usize).checked_sub(1).unwrap_or(bodies.len() + p);
+        let mut contacts = vec![0.0f64; bodies.len() + particles.len()];
         for pair in pairs {
-            for p in [pair.p, pair.q] {
-                contacts[self.system.particles.body[p as usize] as usize] += 1.0;
+            let (p, q) = (pair.p as usize, pair.q as usize);
+            let (i, j, _) = forces::bond(particles, p, q, pair.image);
+            if necks.binary_search(&(i, j)).is_err() {
+                contacts[turning(p)] += 1.0;
+                contacts[turning(q)] += 1.0;
             }
         }
         let least = |moments: Vec3<f64>| moments.0.into_iter().fold(f64::INFINITY, f64::min);
-        self.system.bodies.iter().zip(&contacts[1..]).map(|(body, n)| least(body.moments) / n.max(1.0)).collect()
+        let share = |p: usize| {
+            let moment = match particles.body[p] as usize {
+                0 => motion::inertia(particles, p),
+                body => least(bodies[body - 1].moments),
+            };
+            moment / contacts[turning(p)].max(1.0)
+        };
+        (0..particles.len()).map(share).collect()
     }
 
     /// The springs of all contacts, by who the spheres are.

@@ -1,6 +1,7 @@
 //! What a case of the soot paper must satisfy beyond its grammar.
 
 use super::{Found, belongs, expect};
+use crate::case::quantity::{Energy, Quantity};
 use crate::case::units::{decimal, in_unit};
 use crate::case::{
     Case, Deposition, Experiment, FourSprings, Indentation, Restructuring, Sample, Solid, Soot, SootStage,
@@ -110,17 +111,22 @@ fn interactions(soot: &Soot, found: &mut Found) {
         let most = format!("zero or more and at most that at rest, {}", decimal(*rest));
         expect(found, (0.0..=*rest).contains(&moving), &key("in_motion"), decimal(moving), &most);
     }
-    if let Some(energy) = &soot.break_energy {
-        expect(found, energy.value > 0.0, &at("break_energy"), energy, "more than zero");
+    springs(&soot.contact, "model.soot.contact", found);
+    necks("model.soot", &soot.neck_springs, &soot.break_energy, found);
+}
+
+/// What is wrong with the necks of a model of any paper.
+pub fn necks(model: &str, neck: &Option<FourSprings>, strength: &Option<Quantity<Energy>>, found: &mut Found) {
+    if let Some(energy) = strength {
+        expect(found, energy.value > 0.0, &format!("{model}.break_energy"), energy, "more than zero");
     }
-    springs(&soot.contact, "contact", found);
-    if let Some(neck) = &soot.neck_springs {
-        springs(neck, "neck_springs", found);
+    if let Some(neck) = neck {
+        springs(neck, &format!("{model}.neck_springs"), found);
     }
 }
 
 fn springs(springs: &FourSprings, section: &str, found: &mut Found) {
-    let at = |key: &str| format!("model.soot.{section}.{key}");
+    let at = |key: &str| format!("{section}.{key}");
     for (key, stiffness) in [
         ("normal_stiffness", &springs.normal_stiffness),
         ("tangential_stiffness", &springs.tangential_stiffness),

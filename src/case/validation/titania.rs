@@ -22,6 +22,7 @@ pub fn problems(case: &Case, found: &mut Found) {
         return found.push(("sample".into(), format!("expected {sample} for this experiment")));
     };
     interactions(titania, found);
+    necks(titania, matches!(test, TitaniaTest::Spectroscopy(..)), found);
     let core_gap = titania.core_gap.value;
     let thick = format!("more than the gap of the bare surfaces, {}", in_unit(core_gap, "nm"));
     match test {
@@ -102,6 +103,19 @@ fn dragged(dragging: &Dragging, section: &str, thick: &str, core_gap: f64, found
         ("distance", dragging.distance.value, dragging.distance.to_string()),
     ] {
         expect(found, value > 0.0, &at(key), text, "more than zero");
+    }
+}
+
+fn necks(titania: &Titania, of_film: bool, found: &mut Found) {
+    let Titania { neck_springs, break_energy, .. } = titania;
+    super::soot::necks("model.titania", neck_springs, break_energy, found);
+    if neck_springs.is_some() && !of_film {
+        let what = "expected nothing here: necks hold the aggregates of a film together, and this sample has none";
+        found.push(("model.titania.neck_springs".into(), what.into()));
+    }
+    if let (Some(energy), None) = (break_energy, neck_springs) {
+        let beside = "`neck_springs` beside it: without them aggregates are rigid";
+        expect(found, false, "model.titania.break_energy", energy, beside);
     }
 }
 

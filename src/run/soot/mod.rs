@@ -40,7 +40,7 @@ pub struct Plan {
 const SKIN: f64 = 0.1;
 
 /// Steps from one look at the strength of necks to the next: a small part of the period of their springs at any published time step.
-const EXAMINED: u64 = 5;
+pub const EXAMINED: u64 = 5;
 
 impl Plan {
     /// The plan of a case of the soot paper.

@@ -1,8 +1,8 @@
-//! What the contacts of rigid bodies do: they slide, roll, come about and come apart.
+//! What contacts do: they slide, come about and come apart, and those of rigid bodies roll.
 
+use super::Law;
 use crate::simulation::Simulation;
 use crate::spec::Vec3;
-use crate::spec::titania::Tabulated;
 use crate::spec::titania::def_rotation::to_space;
 use crate::system::{Pose, System};
 use serde::{Deserialize, Serialize};
@@ -32,7 +32,7 @@ struct Known {
 
 impl Contacts {
     /// Looks for the first time.
-    pub fn begin(simulation: &Simulation<Tabulated>) -> Self {
+    pub fn begin<M: Law>(simulation: &Simulation<M>) -> Self {
         let mut contacts = Self::default();
         contacts.look(simulation);
         contacts
@@ -40,12 +40,15 @@ impl Contacts {
 
     /// Looks at all contacts; says what has happened to them since the last look. A spring that has lost more than half a period between
     /// two looks has slipped.
-    pub fn look(&mut self, simulation: &Simulation<Tabulated>) -> Vec<String> {
-        let (system, period) = (simulation.system(), simulation.model().law().lambda_t);
+    pub fn look<M: Law>(&mut self, simulation: &Simulation<M>) -> Vec<String> {
+        let (system, period) = (simulation.system(), simulation.model().tables().law().lambda_t);
         let id = &system.particles.id;
         let (mut events, mut now) = (Vec::new(), Vec::with_capacity(self.known.len()));
-        for (i, j, contact, spring) in simulation.contacts() {
-            let (ids, spring) = ((id[i], id[j]), spring.norm());
+        for (i, j, contact, memory) in simulation.contacts() {
+            let (ids, spring) = ((id[i], id[j]), M::spring(&memory).norm());
+            if system.necks.binary_search(&ids).is_ok() {
+                continue;
+            }
             let (a, b) = (pose(system, i), pose(system, j));
             let mut next = Known { ids, spring, lay: seen(&a, &b) };
             match self.known.binary_search_by_key(&ids, |known| known.ids) {
@@ -86,9 +89,12 @@ impl Contacts {
     }
 }
 
-/// How the body of a sphere lies.
+/// How the body of a sphere lies; how a sphere by itself lies nobody keeps, and it is not seen to roll.
 fn pose(system: &System, sphere: usize) -> Pose {
-    system.bodies[system.particles.body[sphere] as usize - 1].pose
+    match system.particles.body[sphere] as usize {
+        0 => Pose { x: Vec3::zero(), q_0: 1.0, q: Vec3::zero() },
+        body => system.bodies[body - 1].pose,
+    }
 }
 
 /// The orientation of `a` as seen from `b`.

@@ -1,13 +1,14 @@
 //! A film under the tip of a force microscope: it comes to rest, the tip comes down to its setpoint, and goes up again.
 
 mod contacts;
+mod law;
 mod spectrum;
 mod tip;
 mod watch;
 
 pub use spectrum::Spectrum;
 
-use crate::build::film::{Bonding, Film, FilmSphere};
+use crate::build::film::{Film, FilmSphere};
 use crate::build::protocol::Progress;
 use crate::case::{self, Case, Spectroscopy, TitaniaTest};
 use crate::error::Error;
@@ -15,23 +16,26 @@ use crate::forces::Instructions;
 use crate::observe::film::Structure;
 use crate::output::{Cell, Finding, Kept, keep, kept};
 use crate::run::Study;
+use crate::run::soot::EXAMINED;
 use crate::simulation::{Integrator, Settings, Simulation};
 use crate::spec::Vec3;
 use crate::spec::titania::Tabulated;
-use crate::system::{Motion, System};
+use crate::system::{Halt, Motion, System};
 use serde::{Deserialize, Serialize};
 use std::sync::OnceLock;
 use watch::Watch;
 
+pub use law::Law;
+
 /// The plan of a case.
-pub struct Plan {
+pub struct Plan<M> {
     titania: case::Titania,
     film: case::Film,
     test: Spectroscopy,
     seed: u64,
     overlap: f64,
     stages: Vec<Stage>,
-    model: OnceLock<Tabulated>,
+    model: OnceLock<M>,
 }
 
 /// A relaxed film on disk, with what it was made from.
@@ -73,14 +77,16 @@ const SKIN: f64 = 3.0;
 const TOLERANCE: f64 = 0.1;
 const AT_REST: [Motion; 3] = [Motion::Velocity(0.0); 3];
 
-impl Plan {
-    /// The plan of a case, if a film is what it is about.
-    pub fn of(case: &Case) -> Option<Self> {
-        let (titania, TitaniaTest::Spectroscopy(film, test)) = case.titania()? else { return None };
+impl<M: Law> Plan<M> {
+    /// The plan of a case that is about a film.
+    pub fn of(case: &Case) -> Self {
+        let Some((titania, TitaniaTest::Spectroscopy(film, test))) = case.titania() else {
+            unreachable!("asked only of cases that are about a film")
+        };
         let (titania, film, test) = (titania.clone(), film.clone(), test.clone());
         let stages = if film.load.is_some() { &Stage::ALL[1..] } else { &Stage::ALL[..] }.to_vec();
         let (seed, overlap) = (case.seed, case.limits.overlap);
-        Some(Self { titania, film, test, seed, overlap, stages, model: OnceLock::new() })
+        Self { titania, film, test, seed, overlap, stages, model: OnceLock::new() }
     }
 
     /// Everything that a relaxed film depends on.
@@ -130,8 +136,8 @@ impl Plan {
     }
 }
 
-impl Study for Plan {
-    type Model = Tabulated;
+impl<M: Law> Study for Plan<M> {
+    type Model = M;
     type Watch = Watch;
 
     fn stages(&self) -> Vec<&'static str> {
@@ -148,7 +154,7 @@ impl Study for Plan {
         }
         let film = self.film.plan().build(self.seed);
         let film = film.map_err(|failure| Error::Usage(failure.to_string()))?;
-        Ok(film.system(Bonding::Rigid, |d| self.titania.particle(d)))
+        Ok(film.system(M::BONDING, |d| self.titania.particle(d)))
     }
 
     fn starts_from_sample(&self, _: usize) -> bool {
@@ -172,14 +178,14 @@ impl Study for Plan {
         Ok(system)
     }
 
-    fn model(&self, _: usize) -> Tabulated {
+    fn model(&self, _: usize) -> M {
         let model = self.model.get_or_init(|| {
             let mut diameters = self.film.sizes();
             diameters.push(2.0 * self.test.tip.radius.value);
             let mut radii: Vec<f64> = diameters.iter().map(|d| self.titania.particle(*d).0).collect();
             radii.sort_by(f64::total_cmp);
             radii.dedup();
-            Tabulated::new(self.titania.law(), &radii, TOLERANCE)
+            M::new(&self.titania, Tabulated::new(self.titania.law(), &radii, TOLERANCE))
         });
         model.clone()
     }
@@ -208,7 +214,7 @@ impl Study for Plan {
         ((time / dt).round() as u64).max(1)
     }
 
-    fn progress(&self, stage: usize, watch: &Watch, simulation: &Simulation<Tabulated>) -> Progress {
+    fn progress(&self, stage: usize, watch: &Watch, simulation: &Simulation<M>) -> Progress {
         let done = match self.stages[stage] {
             Stage::Relaxation => false,
             Stage::Approach => watch.force() >= self.test.setpoint.value,
@@ -218,7 +224,7 @@ impl Study for Plan {
         if done || simulation.system().step >= last { Progress::Done } else { Progress::Going }
     }
 
-    fn end(&self, stage: usize, simulation: Simulation<Tabulated>) -> Result<System, Error> {
+    fn end(&self, stage: usize, simulation: Simulation<M>) -> Result<System, Error> {
         let system = simulation.into_system_with_springs();
         if let (Stage::Relaxation, Some(path)) = (self.stages[stage], &self.film.save) {
             keep(path, Kept::Sample, &Relaxed { origin: self.origin(), system: system.clone() })?;
@@ -238,20 +244,29 @@ impl Study for Plan {
         watch::COLUMNS.into()
     }
 
-    fn watch(&self, _: usize, simulation: &Simulation<Tabulated>) -> Watch {
+    fn watch(&self, _: usize, simulation: &Simulation<M>) -> Watch {
         Watch::begin(simulation)
     }
 
-    fn follow(&self, stage: usize, watch: &mut Watch, simulation: &Simulation<Tabulated>) -> Vec<String> {
+    fn intervene(&self, _: usize, simulation: &mut Simulation<M>) -> Result<Vec<String>, Halt> {
+        let Some(strength) = &self.titania.break_energy else { return Ok(Vec::new()) };
+        if !simulation.system().step.is_multiple_of(EXAMINED) {
+            return Ok(Vec::new());
+        }
+        let broken = simulation.break_necks(|held| M::in_neck(held) > strength.value)?;
+        Ok(broken.iter().map(|(i, j)| format!("the neck of {i} and {j} breaks")).collect())
+    }
+
+    fn follow(&self, stage: usize, watch: &mut Watch, simulation: &Simulation<M>) -> Vec<String> {
         watch.follow(self.stages[stage], self.test.average.value, simulation)
     }
 
-    fn look(&self, watch: &mut Watch, simulation: &Simulation<Tabulated>) -> Vec<Cell> {
+    fn look(&self, watch: &mut Watch, simulation: &Simulation<M>) -> Vec<Cell> {
         watch.look(simulation)
     }
 
-    fn findings(&self, stage: usize, watch: &Watch, simulation: &Simulation<Tabulated>) -> Result<Vec<Finding>, Error> {
-        let mut found = watch.findings(self.stages[stage], self.test.setpoint.value);
+    fn findings(&self, stage: usize, watch: &Watch, simulation: &Simulation<M>) -> Result<Vec<Finding>, Error> {
+        let mut found = watch.findings(self.stages[stage], self.test.setpoint.value, simulation);
         if self.stages[stage] == Stage::Relaxation {
             let structure = self.structure(simulation.system());
             found.extend([

@@ -6,6 +6,7 @@ use crate::case::Case;
 use crate::error::Error;
 use crate::run::Study;
 use crate::simulation::Simulation;
+use crate::spec::titania::Tabulated;
 
 /// What comes out of a film under a tip.
 #[derive(Clone, Debug, Default)]
@@ -30,9 +31,9 @@ impl Spectrum {
         self.retraction.iter().rev().find(|point| self.last == Some(-point.1)).map_or(0.0, |point| point.0)
     }
 
-    /// Runs a case that is about a film.
+    /// Runs a case that is about a film of rigid aggregates.
     pub fn of(case: &Case) -> Result<Self, Error> {
-        let plan = Plan::of(case).expect("a case that is about a film");
+        let plan = Plan::<Tabulated>::of(case);
         let (mut system, mut spectrum) = (plan.initial()?, Self::default());
         for (number, &stage) in plan.stages.iter().enumerate() {
             system = plan.set_up(number, system)?;

@@ -1,16 +1,25 @@
 //! What is watched of a film under a tip: the force on the tip, and what contacts do.
 
 use super::contacts::Contacts;
-use super::{FIXED, Stage, TIP};
+use super::{FIXED, Law, Stage, TIP};
+use crate::build::film::Bonding;
 use crate::observe::clusters::Clusters;
 use crate::output::{Cell, Finding};
 use crate::simulation::Simulation;
-use crate::spec::titania::Tabulated;
+use crate::system::System;
 use serde::{Deserialize, Serialize};
 
 /// The columns of the series.
-pub const COLUMNS: [&str; 7] =
-    ["tip moved [nm]", "force on the tip [pN]", "menisci", "bodies on the tip", "slidings", "rollings", "detachments"];
+pub const COLUMNS: [&str; 8] = [
+    "tip moved [nm]",
+    "force on the tip [pN]",
+    "menisci",
+    "bodies on the tip",
+    "slidings",
+    "rollings",
+    "detachments",
+    "necks",
+];
 
 /// Time between two looks at all contacts, ns.
 const LOOK: f64 = 0.05;
@@ -27,7 +36,9 @@ pub struct Watch {
     curve: Vec<(f64, f64)>,
     /// How far the tip had moved when the stage began.
     from: f64,
-    /// Bodies that hang together with the tip, and whether the fixed ones do.
+    /// Necks when the stage began.
+    necks: u64,
+    /// Bodies, or spheres by themselves, that hang together with the tip, and whether the fixed ones do.
     on_tip: u64,
     holds: bool,
     /// How far the tip had moved when nothing connected it with the bottom any more.
@@ -36,13 +47,14 @@ pub struct Watch {
 
 impl Watch {
     /// Begins to watch.
-    pub fn begin(simulation: &Simulation<Tabulated>) -> Self {
-        let from = simulation.system().walls.get(TIP).map_or(0.0, |tip| tip.travel.0[2]);
-        Self { contacts: Contacts::begin(simulation), from, ..Self::default() }
+    pub fn begin<M: Law>(simulation: &Simulation<M>) -> Self {
+        let System { walls, necks, .. } = simulation.system();
+        let from = walls.get(TIP).map_or(0.0, |tip| tip.travel.0[2]);
+        Self { contacts: Contacts::begin(simulation), from, necks: necks.len() as u64, ..Self::default() }
     }
 
     /// Sees a step; says what happened since the last look. Forces are averaged over `average`, ns.
-    pub fn follow(&mut self, stage: Stage, average: f64, simulation: &Simulation<Tabulated>) -> Vec<String> {
+    pub fn follow<M: Law>(&mut self, stage: Stage, average: f64, simulation: &Simulation<M>) -> Vec<String> {
         let (system, dt) = (simulation.system(), simulation.settings().dt);
         let due = |interval: f64| system.step.is_multiple_of(((interval / dt).round() as u64).max(1));
         let mut events = if due(LOOK) { self.contacts.look(simulation) } else { Vec::new() };
@@ -54,19 +66,21 @@ impl Watch {
             self.hang_together(simulation);
             if stage == Stage::Retraction && !self.holds && self.rupture.is_none() {
                 self.rupture = Some(tip.travel.0[2]);
-                events.push(format!("rupture, the tip takes {} aggregates along", self.on_tip));
+                events.push(format!("rupture, the tip takes {} bodies along", self.on_tip));
             }
         }
         events
     }
 
     /// What is connected with the tip.
-    fn hang_together(&mut self, simulation: &Simulation<Tabulated>) {
+    fn hang_together<M: Law>(&mut self, simulation: &Simulation<M>) {
         let system = simulation.system();
-        let body = |sphere: usize| system.particles.body[sphere] as usize - 1;
-        let links = simulation.contacts().map(|(i, j, ..)| (body(i), body(j)));
-        let mut clusters = Clusters::new(system.bodies.len(), links);
-        let roots: Vec<usize> = (0..system.bodies.len()).map(|b| clusters.root(b)).collect();
+        // Spheres by themselves are counted behind the bodies; the places of members stay unused.
+        let (body, bodies) = (&system.particles.body, system.bodies.len());
+        let part = |sphere: usize| (body[sphere] as usize).checked_sub(1).unwrap_or(bodies + sphere);
+        let links = simulation.contacts().map(|(i, j, ..)| (part(i), part(j)));
+        let mut clusters = Clusters::new(bodies + body.len(), links);
+        let roots: Vec<usize> = (0..bodies + body.len()).map(|part| clusters.root(part)).collect();
         let of = |wall: usize| system.bodies.iter().position(|body| body.wall as usize == wall + 1).map(|b| roots[b]);
         let tip = of(TIP);
         self.holds = of(FIXED) == tip;
@@ -84,18 +98,24 @@ impl Watch {
     }
 
     /// The cells of the columns.
-    pub fn look(&self, simulation: &Simulation<Tabulated>) -> Vec<Cell> {
+    pub fn look<M: Law>(&self, simulation: &Simulation<M>) -> Vec<Cell> {
         let Contacts { slidings, rollings, detachments, .. } = self.contacts;
-        let tip = match (simulation.system().walls.get(TIP), self.curve.last()) {
+        let System { walls, necks, .. } = simulation.system();
+        let tip = match (walls.get(TIP), self.curve.last()) {
             (Some(tip), Some(mean)) => [Cell::Number(tip.travel.0[2]), Cell::Number(mean.1)],
             _ => [Cell::Nothing, Cell::Nothing],
         };
-        let counts = [self.contacts.count() as u64, self.on_tip, slidings, rollings, detachments];
-        tip.into_iter().chain(counts.map(Cell::Count)).collect()
+        let [menisci, on_tip, slidings, detachments] =
+            [self.contacts.count() as u64, self.on_tip, slidings, detachments].map(Cell::Count);
+        let (rollings, necks) = match M::BONDING {
+            Bonding::Rigid => (Cell::Count(rollings), Cell::Nothing),
+            Bonding::Necks => (Cell::Nothing, Cell::Count(necks.len() as u64)),
+        };
+        tip.into_iter().chain([menisci, on_tip, slidings, rollings, detachments, necks]).collect()
     }
 
     /// What it amounts to.
-    pub fn findings(&self, stage: Stage, setpoint: f64) -> Vec<Finding> {
+    pub fn findings<M: Law>(&self, stage: Stage, setpoint: f64, simulation: &Simulation<M>) -> Vec<Finding> {
         let Contacts { slidings, rollings, detachments, .. } = self.contacts;
         let named = |what: &str| format!("{what} during {}", stage.name());
         let mut found = match stage {
@@ -106,7 +126,12 @@ impl Watch {
             ],
             Stage::Retraction => self.peaks(),
         };
-        let counts = [("slidings", slidings), ("rollings", rollings), ("detachments", detachments)];
+        let broken = self.necks - simulation.system().necks.len() as u64;
+        let third = match M::BONDING {
+            Bonding::Rigid => ("rollings", rollings),
+            Bonding::Necks => ("broken necks", broken),
+        };
+        let counts = [("slidings", slidings), third, ("detachments", detachments)];
         found.extend(counts.map(|(what, n)| Finding::number(&named(what), n as f64, "", None)));
         found
     }
@@ -139,7 +164,7 @@ impl Watch {
             Some(way) => Finding::number("way of the tip from the setpoint to the rupture", way, "nm", None),
             None => Finding::words("rupture of the film", "not within the retraction"),
         });
-        found.push(Finding::number("aggregates that the tip has taken along", self.on_tip as f64, "", None));
+        found.push(Finding::number("bodies that the tip has taken along", self.on_tip as f64, "", None));
         found
     }
 }
