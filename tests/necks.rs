@@ -31,6 +31,7 @@ fn settings(dt: f64) -> Settings {
     Settings {
         dt,
         integrator: Integrator::HalfStep,
+        far_every: 1,
         damping: 0.0,
         skin: 1.0,
         max_overlap: 1.0,

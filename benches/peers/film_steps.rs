@@ -36,6 +36,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let settings = Settings {
         dt: 0.5e-3,
         integrator: Integrator::HalfStep,
+        far_every: 1,
         damping: 0.0,
         skin: 3.0,
         max_overlap: f64::INFINITY,
