@@ -165,8 +165,8 @@ fn claims(members: &[Member]) -> Vec<Claim> {
         ),
         Claim::new(
             "Fig. 6a",
-            "in the end tip and aggregate part, at a displacement of more than a sphere",
-            "parted",
+            "in the end the tip, or what it holds, is severed from the substrate, at a displacement of more than a sphere",
+            "severed",
             format!("{} of {}, at {rupture:.0} nm", parted.len(), members.len()),
             parted.len() == members.len() && rupture.value > 28.0,
         ),

@@ -150,8 +150,10 @@ impl Watch {
                 let curve = self.curve.as_ref().expect("an indentation has a force curve");
                 let (peaks, highest) = (curve.peaks().len(), curve.highest());
                 let end = match curve.rupture() {
-                    Some(displacement) => format!("parts from the aggregate {displacement:.0} nm above its start"),
-                    None => "still holds on to the aggregate".into(),
+                    Some(displacement) => {
+                        format!("is free, or what it holds torn off, {displacement:.0} nm above its start")
+                    }
+                    None => "still pulls at the aggregate".into(),
                 };
                 let sentence = format!("the tip {end}, after {peaks} peaks of at most {:.2} nN", 1e-3 * highest);
                 let mut found = vec![
