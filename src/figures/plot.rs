@@ -46,6 +46,8 @@ pub enum Mark {
     Line,
     /// Filled dots joined by a thin line.
     Dots,
+    /// Filled dots by themselves: what happened where.
+    Points,
     /// A thin grey line: a target, a theory.
     Guide,
     /// A closed line around a shaded area, in the colour of the next curve.
@@ -131,10 +133,11 @@ impl Plot {
             }
             next += usize::from(curve.mark != Mark::Guide);
             let style = ShapeStyle::from(&colour).stroke_width(if curve.mark == Mark::Line { 2 } else { 1 });
-            if curve.mark == Mark::Dots {
+            if matches!(curve.mark, Mark::Dots | Mark::Points) {
                 chart.draw_series(points.iter().map(|&p| Circle::new(p, 4, colour.filled())))?;
             }
-            let drawn = chart.draw_series(LineSeries::new(points, style))?;
+            let joined = if curve.mark == Mark::Points { Vec::new() } else { points };
+            let drawn = chart.draw_series(LineSeries::new(joined, style))?;
             if !curve.label.is_empty() {
                 drawn.label(&curve.label).legend(move |(x, y)| PathElement::new([(x, y), (x + 18, y)], style));
             }

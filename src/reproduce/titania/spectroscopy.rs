@@ -92,12 +92,33 @@ fn figures(chapter: &mut Chapter, spectra: &[Spectrum]) {
     let shown = |z: f64| (peak - BEFORE..=peak + BEFORE / 4.0).contains(&z);
     let mut curves = vec![Curve::new("force", Mark::Line, pull.iter().copied().filter(|p| shown(p.0)).collect())];
     for what in ["sliding", "rolling", "detachment"] {
-        let at = |z: f64| pull.iter().find(|p| p.0 >= z).map_or(0.0, |p| p.1);
         let events = spectrum.events.iter().filter(|(z, event)| shown(*z) && event.starts_with(what));
-        curves.push(Curve::new(what, Mark::Dots, events.map(|(z, _)| (*z, at(*z))).collect()));
+        curves.push(Curve::new(
+            what,
+            Mark::Points,
+            events.filter_map(|(z, _)| Some((*z, between(&pull, *z)?))).collect(),
+        ));
     }
     let (x, y) = (Axis::linear("tip moved [nm]"), Axis::linear("force on the tip [nN]"));
     let plot = Plot { title: "before the last peak".into(), x, y, curves };
     let caption = "Fig. 11: what contacts do before the last peak of the pull; the paper's is known as a picture only";
     chapter.figures.push(Figure { name: "fig-11".into(), caption: caption.into(), svg: plot.svg() });
+}
+
+/// A curve at a place, between its points.
+fn between(curve: &[(f64, f64)], x: f64) -> Option<f64> {
+    let ((a, f), (b, g)) = curve.iter().zip(&curve[1..]).find(|(p, q)| p.0 <= x && x <= q.0 && p.0 < q.0)?;
+    Some(f + (g - f) * (x - a) / (b - a))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::between;
+
+    #[test]
+    fn events_lie_on_the_curve() {
+        let curve = [(0.0, 1.0), (2.0, 5.0), (3.0, 4.0)];
+        assert_eq!([0.0, 1.0, 2.25, 3.0].map(|x| between(&curve, x)), [1.0, 3.0, 4.75, 4.0].map(Some));
+        assert_eq!(between(&curve, 3.5), None);
+    }
 }
