@@ -51,6 +51,8 @@ enum Name {
     Restructuring,
     /// titania: two water-covered particles, Section 2
     Contact,
+    /// titania: a stretched agglomerate, Section 3.1
+    Agglomerate,
     /// titania: films under a tip, Section 3.2
     Spectroscopy,
 }
@@ -82,6 +84,7 @@ impl Paper {
             ],
             Self::Titania => vec![
                 (Name::Contact, "Two particles", |_| Ok(titania::chapter()?)),
+                (Name::Agglomerate, "A stretched agglomerate", |_| titania::agglomerate::chapter()),
                 (Name::Spectroscopy, "Films under a tip", titania::spectroscopy::chapter),
             ],
         }

@@ -1,5 +1,6 @@
 //! Section 2 of the titania paper: two particles; Section 5.3: a film.
 
+pub mod agglomerate;
 mod film;
 pub mod spectroscopy;
 
@@ -24,6 +25,7 @@ const SLAB: f64 = 1000.0;
 pub fn chapter() -> Result<Chapter, Halt> {
     let mut chapter = Chapter::default();
     constants(&mut chapter);
+    repulsion(&mut chapter);
     approach(&mut chapter)?;
     sliding(&mut chapter)?;
     film::structure(&mut chapter);
@@ -87,6 +89,28 @@ fn constants(chapter: &mut Chapter) {
         "in the picture only",
         format!("{:.2} nN at {:.2} nm from rest, {:.2} nN at {:.2} nm", small.0, small.1, large.0, large.1),
         large.0 > small.0,
+    ));
+}
+
+/// Fig. 4: what is left of the force on a particle pressed on the slab when the attraction is taken away.
+fn repulsion(chapter: &mut Chapter) {
+    let (titania, none) = (paper(), Vec3::zero());
+    let (law, [(r, m), (big, heavy)]) = (titania.law(), [SIZES[0], SLAB].map(|d| titania.particle(d)));
+    let constants = law.coefficients(r, big, m, heavy);
+    let force = |overlap: f64| {
+        let contact = Contact::new(Vec3::new(r + big - overlap, 0.0, 0.0), none, none, none, r, big);
+        let whole = law.pair(&contact, &constants, Flat::from_fn(|_| 0.0), 1e-4).wrench.force.0[0];
+        (whole - law.attraction(r, big).force(contact.distance)) * 1e-3
+    };
+    let ends = [0.1, 0.4];
+    let [least, most] = ends.map(force);
+    let order = (most / least).ln() / (ends[1] / ends[0]).ln();
+    chapter.claims.push(Claim::new(
+        "Fig. 4",
+        "order in the overlap of the repulsion of a particle with a radius of 4 nm from a slab, here a sphere of 1 µm",
+        "3/2",
+        format!("{order:.4}, from {least:.2} nN at {} nm to {most:.2} nN at {} nm", ends[0], ends[1]),
+        near(order, 1.5, 1e-3),
     ));
 }
 

@@ -106,7 +106,7 @@ fn figures(chapter: &mut Chapter, spectra: &[Spectrum]) {
 }
 
 /// A curve at a place, between its points.
-fn between(curve: &[(f64, f64)], x: f64) -> Option<f64> {
+pub fn between(curve: &[(f64, f64)], x: f64) -> Option<f64> {
     let ((a, f), (b, g)) = curve.iter().zip(&curve[1..]).find(|(p, q)| p.0 <= x && x <= q.0 && p.0 < q.0)?;
     Some(f + (g - f) * (x - a) / (b - a))
 }

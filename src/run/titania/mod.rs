@@ -1,10 +1,12 @@
 //! The stages of a case of the titania paper: tests of one contact, or an agglomerate stretched.
 
 mod film;
+mod pull;
 mod stage;
 mod watch;
 
 pub use film::{Plan as Film, Spectrum};
+pub use pull::Pull;
 
 use super::Study;
 use crate::build::agglomerate::{agglomerate, extent};
@@ -49,6 +51,11 @@ impl Plan {
             TitaniaTest::Spectroscopy(..) => unreachable!("{OTHER}"),
         };
         Self { case: case.clone(), titania: titania.clone(), dt, stages }
+    }
+
+    /// Steps in a time, at least one.
+    fn steps_in(&self, time: f64) -> u64 {
+        ((time / self.dt).round() as u64).max(1)
     }
 
     /// The chain, in a box that it can be stretched in.

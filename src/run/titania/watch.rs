@@ -146,7 +146,13 @@ impl Watch {
         }
     }
 
-    fn pulled(&self, simulation: &Simulation<Titania>) -> f64 {
+    /// Mean force of the spring that pulls, between the last two looks, pN.
+    pub fn mean_pull(&self) -> f64 {
+        self.mean_pull
+    }
+
+    /// How far the end of that spring has been drawn, nm.
+    pub fn pulled(&self, simulation: &Simulation<Titania>) -> f64 {
         simulation.system().walls.get(1).map_or(0.0, |wall| match wall.motion[0] {
             crate::system::Motion::Steered { velocity, .. } => velocity * wall.age,
             _ => 0.0,

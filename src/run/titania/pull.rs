@@ -1,0 +1,60 @@
+//! An agglomerate stretched without a run folder.
+
+use super::stage::Act;
+use super::{Plan, Study};
+use crate::build::protocol::Progress;
+use crate::case::Case;
+use crate::error::Error;
+use crate::simulation::Simulation;
+
+/// What comes out of an agglomerate that is stretched.
+#[derive(Clone, Debug, Default)]
+pub struct Pull {
+    /// How far the end of the spring had been drawn, nm, and the mean force of the spring, pN.
+    pub curve: Vec<(f64, f64)>,
+    /// What happened, and how far it had been drawn then.
+    pub events: Vec<(f64, String)>,
+}
+
+impl Pull {
+    /// Runs a case that is about a stretched agglomerate; forces are means over `every`, ns.
+    pub fn of(case: &Case, every: f64) -> Result<Self, Error> {
+        let plan = Plan::of(case);
+        let (mut system, mut pull) = (plan.initial()?, Self::default());
+        for number in 0..plan.stages.len() {
+            system = plan.set_up(number, system)?;
+            let settings = plan.settings(number, &system);
+            let halted = |halt| Error::Halted(halt, None);
+            let mut simulation = Simulation::new(plan.model(number), system, settings).map_err(halted)?;
+            let mut watch = plan.watch(number, &simulation);
+            let pulls = matches!(plan.stages[number].act, Act::Pull { .. });
+            let rows = plan.steps_in(every);
+            while plan.progress(number, &watch, &simulation) == Progress::Going {
+                simulation.step().map_err(halted)?;
+                let events = plan.follow(number, &mut watch, &simulation);
+                if !pulls {
+                    continue;
+                }
+                pull.events.extend(events.into_iter().map(|event| (watch.pulled(&simulation), event)));
+                if simulation.system().step.is_multiple_of(rows) {
+                    plan.look(&mut watch, &simulation);
+                    pull.curve.push((watch.pulled(&simulation), watch.mean_pull()));
+                }
+            }
+            system = plan.end(number, simulation)?;
+        }
+        Ok(pull)
+    }
+
+    /// Forces at the detachments, pN, each the mean before.
+    pub fn at_detachments(&self) -> Vec<f64> {
+        let before = |drawn: f64| self.curve.iter().rev().find(|point| point.0 <= drawn).map(|point| point.1);
+        let detachments = self.events.iter().filter(|(_, event)| event.starts_with("detachment"));
+        detachments.filter_map(|&(drawn, _)| before(drawn)).collect()
+    }
+
+    /// Largest force, pN.
+    pub fn largest(&self) -> f64 {
+        self.curve.iter().map(|point| point.1).fold(0.0, f64::max)
+    }
+}
