@@ -1,7 +1,6 @@
 //! A row of eight pairs: the contact law in a loop over its lanes, which the compiler turns into vector instructions.
 
-use super::LANES;
-use super::kernel::Totals;
+use super::{LANES, Totals};
 use crate::spec::numbers::Lanes;
 use crate::spec::{Contact, Flat, PairModel, Real, Vec3};
 use num_traits::Zero;

@@ -4,9 +4,9 @@ use super::act::{Given, Row, Seen, Sums};
 use super::blocks::{Block, CAPACITY, LANES};
 use super::instructions::Instructions;
 use super::pairs::{FarPairs, Pairs};
-use super::transpose;
+use super::{Totals, transpose};
 use crate::spec::numbers::Lanes;
-use crate::spec::{Flat, PairModel, Vec3};
+use crate::spec::{PairModel, Vec3};
 use crate::system::{Domain, Particles};
 use num_traits::Zero;
 
@@ -15,37 +15,6 @@ const BATCH: usize = 8;
 
 /// Force (pN) and torque (pN nm) on a sphere, end to end; two numbers more make it one vector, and mean nothing.
 pub type Load = Lanes<LANES>;
-
-/// Sums over pairs.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Totals<L> {
-    /// Power that the pairs deliver to the spheres.
-    pub power: f64,
-    /// Energy lost in this step, by cause.
-    pub losses: L,
-    /// Diagonal of the sum of branch vector times force, positive in tension.
-    pub virial: [f64; 3],
-    /// The least `gap + max_overlap (r_i + r_j)`: negative where two spheres overlap too much.
-    pub clearance: f64,
-}
-
-impl<L: Flat<f64>> Default for Totals<L> {
-    fn default() -> Self {
-        Self { power: 0.0, losses: L::from_fn(|_| 0.0), virial: [0.0; 3], clearance: f64::INFINITY }
-    }
-}
-
-impl<L: Flat<f64>> Totals<L> {
-    /// Both together.
-    pub fn and(self, other: Self) -> Self {
-        Self {
-            power: self.power + other.power,
-            losses: L::from_fn(|k| self.losses.at(k) + other.losses.at(k)),
-            virial: std::array::from_fn(|k| self.virial[k] + other.virial[k]),
-            clearance: self.clearance.min(other.clearance),
-        }
-    }
-}
 
 /// The spheres of a block, side by side; aligned, so that a sphere does not straddle more lines of the cache than it must.
 #[repr(align(64))]

@@ -9,13 +9,15 @@ mod memory;
 mod order;
 mod pairs;
 mod surfaces;
+mod totals;
 mod transpose;
 
 pub use blocks::{Block, CAPACITY, LANES, bond, partition, places};
 pub use grid::{Neighbour, neighbours};
 pub use instructions::Instructions;
-pub use kernel::{Load, Totals, evaluate};
+pub use kernel::{Load, evaluate};
 pub use memory::{Bond, Springs};
 pub use order::spatial_order;
 pub use pairs::{FarPairs, Pairs};
 pub use surfaces::{Leaning, each_touch, lean};
+pub use totals::Totals;
