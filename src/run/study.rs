@@ -65,3 +65,23 @@ pub trait Study {
         simulation: &Simulation<Self::Model>,
     ) -> Result<Vec<Finding>, Error>;
 }
+
+/// Runs a stage of a plan without a run folder: `see` is shown every step and what happened in it. Returns what has been watched, and the system for the next stage.
+pub fn run_stage<S: Study>(
+    plan: &S,
+    stage: usize,
+    system: System,
+    mut see: impl FnMut(&mut S::Watch, &Simulation<S::Model>, Vec<String>),
+) -> Result<(S::Watch, System), Error> {
+    let system = plan.set_up(stage, system)?;
+    let settings = plan.settings(stage, &system);
+    let halted = |halt| Error::Halted(halt, None);
+    let mut simulation = Simulation::new(plan.model(stage), system, settings).map_err(halted)?;
+    let mut watch = plan.watch(stage, &simulation);
+    while plan.progress(stage, &watch, &simulation) == Progress::Going {
+        simulation.step().map_err(halted)?;
+        let events = plan.follow(stage, &mut watch, &simulation);
+        see(&mut watch, &simulation, events);
+    }
+    Ok((watch, plan.end(stage, simulation)?))
+}

@@ -2,10 +2,9 @@
 
 use super::stage::Act;
 use super::{Plan, Study};
-use crate::build::protocol::Progress;
 use crate::case::Case;
 use crate::error::Error;
-use crate::simulation::Simulation;
+use crate::run::study::run_stage;
 
 /// What comes out of an agglomerate that is stretched.
 #[derive(Clone, Debug, Default)]
@@ -21,27 +20,19 @@ impl Pull {
     pub fn of(case: &Case, every: f64) -> Result<Self, Error> {
         let plan = Plan::of(case);
         let (mut system, mut pull) = (plan.initial()?, Self::default());
-        for number in 0..plan.stages.len() {
-            system = plan.set_up(number, system)?;
-            let settings = plan.settings(number, &system);
-            let halted = |halt| Error::Halted(halt, None);
-            let mut simulation = Simulation::new(plan.model(number), system, settings).map_err(halted)?;
-            let mut watch = plan.watch(number, &simulation);
-            let pulls = matches!(plan.stages[number].act, Act::Pull { .. });
-            let rows = plan.steps_in(every);
-            while plan.progress(number, &watch, &simulation) == Progress::Going {
-                simulation.step().map_err(halted)?;
-                let events = plan.follow(number, &mut watch, &simulation);
+        let rows = plan.steps_in(every);
+        for (number, stage) in plan.stages.iter().enumerate() {
+            let pulls = matches!(stage.act, Act::Pull { .. });
+            (_, system) = run_stage(&plan, number, system, |watch, simulation, events| {
                 if !pulls {
-                    continue;
+                    return;
                 }
-                pull.events.extend(events.into_iter().map(|event| (watch.pulled(&simulation), event)));
+                pull.events.extend(events.into_iter().map(|event| (watch.pulled(simulation), event)));
                 if simulation.system().step.is_multiple_of(rows) {
-                    plan.look(&mut watch, &simulation);
-                    pull.curve.push((watch.pulled(&simulation), watch.mean_pull()));
+                    plan.look(watch, simulation);
+                    pull.curve.push((watch.pulled(simulation), watch.mean_pull()));
                 }
-            }
-            system = plan.end(number, simulation)?;
+            })?;
         }
         Ok(pull)
     }

@@ -1,11 +1,10 @@
 //! A force curve without a run folder.
 
 use super::{Plan, Stage};
-use crate::build::protocol::Progress;
 use crate::case::Case;
 use crate::error::Error;
 use crate::run::Study;
-use crate::simulation::Simulation;
+use crate::run::study::run_stage;
 use crate::spec::titania::Tabulated;
 
 /// What comes out of a film under a tip.
@@ -36,19 +35,13 @@ impl Spectrum {
         let plan = Plan::<Tabulated>::of(case);
         let (mut system, mut spectrum) = (plan.initial()?, Self::default());
         for (number, &stage) in plan.stages.iter().enumerate() {
-            system = plan.set_up(number, system)?;
-            let settings = plan.settings(number, &system);
-            let halted = |halt| Error::Halted(halt, None);
-            let mut simulation = Simulation::new(plan.model(number), system, settings).map_err(halted)?;
-            let mut watch = plan.watch(number, &simulation);
-            while plan.progress(number, &watch, &simulation) == Progress::Going {
-                simulation.step().map_err(halted)?;
-                let events = plan.follow(number, &mut watch, &simulation);
+            let watch;
+            (watch, system) = run_stage(&plan, number, system, |_, simulation, events| {
                 if stage == Stage::Retraction {
                     let moved = simulation.system().walls[super::TIP].travel.0[2];
                     spectrum.events.extend(events.into_iter().map(|event| (moved, event)));
                 }
-            }
+            })?;
             match stage {
                 Stage::Relaxation => {}
                 Stage::Approach => spectrum.approach = watch.curve().to_vec(),
@@ -58,7 +51,6 @@ impl Spectrum {
                     spectrum.rupture = watch.way_to_rupture();
                 }
             }
-            system = plan.end(number, simulation)?;
         }
         Ok(spectrum)
     }
