@@ -1,4 +1,6 @@
-//! Which vector instructions the pair loop may use. The bits of the results do not depend on the choice.
+//! Which vector instructions may be used. The bits of the results do not depend on the choice.
+
+use super::transpose::Square;
 
 /// An instruction set, from the plainest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -34,4 +36,12 @@ impl Instructions {
     pub fn best() -> Self {
         Self::available().pop().unwrap_or(Self::Baseline)
     }
+}
+
+/// Work on several things side by side, which is compiled for every instruction set.
+pub trait SideBySide {
+    /// What comes out.
+    type Outcome;
+    /// Does it; `across` turns rows to columns, and columns to rows. To be inlined.
+    fn run(self, across: impl Fn(Square) -> Square) -> Self::Outcome;
 }

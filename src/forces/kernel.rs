@@ -2,7 +2,7 @@
 
 use super::act::{Given, Row, Seen, Sums};
 use super::blocks::{Block, CAPACITY, LANES};
-use super::instructions::Instructions;
+use super::instructions::{Instructions, SideBySide};
 use super::pairs::{FarPairs, Pairs};
 use super::{Totals, transpose};
 use crate::spec::numbers::Lanes;
@@ -123,6 +123,18 @@ fn dispatch_far<M: PairModel>(model: &M, instructions: Instructions, pairs: &mut
         Instructions::Avx512 => return unsafe { avx512::far(model, pairs, bench) },
     }
     baseline::far(model, pairs, bench);
+}
+
+/// Does work side by side with the given instructions.
+pub fn side_by_side<W: SideBySide>(instructions: Instructions, work: W) -> W::Outcome {
+    #[cfg(target_arch = "x86_64")]
+    #[expect(unsafe_code, reason = "`Instructions` above the baseline exist only where the processor has them")]
+    match instructions {
+        Instructions::Baseline => {}
+        Instructions::Avx2 => return unsafe { avx2::side_by_side(work) },
+        Instructions::Avx512 => return unsafe { avx512::side_by_side(work) },
+    }
+    baseline::side_by_side(work)
 }
 
 /// The pair loop for one instruction set. Its three parts are kept apart, or the compiler mixes the narrow moves of the first and the
@@ -283,6 +295,11 @@ macro_rules! pair_loop {
                     }
                 }
                 sums.total()
+            }
+
+            $(#[target_feature(enable = $features)])?
+            pub fn side_by_side<W: SideBySide>(work: W) -> W::Outcome {
+                work.run(|rows| transpose::$name(rows))
             }
         }
     };

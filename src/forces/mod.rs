@@ -14,10 +14,11 @@ mod transpose;
 
 pub use blocks::{Block, CAPACITY, LANES, bond, partition, places};
 pub use grid::{Neighbour, neighbours};
-pub use instructions::Instructions;
-pub use kernel::{Load, evaluate};
+pub use instructions::{Instructions, SideBySide};
+pub use kernel::{Load, evaluate, side_by_side};
 pub use memory::{Bond, Springs};
 pub use order::spatial_order;
 pub use pairs::{FarPairs, Pairs};
 pub use surfaces::{Leaning, each_touch, lean};
 pub use totals::Totals;
+pub use transpose::Square;

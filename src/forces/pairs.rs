@@ -104,12 +104,12 @@ impl Places<'_> {
     }
 }
 
-/// Reduced moment of inertia of two spheres that contribute the given moments, as far as they are free to turn.
-fn reduced_moment(particles: &Particles, shares: &[f64], p: usize, q: usize) -> Option<f64> {
+/// Reduced moment of inertia of two spheres that contribute the given moments. Nothing turns the spheres of a wall: theirs is infinite.
+fn reduced_moment(particles: &Particles, shares: &[f64], p: usize, q: usize) -> f64 {
     let moment = |p: usize| (particles.wall[p] == 0).then(|| shares[p]);
     match (moment(p), moment(q)) {
-        (Some(of_p), Some(of_q)) => Some(effective_mass(of_p, of_q)),
-        (only, other) => only.or(other),
+        (Some(of_p), Some(of_q)) => effective_mass(of_p, of_q),
+        (only, other) => only.or(other).unwrap_or(f64::INFINITY),
     }
 }
 
@@ -156,10 +156,7 @@ impl<M: PairModel> Pairs<M> {
             let (r, m) = (&places.particles.radius, &places.particles.mass);
             let of = |Placed { p, q, .. }| {
                 let constants = model.coefficients(r[p], r[q], m[p], m[q]);
-                match reduced_moment(places.particles, shares, p, q) {
-                    Some(inertia) => model.turning(constants, inertia),
-                    None => constants,
-                }
+                model.turning(constants, reduced_moment(places.particles, shares, p, q))
             };
             for (lane, pair) in row.iter().map(|pair| places.of(pair)).enumerate() {
                 (i[lane], j[lane]) = (pair.i, pair.j);

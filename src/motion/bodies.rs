@@ -1,12 +1,12 @@
 //! Rigid bodies: the loads on their spheres summed, one step taken, and the spheres that are in touch moved along.
 
+use super::push::Push;
 use super::{Moved, Step};
-use crate::forces::{Block, LANES, places};
-use crate::spec::numbers::Lanes;
-use crate::spec::titania::def_body::{aggregate_drag, spin};
-use crate::spec::titania::def_rotation::{free_rotation, to_space};
-use crate::spec::wear::eq01_symplectic_euler::{drift, kick};
-use crate::spec::{Flat, PairModel, Real, Vec3};
+use crate::forces::{Block, LANES, places, side_by_side};
+use crate::spec::titania::def_body::aggregate_drag;
+use crate::spec::titania::def_rotation::to_space;
+use crate::spec::wear::eq01_symplectic_euler::drift;
+use crate::spec::{PairModel, Vec3};
 use crate::system::{Body, Particles, Pose};
 use rayon::prelude::*;
 use std::ops::Range;
@@ -105,17 +105,17 @@ impl Crew<'_> {
         (moved, virial): &mut (Moved, [f64; 3]),
     ) {
         let begin = grips.members[first];
-        let mut pushed = [Pushed::at_rest(); LANES];
-        for (k, pushed) in group.clone().zip(&mut pushed) {
+        let mut push = Push::new(step.dt);
+        for (lane, k) in group.clone().enumerate() {
             let body = &self.bodies[k];
             let (mut force, mut torque) = (Vec3::zero(), Vec3::zero());
             for &(p, block, place) in &grips.at[grips.loads[first + k]..grips.loads[first + k + 1]] {
                 let [fx, fy, fz, tx, ty, tz, ..] = blocks[block as usize].loads[place as usize].0;
-                let (push, r) = (Vec3([fx, fy, fz]), self.x[p as usize - begin] - body.pose.x);
-                force = force + push;
-                torque = torque + r.cross(push) + Vec3([tx, ty, tz]);
+                let (pull, r) = (Vec3([fx, fy, fz]), self.x[p as usize - begin] - body.pose.x);
+                force = force + pull;
+                torque = torque + r.cross(pull) + Vec3([tx, ty, tz]);
                 for a in 0..3 {
-                    virial[a] += r.0[a] * push.0[a];
+                    virial[a] += r.0[a] * pull.0[a];
                 }
             }
             if step.damping > 0.0 && body.wall == 0 {
@@ -123,20 +123,18 @@ impl Crew<'_> {
                 moved.drag -= (drag.dot(body.v) + brake.dot(body.omega())) * step.dt;
                 (force, torque) = (force + drag, torque + brake);
             }
-            *pushed = Pushed::new(body, force, torque);
+            push.put(lane, body, force, torque);
         }
-        let side_by_side: Pushed<Lanes<LANES>> = Flat::from_fn(|k| Lanes(pushed.each_ref().map(|one| *one.at(k))));
-        let (after, energies) = push(side_by_side, Lanes::lit(step.dt));
+        let [kinetic, scheme] = side_by_side(step.instructions, &mut push);
         for (lane, k) in group.enumerate() {
             let (body, before) = (&mut self.bodies[k], &self.listed[k]);
             let omega = match (body.wall as usize).checked_sub(1) {
                 None => {
-                    let Pushed { x, v, q_0, q, l, omega, .. } = Flat::from_fn(|k| after.at(k).0[lane]);
-                    (body.pose, body.v, body.l) = (Pose { x, q_0, q }, v, l);
-                    moved.kinetic += energies.0.0[lane];
-                    moved.scheme += energies.1.0[lane];
+                    let omega = push.take(lane, body);
+                    moved.kinetic += kinetic.0[lane];
+                    moved.scheme += scheme.0[lane];
                     for a in 0..3 {
-                        moved.momentum_flux[a] += body.mass * v.0[a] * v.0[a];
+                        moved.momentum_flux[a] += body.mass * body.v.0[a] * body.v.0[a];
                     }
                     omega
                 }
@@ -168,91 +166,4 @@ fn drag(body: &Body, eta: f64) -> (Vec3<f64>, Vec3<f64>) {
     let into = |u: Vec3<f64>| to_space(q_0, -q, u);
     let (force, torque) = aggregate_drag(eta, body.count, lever, d_x, d_y, d_z, into(v), into(body.omega()));
     (to_space(q_0, q, force), to_space(q_0, q, torque))
-}
-
-/// A free body and what pushes it, as numbers that several of are computed with side by side.
-#[derive(Clone, Copy)]
-struct Pushed<R> {
-    x: Vec3<R>,
-    v: Vec3<R>,
-    q_0: R,
-    q: Vec3<R>,
-    l: Vec3<R>,
-    omega: Vec3<R>,
-    mass: R,
-    moments: Vec3<R>,
-    force: Vec3<R>,
-    torque: Vec3<R>,
-}
-
-impl Pushed<f64> {
-    fn new(body: &Body, force: Vec3<f64>, torque: Vec3<f64>) -> Self {
-        let Body { pose: Pose { x, q_0, q }, v, l, mass, moments, .. } = *body;
-        Self { x, v, q_0, q, l, omega: Vec3::zero(), mass, moments, force, torque }
-    }
-
-    /// What stands in for bodies that are not there.
-    fn at_rest() -> Self {
-        let (zero, one) = (Vec3::zero(), Vec3([1.0; 3]));
-        Self {
-            x: zero,
-            v: zero,
-            q_0: 1.0,
-            q: zero,
-            l: zero,
-            omega: zero,
-            mass: 1.0,
-            moments: one,
-            force: zero,
-            torque: zero,
-        }
-    }
-}
-
-impl<R: Copy + Send + Sync> Flat<R> for Pushed<R> {
-    const LEN: usize = 26;
-    #[inline(always)]
-    fn from_fn(mut f: impl FnMut(usize) -> R) -> Self {
-        let mut vector = |from: usize| Vec3([f(from), f(from + 1), f(from + 2)]);
-        let [x, v, q, l, omega, moments, force, torque] = [0, 3, 6, 9, 12, 15, 18, 21].map(&mut vector);
-        Self { x, v, q_0: f(24), q, l, omega, mass: f(25), moments, force, torque }
-    }
-    #[inline(always)]
-    fn at(&self, k: usize) -> &R {
-        let Self { x, v, q_0, q, l, omega, mass, moments, force, torque } = self;
-        match k {
-            24 => q_0,
-            25 => mass,
-            _ => &[x, v, q, l, omega, moments, force, torque][k / 3].0[k % 3],
-        }
-    }
-    #[inline(always)]
-    fn at_mut(&mut self, k: usize) -> &mut R {
-        let Self { x, v, q_0, q, l, omega, mass, moments, force, torque } = self;
-        match k {
-            24 => q_0,
-            25 => mass,
-            _ => {
-                &mut [x, v, q, l, omega, moments, force, torque].into_iter().nth(k / 3).expect("a place below LEN").0
-                    [k % 3]
-            }
-        }
-    }
-}
-
-/// Kicks a body by the loads on it, then lets it go on freely for a step. Also returns its kinetic energy, and what the scheme added to it.
-fn push<R: Real>(body: Pushed<R>, dt: R) -> (Pushed<R>, (R, R)) {
-    let Pushed { x, v, q_0, q, l, mass, moments, force, torque, .. } = body;
-    let half_mass = R::lit(0.5) * mass;
-    let energy = |l: Vec3<R>| spin(q_0, q, l, moments).1;
-    let kicked = kick(l, to_space(q_0, -q, torque), R::one(), dt);
-    let after = kick(v, force, mass, dt);
-    let gained = after - v;
-    let (q_0_next, q_next, l_next) = free_rotation(q_0, q, kicked, moments, dt);
-    let (omega, turning) = spin(q_0_next, q_next, l_next, moments);
-    let kinetic = half_mass * after.dot(after) + turning;
-    // The step of free rotation is not exact either: what it adds to the energy is the scheme's.
-    let scheme = half_mass * gained.dot(gained) + energy(kicked - l) + (turning - energy(kicked));
-    let next = Pushed { x: drift(x, after, dt), v: after, q_0: q_0_next, q: q_next, l: l_next, omega, ..body };
-    (next, (kinetic, scheme))
 }

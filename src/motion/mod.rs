@@ -2,6 +2,7 @@
 
 mod bodies;
 mod box_relaxation;
+mod push;
 mod spheres;
 pub mod verlet;
 mod walls;

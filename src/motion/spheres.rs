@@ -1,6 +1,6 @@
 //! The spheres of a block: forces gathered, one step taken.
 
-use crate::forces::{Block, Load};
+use crate::forces::{Block, Instructions, Load};
 use crate::spec::wear::def_sphere::moment_of_inertia;
 use crate::spec::wear::eq01_symplectic_euler::symplectic_euler;
 use crate::spec::wear::eq21_critical_damping::global_damping;
@@ -66,6 +66,8 @@ pub struct Step<'a> {
     pub growth: [f64; 3],
     /// Factors by which it will have grown since the neighbour list was built.
     pub stretch: [f64; 3],
+    /// Vector instructions for what is computed side by side.
+    pub instructions: Instructions,
 }
 
 /// What happened to the spheres of a block in one step.

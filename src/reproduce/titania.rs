@@ -1,20 +1,19 @@
 //! Section 2 of the titania paper: two particles; Section 5.3: a film.
 
 pub mod agglomerate;
+mod dragging;
 mod film;
 pub mod spectroscopy;
 
 use super::{Chapter, Claim, Figure, near};
-use crate::build::pair::{drag, pair};
+use crate::build::pair::pair;
 use crate::case::Titania;
 use crate::case::section::defaults;
 use crate::figures::{Axis, Curve, Mark, Plot};
 use crate::forces::Instructions;
 use crate::simulation::{Integrator, Settings, Simulation};
-use crate::spec::titania;
 use crate::spec::{Contact, Flat, PairModel, Vec3};
 use crate::system::{Halt, System};
-use rayon::prelude::*;
 
 /// Nominal diameters of the two sizes of Figs. 3 and 6, nm.
 const SIZES: [f64; 2] = [8.0, 16.0];
@@ -27,7 +26,7 @@ pub fn chapter() -> Result<Chapter, Halt> {
     constants(&mut chapter);
     repulsion(&mut chapter);
     approach(&mut chapter)?;
-    sliding(&mut chapter)?;
+    dragging::dragging(&mut chapter)?;
     film::structure(&mut chapter);
     Ok(chapter)
 }
@@ -43,19 +42,16 @@ fn stiffness(d: f64) -> f64 {
     titania.law().parameters(r, r, m, m).k_n * 1e-3
 }
 
-/// Force that pulls two equal particles apart, nN, and the stretch from rest at which it is reached, nm.
-fn pull_off(d: f64) -> (f64, f64) {
+/// Force that pulls two equal particles apart, nN, against the stretch from rest, nm.
+fn pull(d: f64) -> Vec<(f64, f64)> {
     let (titania, none) = (paper(), Vec3::zero());
     let (law, (r, m)) = (titania.law(), titania.particle(d));
     let constants = law.coefficients(r, r, m, m);
-    let stretches = (0..2000).map(|k| f64::from(k) * 1e-3);
     let force = |stretch: f64| {
         let contact = Contact::new(Vec3::new(d + stretch, 0.0, 0.0), none, none, none, r, r);
         -law.pair(&contact, &constants, Flat::from_fn(|_| 0.0), 1e-4).wrench.force.0[0] * 1e-3
     };
-    stretches
-        .map(|stretch| (force(stretch), stretch))
-        .fold((0.0, 0.0), |most, one| if one.0 > most.0 { one } else { most })
+    (-100..2000).map(|k| f64::from(k) * 1e-3).map(|stretch| (stretch, force(stretch))).collect()
 }
 
 fn constants(chapter: &mut Chapter) {
@@ -82,14 +78,25 @@ fn constants(chapter: &mut Chapter) {
             near(k_n, figure, 0.1),
         ));
     }
-    let [small, large] = SIZES.map(pull_off);
+    let pulls = SIZES.map(pull);
+    let largest = |pull: &Vec<(f64, f64)>| pull.iter().copied().fold((0.0, 0.0), |a, b| if b.1 > a.1 { b } else { a });
+    let [small, large] = pulls.each_ref().map(largest);
     chapter.claims.push(Claim::new(
         "Fig. 8",
         "force that pulls two particles of 8 and of 16 nm apart: grows with the size",
         "in the picture only",
-        format!("{:.2} nN at {:.2} nm from rest, {:.2} nN at {:.2} nm", small.0, small.1, large.0, large.1),
-        large.0 > small.0,
+        format!("{:.2} nN at {:.2} nm from rest, {:.2} nN at {:.2} nm", small.1, small.0, large.1, large.0),
+        large.1 > small.1,
     ));
+    let curves = SIZES.into_iter().zip(pulls);
+    let plot = Plot {
+        title: "pull".into(),
+        x: Axis::linear("stretch from rest [nm]"),
+        y: Axis::linear("force [nN]"),
+        curves: curves.map(|(d, pull)| Curve::new(format!("{d} nm"), Mark::Line, pull)).collect(),
+    };
+    let caption = "Fig. 8: the force that holds two equal particles, at rest relative to each other".into();
+    chapter.figures.push(Figure { name: "pull".into(), caption, svg: plot.svg() });
 }
 
 /// Fig. 4: what is left of the force on a particle pressed on the slab when the attraction is taken away.
@@ -166,99 +173,5 @@ fn approach(chapter: &mut Chapter) -> Result<(), Halt> {
     };
     let caption = "Fig. 3: two particles released 0.5 nm from rest".into();
     chapter.figures.push(Figure { name: "approach".into(), caption, svg: plot.svg() });
-    Ok(())
-}
-
-/// Stick and slip of a particle of 8 nm over the slab.
-struct Slid {
-    load: f64,
-    velocity: f64,
-    /// Mean distance between two slips, nm.
-    period: f64,
-    /// Mean force at a slip, pN.
-    peak: f64,
-    /// Mean of shear strength times contact area there, pN.
-    strength: f64,
-}
-
-fn slide(load: f64, velocity: f64) -> Result<Slid, Halt> {
-    let titania = paper();
-    let law: titania::Titania = titania.law();
-    let mut system = pair(&titania, [SIZES[0], SLAB], 1, 0.0);
-    drag(&mut system, 0.0, load, false);
-    let mut simulation = Simulation::new(law, system, settings(5e-4))?;
-    for _ in 0..6000 {
-        simulation.step()?;
-    }
-    let mut system = simulation.into_system();
-    drag(&mut system, velocity, load, false);
-    let mut simulation = Simulation::new(law, system, settings(5e-4))?;
-    let mut slips: Vec<[f64; 3]> = Vec::new();
-    while simulation.system().walls[1].travel.0[0] < 1.7 {
-        let slipping = simulation.pairs().find(|pair| pair.outcome.losses.sliding > 0.0);
-        let slip = slipping.map(|pair| {
-            let travel = simulation.system().walls[1].travel.0[0];
-            [travel, pair.outcome.wrench.force.0[0].abs(), law.tau_s * titania::Titania::area(&pair.contact)]
-        });
-        slips.extend(slip);
-        simulation.step()?;
-    }
-    let n = slips.len() as f64;
-    let mean = |k: usize| slips.iter().map(|slip| slip[k]).sum::<f64>() / n;
-    let period = (slips.last().map_or(f64::NAN, |s| s[0]) - slips.first().map_or(f64::NAN, |s| s[0])) / (n - 1.0);
-    Ok(Slid { load, velocity, period, peak: mean(1), strength: mean(2) })
-}
-
-fn sliding(chapter: &mut Chapter) -> Result<(), Halt> {
-    let runs = [(500.0, 1.0), (1000.0, 1.0), (2000.0, 1.0), (4000.0, 1.0), (8000.0, 1.0), (2000.0, 0.25)];
-    let runs: Vec<Slid> =
-        runs.into_par_iter().map(|(load, velocity)| slide(load, velocity)).collect::<Result<_, _>>()?;
-    let (loads, slow) = runs.split_at(5);
-    let all = |of: fn(&Slid) -> String| runs.iter().map(of).collect::<Vec<_>>().join(", ");
-    chapter.claims.push(Claim::new(
-        "Section 2.4",
-        "stick and slip keeps the period of the law, whatever load (0.5 to 8 nN) and velocity (0.25 and 1 m/s)",
-        "about 0.5 nm",
-        all(|run| format!("{:.4}", run.period)) + " nm",
-        runs.iter().all(|run| near(run.period, 0.5, 0.01)),
-    ));
-    let (fast, slow) = (&loads[2], &slow[0]);
-    chapter.claims.push(Claim::new(
-        "Section 2.4",
-        "peak friction does not depend on the velocity",
-        "negligible influence",
-        format!("{:.1} pN at {} m/s, {:.1} pN at {} m/s", fast.peak, fast.velocity, slow.peak, slow.velocity),
-        near(fast.peak, slow.peak, 0.01),
-    ));
-    chapter.claims.push(Claim::new(
-        "Eq. 10",
-        "peak friction is shear strength times contact area, on a slab that is a sphere of 1 µm",
-        "0.65 GPa",
-        loads.iter().map(|run| format!("{:.4}", 0.65 * run.peak / run.strength)).collect::<Vec<_>>().join(", ")
-            + " GPa",
-        loads.iter().all(|run| near(run.peak, run.strength, 0.01)),
-    ));
-    let ratios: Vec<f64> = loads.iter().map(|run| run.peak / run.load).collect();
-    chapter.claims.push(Claim::new(
-        "Fig. 6",
-        "peak friction over load falls with the load: no law of Amontons",
-        "falls",
-        loads
-            .iter()
-            .zip(&ratios)
-            .map(|(run, ratio)| format!("{ratio:.2} at {} nN", run.load * 1e-3))
-            .collect::<Vec<_>>()
-            .join(", "),
-        ratios.windows(2).all(|pair| pair[1] < pair[0]) && ratios[0] > 2.0 * ratios[4],
-    ));
-    let points = loads.iter().map(|run| (run.load * 1e-3, run.peak * 1e-3)).collect();
-    let plot = Plot {
-        title: "friction".into(),
-        x: Axis::linear("load [nN]"),
-        y: Axis::linear("peak friction [nN]"),
-        curves: vec![Curve::new("", Mark::Dots, points)],
-    };
-    let caption = "Fig. 6: peak friction of a particle of 8 nm on a slab against the load".into();
-    chapter.figures.push(Figure { name: "friction".into(), caption, svg: plot.svg() });
     Ok(())
 }

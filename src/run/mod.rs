@@ -14,7 +14,7 @@ pub use control::Control;
 pub use report::{Series, report};
 pub use start::{Prepared, resume};
 pub use study::Study;
-pub use titania::{Pull, Spectrum};
+pub use titania::{Pull, Spectrum, rolling_resistance};
 
 use crate::build::protocol::Progress;
 use crate::case::{Case, InSteps};

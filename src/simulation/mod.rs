@@ -208,7 +208,8 @@ impl<M: PairModel> Simulation<M> {
     /// Moves everything; also returns what forces inside bodies must correct the virial by.
     fn advance(&mut self, growth: [f64; 3], dt: f64, damping: f64) -> (Moved, [f64; 3]) {
         let stretch = std::array::from_fn(|a| self.system.domain.sides[a] / self.listed.sides[a] * growth[a]);
-        let step = motion::Step { dt, damping, walls: &self.system.walls, growth, stretch };
+        let instructions = self.settings.instructions;
+        let step = motion::Step { dt, damping, walls: &self.system.walls, growth, stretch, instructions };
         let (particles, blocks) = (&mut self.system.particles, &self.blocks);
         let single = self.grips.single;
         let mut spheres = Spheres {

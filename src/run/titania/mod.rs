@@ -7,6 +7,7 @@ mod watch;
 
 pub use film::{Plan as Film, Spectrum};
 pub use pull::Pull;
+pub use watch::rolling_resistance;
 
 use super::Study;
 use crate::build::agglomerate::{agglomerate, extent};

@@ -244,7 +244,7 @@ fn distance(simulation: &Simulation<Titania>) -> f64 {
 }
 
 /// The torque that the slab resists rolling with, as a force at the centre of the particle.
-fn rolling_resistance(simulation: &Simulation<Titania>) -> f64 {
+pub fn rolling_resistance(simulation: &Simulation<Titania>) -> f64 {
     let system = simulation.system();
     let (particle, slab, radius) = (system.place(0), system.place(1), &system.particles.radius);
     system.walls[1].torque.0[2].abs() / moment_arm(radius[particle], radius[slab], distance(simulation))

@@ -1,0 +1,88 @@
+//! Rigid bodies pushed by the loads on them, several side by side.
+
+use crate::forces::{LANES, SideBySide, Square};
+use crate::spec::numbers::Lanes;
+use crate::spec::titania::def_body::spin;
+use crate::spec::titania::def_rotation::{free_rotation, to_space};
+use crate::spec::wear::eq01_symplectic_euler::{drift, kick};
+use crate::spec::{Real, Vec3};
+use crate::system::Body;
+use num_traits::One;
+
+type Row = Lanes<LANES>;
+
+/// Bodies and what pushes them: three rows of numbers for each.
+pub struct Push {
+    /// Place, velocity, scalar part of the orientation, mass.
+    pub state: Square,
+    /// Vector part of the orientation, angular momentum, two moments of inertia.
+    pub turning: Square,
+    /// Force, torque, the third moment.
+    pub loads: Square,
+    /// Time step, ns.
+    pub dt: f64,
+}
+
+impl Push {
+    /// Nothing is pushed.
+    pub fn new(dt: f64) -> Self {
+        let at_rest = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 1.0];
+        Self { state: [at_rest; LANES], turning: [at_rest; LANES], loads: [at_rest; LANES], dt }
+    }
+
+    /// Puts a body and the loads on it in a lane.
+    #[inline]
+    pub fn put(&mut self, lane: usize, body: &Body, force: Vec3<f64>, torque: Vec3<f64>) {
+        let Body { pose, mass, moments: Vec3([i_x, i_y, i_z]), .. } = *body;
+        let (Vec3([x, y, z]), Vec3([v_x, v_y, v_z])) = (pose.x, body.v);
+        let (Vec3([q_x, q_y, q_z]), Vec3([l_x, l_y, l_z])) = (pose.q, body.l);
+        let (Vec3([f_x, f_y, f_z]), Vec3([t_x, t_y, t_z])) = (force, torque);
+        self.state[lane] = [x, y, z, v_x, v_y, v_z, pose.q_0, mass];
+        self.turning[lane] = [q_x, q_y, q_z, l_x, l_y, l_z, i_x, i_y];
+        self.loads[lane] = [f_x, f_y, f_z, t_x, t_y, t_z, i_z, 0.0];
+    }
+
+    /// Brings a body to the state after the push; also returns its angular velocity.
+    #[inline]
+    pub fn take(&self, lane: usize, body: &mut Body) -> Vec3<f64> {
+        let [x, y, z, v_x, v_y, v_z, q_0, omega_x] = self.state[lane];
+        let [q_x, q_y, q_z, l_x, l_y, l_z, omega_y, omega_z] = self.turning[lane];
+        (body.pose.x, body.pose.q_0, body.pose.q) = (Vec3([x, y, z]), q_0, Vec3([q_x, q_y, q_z]));
+        (body.v, body.l) = (Vec3([v_x, v_y, v_z]), Vec3([l_x, l_y, l_z]));
+        Vec3([omega_x, omega_y, omega_z])
+    }
+}
+
+impl SideBySide for &mut Push {
+    type Outcome = [Row; 2];
+
+    /// Kicks the bodies by the loads on them, then lets them go on freely for a step. Returns their kinetic energies, and what the scheme
+    /// added to them.
+    #[inline(always)]
+    fn run(self, across: impl Fn(Square) -> Square) -> [Row; 2] {
+        let columns = |rows| across(rows).map(Lanes);
+        let rows = |columns: [Row; LANES]| across(columns.map(|column| column.0));
+        let [x, y, z, v_x, v_y, v_z, q_0, mass] = columns(self.state);
+        let [q_x, q_y, q_z, l_x, l_y, l_z, i_x, i_y] = columns(self.turning);
+        let [f_x, f_y, f_z, t_x, t_y, t_z, i_z, _] = columns(self.loads);
+        let (x, v, force) = (Vec3([x, y, z]), Vec3([v_x, v_y, v_z]), Vec3([f_x, f_y, f_z]));
+        let (q, l, torque) = (Vec3([q_x, q_y, q_z]), Vec3([l_x, l_y, l_z]), Vec3([t_x, t_y, t_z]));
+        let (moments, dt, half_mass) = (Vec3([i_x, i_y, i_z]), Row::lit(self.dt), Row::lit(0.5) * mass);
+
+        let energy = |l: Vec3<Row>| spin(q_0, q, l, moments).1;
+        let kicked = kick(l, to_space(q_0, -q, torque), Row::one(), dt);
+        let after = kick(v, force, mass, dt);
+        let gained = after - v;
+        let (q_0_next, q_next, l_next) = free_rotation(q_0, q, kicked, moments, dt);
+        let (omega, turning) = spin(q_0_next, q_next, l_next, moments);
+        let kinetic = half_mass * after.dot(after) + turning;
+        // The step of free rotation is not exact either: what it adds to the energy is the scheme's.
+        let scheme = half_mass * gained.dot(gained) + energy(kicked - l) + (turning - energy(kicked));
+
+        let (Vec3([x, y, z]), Vec3([v_x, v_y, v_z])) = (drift(x, after, dt), after);
+        let (Vec3([q_x, q_y, q_z]), Vec3([l_x, l_y, l_z]), Vec3([omega_x, omega_y, omega_z])) = (q_next, l_next, omega);
+        self.state = rows([x, y, z, v_x, v_y, v_z, q_0_next, omega_x]);
+        self.turning = rows([q_x, q_y, q_z, l_x, l_y, l_z, omega_y, omega_z]);
+        [kinetic, scheme]
+    }
+}
