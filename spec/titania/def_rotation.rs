@@ -42,17 +42,20 @@ use crate::{Real, Vec3, equation};
 /// * `of_second_order`
 /// * `a_tennis_racket_flips`
 /// * `a_sphere_turns_at_a_constant_rate`
-#[inline]
+#[inline(always)]
 pub fn free_rotation<R: Real>(q_0: R, q: Vec3<R>, l: Vec3<R>, i: Vec3<R>, dt: R) -> (R, Vec3<R>, Vec3<R>) {
     let half = R::lit(0.5) * dt;
-    let steps = [(2, half), (1, half), (0, dt), (1, half), (2, half)];
-    steps.into_iter().fold((q_0, q, l), |(q_0, q, l), (axis, dt)| about_axis(q_0, q, l, i.0[axis], axis, dt))
+    let before = about_axis(about_axis((q_0, q, l), i, 2, half), i, 1, half);
+    about_axis(about_axis(about_axis(before, i, 0, dt), i, 1, half), i, 2, half)
 }
 
+/// Orientation, a quaternion, and angular momentum.
+type Turn<R> = (R, Vec3<R>, Vec3<R>);
+
 /// Rotation about one principal axis with what the angular momentum has along it.
-#[inline]
-fn about_axis<R: Real>(q_0: R, q: Vec3<R>, l: Vec3<R>, moment: R, axis: usize, dt: R) -> (R, Vec3<R>, Vec3<R>) {
-    let quarter = R::lit(0.25) * (l.0[axis] / moment * dt);
+#[inline(always)]
+fn about_axis<R: Real>((q_0, q, l): Turn<R>, i: Vec3<R>, axis: usize, dt: R) -> Turn<R> {
+    let quarter = R::lit(0.25) * (l.0[axis] / i.0[axis] * dt);
     let square = quarter.squared();
     let scale = R::one() / (R::one() + square);
     let (c, s) = ((R::one() - square) * scale, (quarter + quarter) * scale);
@@ -63,7 +66,7 @@ fn about_axis<R: Real>(q_0: R, q: Vec3<R>, l: Vec3<R>, moment: R, axis: usize, d
 }
 
 /// The vector turned about the unit vector `e` by twice the angle whose cosine and sine are `c` and `s`.
-#[inline]
+#[inline(always)]
 fn turned<R: Real>(c: R, s: R, e: Vec3<R>, v: Vec3<R>) -> Vec3<R> {
     let (two, across) = (R::lit(2.0), e.cross(v));
     v + across * (two * c * s) + e.cross(across) * (two * s * s)
@@ -92,7 +95,7 @@ fn turned<R: Real>(c: R, s: R, e: Vec3<R>, v: Vec3<R>) -> Vec3<R> {
 /// # Laws
 ///
 /// * `a_vector_keeps_its_length_and_comes_back`
-#[inline]
+#[inline(always)]
 pub fn to_space<R: Real>(q_0: R, q: Vec3<R>, v: Vec3<R>) -> Vec3<R> {
     let two = R::lit(2.0);
     let across = q.cross(v);

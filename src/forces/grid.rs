@@ -25,6 +25,17 @@ pub fn neighbours(
     domain: &Domain,
     reach: impl Fn(f64, f64) -> f64 + Sync,
 ) -> Vec<Neighbour> {
+    neighbours_but(x, radius, domain, reach, |_, _, _| false)
+}
+
+/// [`neighbours`], but for those that are `left_out(p, q, image)`, which must not depend on the order of `p` and `q`.
+pub fn neighbours_but(
+    x: &[Vec3<f64>],
+    radius: &[f64],
+    domain: &Domain,
+    reach: impl Fn(f64, f64) -> f64 + Sync,
+    left_out: impl Fn(usize, usize, Image) -> bool + Sync,
+) -> Vec<Neighbour> {
     let smallest = radius.iter().copied().fold(f64::INFINITY, f64::min);
     let octave = |r: f64| (r / smallest).log2().floor() as usize;
     let octaves = radius.iter().map(|&r| octave(r) + 1).max().unwrap_or(0);
@@ -51,7 +62,10 @@ pub fn neighbours(
                 let apart = (x[p] - x[q as usize]) - domain.shift(image);
                 // The exact reach is dear: most candidates fall short of any.
                 let squared = apart.dot(apart);
-                if squared < farthest * farthest && squared < reach(radius[p], radius[q as usize]).squared() {
+                if squared < farthest * farthest
+                    && !left_out(p, q as usize, image)
+                    && squared < reach(radius[p], radius[q as usize]).squared()
+                {
                     found.push(ordered(p as u32, q, image));
                 }
             });

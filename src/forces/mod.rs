@@ -13,7 +13,7 @@ mod totals;
 mod transpose;
 
 pub use blocks::{Block, CAPACITY, LANES, bond, partition, places};
-pub use grid::{Neighbour, neighbours};
+pub use grid::{Neighbour, neighbours, neighbours_but};
 pub use instructions::{Instructions, SideBySide};
 pub use kernel::{Load, evaluate, side_by_side};
 pub use memory::{Bond, Springs};

@@ -123,12 +123,12 @@ impl Crew<'_> {
                 moved.drag -= (drag.dot(body.v) + brake.dot(body.omega())) * step.dt;
                 (force, torque) = (force + drag, torque + brake);
             }
-            push.put(lane, body, force, torque);
+            push.put(lane, body, &self.listed[k], force, torque);
         }
-        let [kinetic, scheme] = side_by_side(step.instructions, &mut push);
+        let [kinetic, scheme, away] = side_by_side(step.instructions, &mut push);
         for (lane, k) in group.enumerate() {
             let (body, before) = (&mut self.bodies[k], &self.listed[k]);
-            let omega = match (body.wall as usize).checked_sub(1) {
+            let (omega, turned) = match (body.wall as usize).checked_sub(1) {
                 None => {
                     let omega = push.take(lane, body);
                     moved.kinetic += kinetic.0[lane];
@@ -136,15 +136,14 @@ impl Crew<'_> {
                     for a in 0..3 {
                         moved.momentum_flux[a] += body.mass * body.v.0[a] * body.v.0[a];
                     }
-                    omega
+                    (omega, away.0[lane])
                 }
                 Some(wall) => {
                     body.v = step.walls[wall].velocity;
                     body.pose.x = drift(body.pose.x, body.v, step.dt);
-                    Vec3::zero()
+                    (Vec3::zero(), 0.0)
                 }
             };
-            let turned = body.turned_since(before);
             for a in 0..3 {
                 body.pose.x.0[a] *= step.growth[a];
                 let displacement = body.pose.x.0[a] - before.x.0[a] * step.stretch[a];

@@ -76,15 +76,11 @@ impl<M: PairModel> Simulation<M> {
         let domain = Domain { sides: self.listed.sides, ..self.system.domain };
         let largest = particles.radius.iter().copied().fold(0.0, f64::max);
         self.reach = model.range(largest, largest) + skin;
-        let mut pairs =
-            forces::neighbours(&self.listed.x, &particles.radius, &domain, |r_i, r_j| model.range(r_i, r_j) + skin);
-        pairs.retain(|pair| {
-            let (p, q) = (pair.p as usize, pair.q as usize);
-            let same = |of: &[u32]| of[p] > 0 && of[p] == of[q];
-            // A body may meet its own copy across the side of the box.
-            !(same(&particles.wall) || same(&particles.body) && pair.image == [0; 3])
-        });
-        pairs
+        let same = |of: &[u32], p: usize, q: usize| of[p] > 0 && of[p] == of[q];
+        // A body may meet its own copy across the side of the box.
+        let within = |p, q, image| same(&particles.wall, p, q) || same(&particles.body, p, q) && image == [0; 3];
+        let reach = |r_i, r_j| model.range(r_i, r_j) + skin;
+        forces::neighbours_but(&self.listed.x, &particles.radius, &domain, reach, within)
     }
 
     /// Puts the members of bodies that have no partner behind all others: they need not be moved until neighbours are listed again.

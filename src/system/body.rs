@@ -4,7 +4,7 @@ use super::{Particles, System};
 use crate::spec::titania::def_body::{member_velocity, spin};
 use crate::spec::titania::def_inertia::member_inertia;
 use crate::spec::titania::def_rotation::to_space;
-use crate::spec::{Tensor, Vec3};
+use crate::spec::{Real, Tensor, Vec3};
 use serde::{Deserialize, Serialize};
 
 /// Where a body is and how it lies: its centre of mass, nm, never folded back into the box, and the unit quaternion that takes
@@ -46,6 +46,14 @@ pub struct Body {
     pub id: u32,
 }
 
+/// How far any point of a body that lies as the quaternion `(q_0, q)` says can be from where it was when it lay as `(p_0, p)` said, whatever
+/// the displacement of the centre of mass, nm; `extent` is how far from that centre its points are at most.
+#[inline(always)]
+pub fn turned<R: Real>(q_0: R, q: Vec3<R>, p_0: R, p: Vec3<R>, extent: R) -> R {
+    let between = q * p_0 - p * q_0 - q.cross(p);
+    R::lit(2.0) * between.norm() * extent
+}
+
 impl Body {
     /// Angular velocity, 1/ns.
     pub fn omega(&self) -> Vec3<f64> {
@@ -55,13 +63,6 @@ impl Body {
     /// Kinetic energy, zJ.
     pub fn kinetic(&self) -> f64 {
         0.5 * self.mass * self.v.dot(self.v) + spin(self.pose.q_0, self.pose.q, self.l, self.moments).1
-    }
-
-    /// How far any of its points can be from where it was in another pose, whatever the displacement of the centre, nm.
-    pub fn turned_since(&self, before: &Pose) -> f64 {
-        let Pose { q_0, q, .. } = self.pose;
-        let between = q * before.q_0 - before.q * q_0 - q.cross(before.q);
-        2.0 * between.norm() * self.extent
     }
 
     /// Centre, velocity and angular velocity of a sphere that is at `arm` in its frame.
@@ -235,7 +236,8 @@ mod tests {
             let length = (q_0 * q_0 + q.dot(q)).sqrt();
             system.bodies[0].pose = Pose { q_0: q_0 / length, q: q * (1.0 / length), ..before };
             system.place_members(0);
-            let bound = system.bodies[0].turned_since(&before);
+            let Body { pose, extent, .. } = system.bodies[0];
+            let bound = turned(pose.q_0, pose.q, before.q_0, before.q, extent);
             let farthest = (0..n).map(|k| (system.particles.x[k] - places[k]).norm()).fold(0.0, f64::max);
             prop_assert!(farthest <= bound + 1e-13, "{farthest} {bound}");
         }

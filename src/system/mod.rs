@@ -7,7 +7,7 @@ pub mod mesh;
 mod surface;
 mod wall;
 
-pub use body::{Body, Pose};
+pub use body::{Body, Pose, turned};
 pub use domain::{Domain, Image};
 pub use halt::{Halt, Reason};
 pub use surface::{Course, Forces, Grips, Shape, Surface};
