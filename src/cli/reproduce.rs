@@ -4,7 +4,7 @@ use super::{Manner, print};
 use crate::error::{AtPath, Error};
 use crate::figures::Report;
 use crate::output::write_atomically;
-use crate::reproduce::{Chapter, Claim, Extent, Verdict, soot, titania, wear};
+use crate::reproduce::{Chapter, Claim, Extent, Setting, Verdict, soot, titania, wear};
 use clap::ValueEnum;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -14,7 +14,7 @@ use std::time::Instant;
 pub struct Arguments {
     /// The paper
     paper: Paper,
-    /// Compute the paper's sizes: hours instead of ten minutes
+    /// Compute the paper's sizes: hours instead of ten minutes; what was stopped goes on where it was
     #[arg(long)]
     full: bool,
     /// Only one chapter
@@ -58,7 +58,7 @@ enum Name {
 }
 
 /// A chapter's name, its headline, and what computes it.
-type Entry = (Name, &'static str, fn(Extent) -> Result<Chapter, Error>);
+type Entry = (Name, &'static str, fn(&Setting) -> Result<Chapter, Error>);
 
 impl Paper {
     fn title(self) -> &'static str {
@@ -73,19 +73,19 @@ impl Paper {
         match self {
             Self::Wear => vec![
                 (Name::Exact, "Equations alone", |_| Ok(wear::exact::chapter())),
-                (Name::Lattice, "Lattices", |extent| Ok(wear::lattice::chapter(extent)?)),
-                (Name::Amorphous, "Amorphous samples", |extent| Ok(wear::amorphous::chapter(extent)?)),
-                (Name::Junction, "Junctions", |extent| Ok(wear::junction::chapter(extent)?)),
+                (Name::Lattice, "Lattices", |set| Ok(wear::lattice::chapter(set.extent)?)),
+                (Name::Amorphous, "Amorphous samples", |set| Ok(wear::amorphous::chapter(set.extent)?)),
+                (Name::Junction, "Junctions", |set| Ok(wear::junction::chapter(set.extent)?)),
             ],
             Self::Soot => vec![
                 (Name::Exact, "Equations alone", |_| Ok(soot::exact::chapter())),
-                (Name::Indentation, "Deposition and indentation", soot::indentation::chapter),
+                (Name::Indentation, "Deposition and indentation", |set| soot::indentation::chapter(set.extent)),
                 (Name::Restructuring, "Restructuring", soot::restructuring::chapter),
             ],
             Self::Titania => vec![
                 (Name::Contact, "Two particles", |_| Ok(titania::chapter()?)),
                 (Name::Agglomerate, "A stretched agglomerate", |_| titania::agglomerate::chapter()),
-                (Name::Spectroscopy, "Films under a tip", titania::spectroscopy::chapter),
+                (Name::Spectroscopy, "Films under a tip", |set| titania::spectroscopy::chapter(set.extent)),
             ],
         }
     }
@@ -116,12 +116,14 @@ pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
         Path::new("run").join(format!("reproduce-{}", word.get_name()))
     };
     let out = arguments.out.clone().unwrap_or_else(folder);
+    let runs = out.join("runs").join(extent.of("reduced", "full"));
+    let setting = Setting { extent, runs, tell: &|text| manner.say(text) };
     let (mut claims, mut failed) = (Vec::new(), 0);
     let mut page = Report::new(paper.title());
     for (name, title, compute) in chapters {
         manner.say(format!("{title} ..."));
         let begin = Instant::now();
-        let chapter = compute(extent)?;
+        let chapter = compute(&setting)?;
         manner.say(format!("{title}: {} claims in {:.0} s", chapter.claims.len(), begin.elapsed().as_secs_f64()));
         write_chapter(title, &chapter, &mut page, &out)?;
         if name == Name::Exact {

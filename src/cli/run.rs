@@ -2,11 +2,9 @@
 
 use super::progress::Progress;
 use super::{Manner, print};
-use crate::case::{Amorphous, Case, Sample};
 use crate::error::Error;
-use crate::output::{Finding, Manifest, RunFolder, sha256_file, write_atomically};
-use crate::run::{Control, Glance, Prepared};
-use std::collections::BTreeMap;
+use crate::output::{Finding, RunFolder};
+use crate::run::{Control, launch};
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -39,13 +37,6 @@ pub struct Limits {
     stop_after_steps: Option<u64>,
 }
 
-impl Arguments {
-    /// A run of this name, without limits.
-    pub fn named(case: PathBuf, name: String, out: PathBuf) -> Self {
-        Self { case, name: Some(name), out, force: false, limits: Limits { max_time: None, stop_after_steps: None } }
-    }
-}
-
 impl Limits {
     /// The limits, and the signals, that stop this process.
     pub fn control(&self) -> Result<Control, Error> {
@@ -58,39 +49,13 @@ impl Limits {
 /// Runs the case.
 pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
     let control = arguments.limits.control()?;
+    let stem = || arguments.case.file_stem().unwrap_or_default().to_string_lossy().to_string();
+    let root = arguments.out.join(arguments.name.clone().unwrap_or_else(stem));
     let mut progress = Progress::new(manner);
-    let ended = launch(arguments, &control, &mut |glance| progress.show(glance));
+    let ended = launch(&arguments.case, &root, arguments.force, &control, &mut |glance| progress.show(glance));
     progress.finish();
     let (folder, findings) = ended?;
     conclude(&folder, &findings, manner)
-}
-
-/// Makes the run folder, and goes from the beginning to the end; `show` is told how it goes.
-pub fn launch(
-    arguments: &Arguments,
-    control: &Control,
-    show: &mut dyn FnMut(Glance),
-) -> Result<(RunFolder, Vec<Finding>), Error> {
-    let (case, text) = Case::read(&arguments.case)?;
-    let stem = || arguments.case.file_stem().unwrap_or_default().to_string_lossy().to_string();
-    let root = arguments.out.join(arguments.name.clone().unwrap_or_else(stem));
-    let mut inputs = BTreeMap::from([(arguments.case.display().to_string(), sha256_file(&arguments.case)?)]);
-    let read = match &case.sample {
-        Sample::Amorphous(Amorphous { load, .. }) => load.clone(),
-        _ => None,
-    };
-    for file in read.into_iter().chain(case.soot_files()) {
-        std::fs::metadata(&file).map_err(|cause| Error::NoInput(file.clone(), cause))?;
-        inputs.insert(file.display().to_string(), sha256_file(&file)?);
-    }
-    // Whatever is wrong with the input is found before anything is written.
-    let prepared = Prepared::new(&case)?;
-    let folder = RunFolder::create(&root, arguments.force)?;
-    write_atomically(&folder.case(), text.as_bytes())?;
-    write_atomically(&folder.resolved(), case.resolved().as_bytes())?;
-    let manifest = Manifest::begin(case.seed, inputs);
-    let findings = prepared.start(&folder, manifest, control, show)?;
-    Ok((folder, findings))
 }
 
 /// Tells what came out.

@@ -1,19 +1,16 @@
-//! `veridem sweep`: one case for many values of its keys, one process and one run folder for each combination.
+//! `veridem sweep`: one case for many values of its keys, one core and one run folder for each combination.
 
 use super::inspect::findings;
-use super::run::{Arguments as Run, launch};
 use super::{Manner, print};
 use crate::case::Case;
 use crate::case::units::decimal;
 use crate::error::{AtPath, Error};
-use crate::output::{Manifest, RunFolder, Status, write_atomically};
-use crate::run::{Control, Glance};
+use crate::output::{Manifest, RunFolder, write_atomically};
+use crate::run::sweep::{Point, carry_out};
+use crate::run::{Control, Glance, launch};
 use indicatif::{HumanDuration, ProgressBar, ProgressStyle};
-use serde_yaml::Value;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
 /// The arguments.
@@ -35,13 +32,6 @@ struct Axis {
     values: Vec<String>,
 }
 
-/// One combination.
-struct Point {
-    name: String,
-    values: Vec<String>,
-    text: String,
-}
-
 /// How long the first run is tried to estimate how long all will take.
 const TRIAL: Duration = Duration::from_secs(3);
 
@@ -60,21 +50,15 @@ pub fn run(arguments: &Arguments, manner: Manner, threads: Option<u16>) -> Resul
     let bar = if manner.quiet { ProgressBar::hidden() } else { ProgressBar::new(points.len() as u64) };
     let style = ProgressStyle::with_template("{bar:24} {pos}/{len} runs, {eta} left");
     bar.set_style(style.expect("the template is well formed"));
-    let (next, failures) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
-    std::thread::scope(|scope| {
-        for _ in 0..workers.min(points.len()) {
-            scope.spawn(|| {
-                while let Some(point) = points.get(next.fetch_add(1, Ordering::Relaxed)) {
-                    let outcome = execute(point, &out);
-                    let failed = outcome.is_err();
-                    let outcome = outcome.unwrap_or_else(|error| error.to_string());
-                    bar.suspend(|| manner.say(format!("{}: {outcome}", point.name)));
-                    bar.inc(1);
-                    if failed {
-                        failures.lock().expect("no worker panics").push(point.name.clone());
-                    }
-                }
-            });
+    let failures = Mutex::new(Vec::new());
+    let control = Control::new(None, None).map_err(|cause| Error::Io("signal handler".into(), cause))?;
+    carry_out(&points, &out, workers, &control, &|point, outcome| {
+        let failed = outcome.is_err();
+        let outcome = outcome.map_or_else(|error| error.to_string(), str::to_string);
+        bar.suspend(|| manner.say(format!("{}: {outcome}", point.name)));
+        bar.inc(1);
+        if failed {
+            failures.lock().expect("no worker panics").push(point.name.clone());
         }
     });
     bar.finish_and_clear();
@@ -93,7 +77,6 @@ pub fn run(arguments: &Arguments, manner: Manner, threads: Option<u16>) -> Resul
 fn estimate(points: &[Point], out: &Path, workers: usize) -> Result<String, Error> {
     let new: Vec<&Point> = points.iter().filter(|point| !out.join(&point.name).exists()).collect();
     let Some(point) = new.first() else { return Ok(format!("{} runs, all begun before", points.len())) };
-    let run = Run::named(write_case(point, out)?, point.name.clone(), out.into());
     let (mut stage, mut since, mut pace) = (String::new(), Instant::now(), None);
     let mut show = |glance: Glance| {
         if stage != glance.stage {
@@ -104,7 +87,8 @@ fn estimate(points: &[Point], out: &Path, workers: usize) -> Result<String, Erro
     };
     let begun = Instant::now();
     let one = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
-    let ended = one.install(|| launch(&run, &Control::lasting(TRIAL), &mut show));
+    let ended =
+        one.install(|| launch(&point.write(out)?, &out.join(&point.name), false, &Control::lasting(TRIAL), &mut show));
     let (each, what) = match (ended, pace) {
         (Ok(_), _) => (begun.elapsed(), String::new()),
         (Err(Error::Stopped(_)), Some((step, steps))) => {
@@ -119,12 +103,6 @@ fn estimate(points: &[Point], out: &Path, workers: usize) -> Result<String, Erro
         new.len(),
         HumanDuration(all)
     ))
-}
-
-fn write_case(point: &Point, out: &Path) -> Result<PathBuf, Error> {
-    let case = out.join(format!("{}.yaml", point.name));
-    write_atomically(&case, point.text.as_bytes())?;
-    Ok(case)
 }
 
 /// `seed=1..3` as the values 1, 2, 3; `x=0..1:5` as five values from 0 to 1; `d=1 nm,2 nm` as they stand.
@@ -155,76 +133,19 @@ fn axis(argument: &str) -> Result<Axis, Error> {
 
 /// All combinations, each with its case; what is wrong with any of them is found before the first is run.
 fn points(file: &Path, text: &str, axes: &[Axis]) -> Result<Vec<Point>, Error> {
-    let base: Value = serde_yaml::from_str(text).expect("the case has been read before");
+    let base = serde_yaml::from_str(text).expect("the case has been read before");
     let count = axes.iter().map(|axis| axis.values.len()).product();
     (0..count)
         .map(|mut number| {
-            let (mut case, mut values, mut parts) = (base.clone(), Vec::new(), Vec::new());
+            let mut values: Vec<(&str, &str)> = Vec::new();
             for Axis { key, values: choices } in axes.iter().rev() {
-                let value = &choices[number % choices.len()];
+                values.push((key, &choices[number % choices.len()]));
                 number /= choices.len();
-                set(&mut case, key, value)?;
-                values.insert(0, value.clone());
-                let short = key.rsplit('.').next().unwrap_or(key);
-                parts.insert(0, format!("{short}={}", value.replace([' ', '/'], "")));
             }
-            let text = serde_yaml::to_string(&case).expect("a case is plain data");
-            let place = file.with_file_name(format!(
-                "{} with {}",
-                file.file_name().unwrap_or_default().display(),
-                parts.join(" ")
-            ));
-            Case::parse(&place, &text)?;
-            Ok(Point { name: parts.join(","), values, text })
+            values.reverse();
+            Point::new(file, &base, &values)
         })
         .collect()
-}
-
-/// Writes a value behind a key such as `sample.hcp.size[1]`; sections on the way are made.
-fn set(case: &mut Value, key: &str, value: &str) -> Result<(), Error> {
-    let mut place = case;
-    for part in key.split(['.', '[']) {
-        place = match part.strip_suffix(']').map(str::parse::<usize>) {
-            Some(Ok(number)) => place.get_mut(number),
-            _ => place
-                .as_mapping_mut()
-                .map(|section| section.entry(part.into()).or_insert(Value::Mapping(Default::default()))),
-        }
-        .ok_or_else(|| Error::Usage(format!("`{key}`: there is no such key")))?;
-    }
-    *place = serde_yaml::from_str(value).map_err(|error| Error::Usage(format!("`{key}={value}`: {error}")))?;
-    Ok(())
-}
-
-/// Runs one combination in a process of its own, or goes on with it, unless it has finished.
-fn execute(point: &Point, out: &Path) -> Result<String, Error> {
-    let root = out.join(&point.name);
-    let status = RunFolder::open(&root).and_then(|folder| Ok((Manifest::read(&folder)?, folder)));
-    let program = std::env::current_exe().at(Path::new("veridem"))?;
-    let mut command = Command::new(program);
-    command.args(["--quiet", "--threads", "1"]).stdout(Stdio::null()).stderr(Stdio::piped());
-    if let Ok((manifest, folder)) = &status {
-        if std::fs::read_to_string(folder.case()).at(&folder.case())? != point.text {
-            return Err(Error::Usage("its run folder holds another case".into()));
-        }
-        if manifest.status == Status::Finished {
-            return Ok("had finished before".into());
-        }
-    }
-    match status {
-        Ok((_, folder)) if !folder.checkpoints().is_empty()? => command.arg("resume").arg(&root),
-        // One that was killed before its first checkpoint begins again.
-        begun => {
-            let case = write_case(point, out)?;
-            let replace = begun.is_ok().then_some("--force");
-            command.arg("run").arg(case).arg("--out").arg(out).arg("--name").arg(&point.name).args(replace)
-        }
-    };
-    let output = command.output().at(&root)?;
-    if output.status.success() {
-        return Ok("finished".into());
-    }
-    Err(Error::Verification(String::from_utf8_lossy(&output.stderr).trim().to_string()))
 }
 
 /// One row a combination: its values, its status, its findings.

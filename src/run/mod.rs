@@ -7,12 +7,13 @@ mod row;
 pub mod soot;
 mod start;
 mod study;
+pub mod sweep;
 mod titania;
 mod wear;
 
 pub use control::Control;
 pub use report::{Series, report};
-pub use start::{Prepared, resume};
+pub use start::{complete, launch, resume};
 pub use study::Study;
 pub use titania::{Pull, Spectrum, rolling_resistance};
 

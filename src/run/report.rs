@@ -109,7 +109,7 @@ impl Series {
     }
 
     /// The points of one column against another in one stage, or in all for an empty name.
-    fn curve(&self, stage: &str, x: &str, y: &str) -> Vec<(f64, f64)> {
+    pub fn curve(&self, stage: &str, x: &str, y: &str) -> Vec<(f64, f64)> {
         let place = |name: &str| self.columns.iter().position(|column| column == name);
         let (Some(x), Some(y)) = (place(x), place(y)) else { return Vec::new() };
         let of_stage = self.rows.iter().filter(|row| stage.is_empty() || row[0] == stage);

@@ -1,65 +1,88 @@
 //! From a case to the run of its paper.
 
 use super::{Control, Glance, Run, Study, soot, titania, wear};
-use crate::case::{Case, Model};
-use crate::error::Error;
-use crate::output::{Finding, Manifest, RunFolder};
+use crate::case::{Amorphous, Case, Model, Sample};
+use crate::error::{AtPath, Error};
+use crate::output::{Finding, Manifest, RunFolder, Status, sha256_file, write_atomically};
 use crate::spec::Necked;
 use crate::spec::titania::Tabulated;
-use crate::system::System;
+use std::collections::BTreeMap;
+use std::path::Path;
 
 /// Does the same with the plan of any paper.
 macro_rules! with_plan {
     ($case:expr, $plan:ident => $done:expr) => {
         match &$case.model {
             Model::Wear(_) => {
-                let $plan = wear::Plan::of($case);
+                let $plan = wear::Plan::of(&$case);
                 $done
             }
             Model::Soot(_) => {
-                let $plan = soot::Plan::of($case);
+                let $plan = soot::Plan::of(&$case);
                 $done
             }
             Model::Titania(model) if $case.is_about_a_film() && model.neck_springs.is_some() => {
-                let $plan = titania::Film::<Necked<Tabulated>>::of($case);
+                let $plan = titania::Film::<Necked<Tabulated>>::of(&$case);
                 $done
             }
             Model::Titania(_) if $case.is_about_a_film() => {
-                let $plan = titania::Film::<Tabulated>::of($case);
+                let $plan = titania::Film::<Tabulated>::of(&$case);
                 $done
             }
             Model::Titania(_) => {
-                let $plan = titania::Plan::of($case);
+                let $plan = titania::Plan::of(&$case);
                 $done
             }
         }
     };
 }
 
-/// A case ready to be run: its particles are there, and nothing has been written.
-pub struct Prepared<'a> {
-    case: &'a Case,
-    initial: System,
+/// Makes a run folder for the case of a file, and goes from the beginning to the end; `show` is told how it is doing.
+pub fn launch(
+    file: &Path,
+    root: &Path,
+    replace: bool,
+    control: &Control,
+    show: &mut dyn FnMut(Glance),
+) -> Result<(RunFolder, Vec<Finding>), Error> {
+    let (case, text) = Case::read(file)?;
+    let mut inputs = BTreeMap::from([(file.display().to_string(), sha256_file(file)?)]);
+    let read = match &case.sample {
+        Sample::Amorphous(Amorphous { load, .. }) => load.clone(),
+        _ => None,
+    };
+    for file in read.into_iter().chain(case.soot_files()) {
+        std::fs::metadata(&file).map_err(|cause| Error::NoInput(file.clone(), cause))?;
+        inputs.insert(file.display().to_string(), sha256_file(&file)?);
+    }
+    // Whatever is wrong with the input is found before anything is written.
+    let initial = with_plan!(case, plan => plan.initial()?);
+    let folder = RunFolder::create(root, replace)?;
+    write_atomically(&folder.case(), text.as_bytes())?;
+    write_atomically(&folder.resolved(), case.resolved().as_bytes())?;
+    let manifest = Manifest::begin(case.seed, inputs);
+    let findings = with_plan!(case, plan => Run::new(&case, plan, &folder, manifest, control, show).start(initial)?);
+    Ok((folder, findings))
 }
 
-impl<'a> Prepared<'a> {
-    /// Finds out whatever is wrong with the input.
-    pub fn new(case: &'a Case) -> Result<Self, Error> {
-        let initial = with_plan!(case, plan => plan.initial()?);
-        Ok(Self { case, initial })
+/// Runs the case of a file in a folder, or goes on with it there, unless it has finished; says which.
+pub fn complete(file: &Path, root: &Path, control: &Control) -> Result<&'static str, Error> {
+    let (case, text) = Case::read(file)?;
+    let begun = RunFolder::open(root).and_then(|folder| Ok((Manifest::read(&folder)?, folder))).ok();
+    let replace = begun.is_some();
+    if let Some((manifest, folder)) = begun {
+        if std::fs::read_to_string(folder.case()).at(&folder.case())? != text {
+            return Err(Error::Usage("its run folder holds another case".into()));
+        }
+        if manifest.status == Status::Finished {
+            return Ok("had finished before");
+        }
+        if !folder.checkpoints().is_empty()? {
+            return resume(&case, &folder, manifest, control, &mut |_| {}).map(|_| "finished");
+        }
     }
-
-    /// Runs it from beginning to end; `show` is told how it is doing.
-    pub fn start(
-        self,
-        folder: &RunFolder,
-        manifest: Manifest,
-        control: &Control,
-        show: &mut dyn FnMut(Glance),
-    ) -> Result<Vec<Finding>, Error> {
-        let Self { case, initial } = self;
-        with_plan!(case, plan => Run::new(case, plan, folder, manifest, control, show).start(initial))
-    }
+    // One that was killed before its first checkpoint begins again.
+    launch(file, root, replace, control, &mut |_| {}).map(|_| "finished")
 }
 
 /// Goes on with a run from its latest checkpoint.
@@ -70,5 +93,5 @@ pub fn resume(
     control: &Control,
     show: &mut dyn FnMut(Glance),
 ) -> Result<Vec<Finding>, Error> {
-    with_plan!(case, plan => Run::new(case, plan, folder, manifest, control, show).resume())
+    with_plan!(*case, plan => Run::new(case, plan, folder, manifest, control, show).resume())
 }

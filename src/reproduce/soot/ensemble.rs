@@ -1,27 +1,29 @@
 //! Aggregates that differ only in their seed, under one coating.
 
-use crate::case::quantity::{Quantity, Scaled, Time};
-use crate::case::section::defaults;
-use crate::case::{Aggregate, Limits, NeckSet, Restructuring, Soot, SootStage, Torsion};
+use crate::case::Torsion;
 use crate::error::Error;
 use crate::observe::statistics::Mean;
-use crate::run::Study;
-use crate::run::soot::Plan;
-use crate::run::soot::watch::{Shape, shape};
-use crate::simulation::Simulation;
-use rayon::prelude::*;
+use crate::output::RunFolder;
+use crate::reproduce::Setting;
+use crate::run::sweep::{Point, carry_out, set};
+use crate::run::{Control, Series};
+use indicatif::HumanDuration;
+use serde_yaml::Value;
+use std::path::Path;
+use std::sync::Mutex;
+use std::time::Instant;
 
-/// What is done to every aggregate. All else are the authors' published inputs.
-#[derive(Clone, Debug)]
-pub struct Protocol {
+/// The case that all are made of.
+const CASE: &str = include_str!("../../../cases/soot/restructuring.yaml");
+const FILE: &str = "cases/soot/restructuring.yaml";
+
+/// What is done to every aggregate.
+#[derive(Clone, Copy, Debug)]
+pub struct Protocol<'a> {
     /// Number of aggregates.
     pub aggregates: u64,
-    /// The springs of their necks.
-    pub necks: NeckSet,
-    /// Time step.
-    pub dt: Quantity<Time>,
-    /// How long they are watched.
-    pub duration: Quantity<Time>,
+    /// Where the case is another.
+    pub keys: &'a [(&'a str, &'a str)],
 }
 
 /// How often they are looked at, ns.
@@ -36,69 +38,98 @@ pub struct Kind {
     pub torsion: Torsion,
 }
 
+impl Kind {
+    fn keys(&self) -> [(&'static str, String); 2] {
+        let torsion = match self.torsion {
+            Torsion::Spring => "spring",
+            Torsion::AsPublished => "as-published",
+        };
+        [("sample.aggregate.neck_fraction", self.neck_fraction.to_string()), ("model.soot.torsion", torsion.into())]
+    }
+}
+
 /// What became of the members on average: at the beginning, and after every [`LOOK`].
 #[derive(Clone, Debug)]
 pub struct Ensemble {
     /// What they share.
     pub kind: Kind,
+    /// How many there are.
+    pub members: usize,
     /// Coordination number.
     pub coordination: Vec<Mean>,
     /// Convexity.
     pub convexity: Vec<Mean>,
 }
 
-/// One ensemble of each kind; the aggregates of all are the same, and each runs on one core.
-pub fn ensembles(protocol: &Protocol, kinds: &[Kind]) -> Result<Vec<Ensemble>, Error> {
-    let seeds = 1..=protocol.aggregates;
-    let members: Vec<(Kind, u64)> =
-        kinds.iter().flat_map(|&kind| seeds.clone().map(move |seed| (kind, seed))).collect();
-    let courses: Vec<Vec<Shape>> = members
-        .into_par_iter()
-        .with_max_len(1)
-        .map(|(kind, seed)| course(&plan(protocol, kind, seed)))
-        .collect::<Result<_, Error>>()?;
-    let of_a_kind = courses.chunks(protocol.aggregates as usize);
-    Ok(kinds.iter().zip(of_a_kind).map(|(&kind, courses)| Ensemble::of(kind, courses)).collect())
-}
-
-fn plan(protocol: &Protocol, kind: Kind, seed: u64) -> Plan {
-    Plan {
-        seed,
-        max_overlap: defaults::<Limits>().overlap,
-        soot: Soot { necks: protocol.necks, torsion: kind.torsion, ..defaults() },
-        sample: Aggregate { neck_fraction: kind.neck_fraction, ..defaults() },
-        stages: vec![SootStage::Restructuring(Restructuring {
-            duration: Scaled::Absolute(protocol.duration.clone()),
-            dt: protocol.dt.clone(),
-            ..defaults()
-        })],
-    }
-}
-
-/// The shape of one aggregate, at the beginning and after every [`LOOK`].
-fn course(plan: &Plan) -> Result<Vec<Shape>, Error> {
-    let system = plan.initial()?;
-    let settings = plan.settings(0, &system);
-    let mut simulation = Simulation::new(plan.model(0), system, settings)?;
-    let every = (LOOK / settings.dt).round() as u64;
-    let mut course = vec![shape(simulation.system())];
-    for _ in 0..plan.steps(0, settings.dt) / every {
-        for _ in 0..every {
-            simulation.step()?;
+/// One ensemble of each kind; the aggregates of all are the same, and each runs on one core. Whoever stops it gets the ensembles of those
+/// aggregates of which all kinds have finished, two at least.
+pub fn ensembles(protocol: &Protocol, kinds: &[Kind], setting: &Setting) -> Result<Vec<Ensemble>, Error> {
+    let points = points(protocol, kinds)?;
+    std::fs::create_dir_all(&setting.runs).map_err(|cause| Error::Io(setting.runs.clone(), cause))?;
+    let control = Control::new(None, None).map_err(|cause| Error::Io("signal handler".into(), cause))?;
+    let (begin, ends) = (Instant::now(), Mutex::new((0, 0, None)));
+    carry_out(&points, &setting.runs, rayon::current_num_threads(), &control, &|_, outcome| {
+        let (done, new, failure) = &mut *ends.lock().expect("no worker panics");
+        match outcome {
+            Ok(how) => {
+                *done += 1;
+                *new += u32::from(how == "finished");
+                if *new > 0 {
+                    let left = begin.elapsed() * (points.len() - *done) as u32 / *new;
+                    (setting.tell)(format!("{done} of {} runs, about {} left", points.len(), HumanDuration(left)));
+                }
+            }
+            Err(error) => *failure = failure.take().or(Some(error)),
         }
-        course.push(shape(simulation.system()));
+    });
+    let failure = ends.into_inner().expect("no worker panics").2;
+    let courses: Vec<Option<Course>> = points.iter().map(|point| course(&setting.runs.join(&point.name))).collect();
+    let whole: Vec<&[Option<Course>]> =
+        courses.chunks(kinds.len()).filter(|kinds| kinds.iter().all(Option::is_some)).collect();
+    match failure {
+        Some(Error::Stopped(_)) if whole.len() >= 2 => {}
+        Some(error) => return Err(error),
+        None => {}
     }
-    Ok(course)
+    let of_kind = |k: usize| whole.iter().filter_map(|kinds| kinds[k].as_ref()).collect::<Vec<_>>();
+    Ok(kinds.iter().enumerate().map(|(k, &kind)| Ensemble::of(kind, &of_kind(k))).collect())
+}
+
+/// All kinds of the first aggregate, then of the next: whoever stops has whole ones.
+fn points(protocol: &Protocol, kinds: &[Kind]) -> Result<Vec<Point>, Error> {
+    let mut base: Value = serde_yaml::from_str(CASE).expect("the case is well formed");
+    let look = format!("{LOOK} ns");
+    for (key, value) in protocol.keys.iter().copied().chain([("output.series", &*look), ("output.frames", "1 µs")]) {
+        set(&mut base, key, value)?;
+    }
+    let seeds = (1..=protocol.aggregates).map(|seed| seed.to_string());
+    let members = seeds.flat_map(|seed| kinds.iter().map(move |kind| (seed.clone(), kind.keys())));
+    members
+        .map(|(seed, [(fraction, necks), (torsion, how)])| {
+            Point::new(Path::new(FILE), &base, &[("seed", &seed), (fraction, &necks), (torsion, &how)])
+        })
+        .collect()
+}
+
+/// Coordination number and convexity of one aggregate.
+type Course = [Vec<f64>; 2];
+
+/// What is recorded of a run that has finished.
+fn course(root: &Path) -> Option<Course> {
+    let folder = RunFolder::open(root).ok().filter(|folder| folder.results().exists())?;
+    let series = Series::read(&folder).ok()?;
+    let column = |name| series.curve("", "time [ns]", name).into_iter().map(|point| point.1).collect();
+    Some(["coordination number", "convexity"].map(column))
 }
 
 impl Ensemble {
-    fn of(kind: Kind, courses: &[Vec<Shape>]) -> Self {
-        let looks = courses.iter().map(Vec::len).min().unwrap_or(0);
+    fn of(kind: Kind, courses: &[&Course]) -> Self {
+        let looks = courses.iter().map(|course| course[0].len()).min().unwrap_or(0);
         let mean = |of: usize| {
-            let at = |look: usize| Mean::of(&courses.iter().map(|course| course[look][of]).collect::<Vec<_>>());
+            let at = |look: usize| Mean::of(&courses.iter().map(|course| course[of][look]).collect::<Vec<_>>());
             (0..looks).map(at).collect()
         };
-        Self { kind, coordination: mean(0), convexity: mean(1) }
+        Self { kind, members: courses.len(), coordination: mean(0), convexity: mean(1) }
     }
 }
 
@@ -117,6 +148,7 @@ pub fn settled(means: &[Mean]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::reproduce::Extent;
 
     #[test]
     fn a_change_is_settled_when_it_is_within_a_twentieth_of_its_end_for_good() {
@@ -129,14 +161,22 @@ mod tests {
 
     #[test]
     fn a_coating_brings_the_same_aggregates_together_in_every_ensemble() {
-        let time = |text: &str| Quantity::parse(text).expect("a time");
-        let protocol = Protocol { aggregates: 2, necks: NeckSet::S, dt: time("50 fs"), duration: time("1 ns") };
+        let keys = [
+            ("model.soot.necks", "S"),
+            ("experiment.restructuring.dt", "50 fs"),
+            ("experiment.restructuring.duration", "1 ns"),
+        ];
+        let protocol = Protocol { aggregates: 2, keys: &keys };
+        let place = tempfile::tempdir().expect("a place");
+        let setting = Setting { extent: Extent::Reduced, runs: place.path().join("runs"), tell: &|_| {} };
         let kind = |neck_fraction| Kind { neck_fraction, torsion: Torsion::Spring };
-        let found = ensembles(&protocol, &[kind(0.0), kind(1.0)]).expect("a stable step");
+        let found = || ensembles(&protocol, &[kind(0.0), kind(1.0)], &setting).expect("a stable step");
+        let (found, again) = (found(), found());
         let first = |k: usize| found[k].coordination[0];
-        assert_eq!(found[0].coordination.len(), 3);
+        assert_eq!((found[0].members, found[0].coordination.len()), (2, 3));
         assert_eq!(first(0), first(1));
         assert!((298.0 / 150.0..2.1).contains(&first(0).value), "a tree, and some near misses");
         assert!(terminal(&found[0].coordination).value > first(0).value);
+        assert_eq!(found[0].convexity, again[0].convexity);
     }
 }

@@ -1,0 +1,84 @@
+//! Many runs side by side, each in a folder of its own.
+
+use super::{Control, complete};
+use crate::case::Case;
+use crate::error::Error;
+use crate::output::write_atomically;
+use rayon::ThreadPoolBuilder;
+use serde_yaml::Value;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// A run of a sweep.
+#[derive(Clone, Debug)]
+pub struct Point {
+    /// The name of its folder.
+    pub name: String,
+    /// The values that it takes for the keys which are varied.
+    pub values: Vec<String>,
+    /// Its case.
+    pub text: String,
+}
+
+impl Point {
+    /// The case of a file with other values for some keys; whatever is wrong with it is found here.
+    pub fn new(file: &Path, base: &Value, values: &[(&str, &str)]) -> Result<Self, Error> {
+        let mut case = base.clone();
+        for (key, value) in values {
+            set(&mut case, key, value)?;
+        }
+        let short = |key: &str| key.rsplit('.').next().unwrap_or_default().to_string();
+        let parts = values.iter().map(|(key, value)| format!("{}={}", short(key), value.replace([' ', '/'], "")));
+        let parts: Vec<String> = parts.collect();
+        let text = serde_yaml::to_string(&case).expect("a case is plain data");
+        let place = format!("{} with {}", file.file_name().unwrap_or_default().display(), parts.join(" "));
+        Case::parse(&file.with_file_name(place), &text)?;
+        let values = values.iter().map(|(_, value)| value.to_string()).collect();
+        Ok(Self { name: parts.join(","), values, text })
+    }
+
+    /// Writes its case beside its folder.
+    pub fn write(&self, out: &Path) -> Result<PathBuf, Error> {
+        let case = out.join(format!("{}.yaml", self.name));
+        write_atomically(&case, self.text.as_bytes())?;
+        Ok(case)
+    }
+}
+
+/// Writes a value behind a key such as `sample.hcp.size[1]`; sections on the way are made.
+pub fn set(case: &mut Value, key: &str, value: &str) -> Result<(), Error> {
+    let mut place = case;
+    for part in key.split(['.', '[']) {
+        place = match part.strip_suffix(']').map(str::parse::<usize>) {
+            Some(Ok(number)) => place.get_mut(number),
+            _ => place
+                .as_mapping_mut()
+                .map(|section| section.entry(part.into()).or_insert(Value::Mapping(Default::default()))),
+        }
+        .ok_or_else(|| Error::Usage(format!("`{key}`: there is no such key")))?;
+    }
+    *place = serde_yaml::from_str(value).map_err(|error| Error::Usage(format!("`{key}={value}`: {error}")))?;
+    Ok(())
+}
+
+/// Runs, or goes on with, whatever has not finished, each on one core, `workers` at a time; `ended` is told how.
+pub fn carry_out(
+    points: &[Point],
+    out: &Path,
+    workers: usize,
+    control: &Control,
+    ended: &(dyn Fn(&Point, Result<&'static str, Error>) + Sync),
+) {
+    let next = AtomicUsize::new(0);
+    std::thread::scope(|scope| {
+        for _ in 0..workers.min(points.len()) {
+            scope.spawn(|| {
+                let core = ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
+                while let Some(point) = points.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    let run = || complete(&point.write(out)?, &out.join(&point.name), control);
+                    ended(point, core.install(run));
+                }
+            });
+        }
+    });
+}
