@@ -7,6 +7,9 @@ use crate::spec::{Real, Vec3};
 use crate::system::{Domain, Image};
 use rayon::prelude::*;
 
+/// Most cells of a grid for each sphere in it.
+const CELLS_PER_SPHERE: f64 = 8.0;
+
 /// A pair `p < q` (or a sphere and its own copy): sphere `q`, displaced by `image` boxes, is near sphere `p`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Neighbour {
@@ -37,35 +40,36 @@ pub fn neighbours_but(
     left_out: impl Fn(usize, usize, Image) -> bool + Sync,
 ) -> Vec<Neighbour> {
     let smallest = radius.iter().copied().fold(f64::INFINITY, f64::min);
-    let octave = |r: f64| (r / smallest).log2().floor() as usize;
-    let octaves = radius.iter().map(|&r| octave(r) + 1).max().unwrap_or(0);
+    let octave_of =
+        |&r: &f64| std::iter::successors(Some(2.0 * smallest), |b| Some(2.0 * b)).take_while(|&b| r >= b).count();
+    let octave: Vec<usize> = radius.iter().map(octave_of).collect();
+    let octaves = octave.iter().map(|o| o + 1).max().unwrap_or(0);
     let grids: Vec<Grid> = (0..octaves)
         .filter_map(|o| {
-            let members: Vec<u32> = (0..x.len() as u32).filter(|&p| octave(radius[p as usize]) == o).collect();
+            let members: Vec<u32> = (0..x.len() as u32).filter(|&p| octave[p as usize] == o).collect();
             let largest = members.iter().map(|&p| radius[p as usize]).fold(0.0, f64::max);
             (!members.is_empty()).then(|| Grid::new(x, domain, members, largest, reach(largest, largest), o))
         })
         .collect();
 
     let of_one = |p: usize| {
-        let own_octave = octave(radius[p]);
+        let own_octave = octave[p];
+        let home = domain.image_of(x[p]);
+        let folded = x[p] - domain.shift(home);
         let mut found = Vec::new();
         for grid in grids.iter().filter(|g| g.octave >= own_octave) {
             let same = grid.octave == own_octave;
             let farthest = reach(radius[p], grid.largest);
-            grid.visit(x[p], farthest, |q, image| {
+            grid.visit(folded, home, farthest, |q, image| {
                 // A pair of one octave is met from both ends, a sphere and its own copy from both sides: keep one.
-                if same && (q, image) <= (p as u32, [0; 3]) {
+                if same && (q, image) <= (p as u32, [0; 3]) || left_out(p, q as usize, image) {
                     return;
                 }
                 // In this order of operations its length is the same seen from either end.
                 let apart = (x[p] - x[q as usize]) - domain.shift(image);
                 // The exact reach is dear: most candidates fall short of any.
                 let squared = apart.dot(apart);
-                if squared < farthest * farthest
-                    && !left_out(p, q as usize, image)
-                    && squared < reach(radius[p], radius[q as usize]).squared()
-                {
+                if squared < farthest * farthest && squared < reach(radius[p], radius[q as usize]).squared() {
                     found.push(ordered(p as u32, q, image));
                 }
             });
@@ -87,7 +91,7 @@ struct Grid<'a> {
     octave: usize,
     largest: f64,
     origin: [f64; 3],
-    cell: [f64; 3],
+    cells_per_length: [f64; 3],
     count: [i64; 3],
     /// Where the spheres of each cell begin in `members`.
     start: Vec<u32>,
@@ -98,18 +102,20 @@ impl<'a> Grid<'a> {
     fn new(x: &[Vec3<f64>], domain: &'a Domain, members: Vec<u32>, largest: f64, size: f64, octave: usize) -> Self {
         let mut low = [f64::INFINITY; 3];
         let mut high = [f64::NEG_INFINITY; 3];
-        for p in x {
-            low = std::array::from_fn(|a| low[a].min(p.0[a]));
-            high = std::array::from_fn(|a| high[a].max(p.0[a]));
+        for &q in &members {
+            low = std::array::from_fn(|a| low[a].min(x[q as usize].0[a]));
+            high = std::array::from_fn(|a| high[a].max(x[q as usize].0[a]));
         }
         let origin = std::array::from_fn(|a| if domain.periodic[a] { 0.0 } else { low[a] });
         let extent: [f64; 3] =
             std::array::from_fn(|a| if domain.periodic[a] { domain.sides[a] } else { high[a] - low[a] });
-        // More cells than spheres would only cost memory.
-        let finest = (extent.iter().product::<f64>() / (members.len() as f64)).cbrt().max(size);
+        // More cells than that would only cost memory; spheres that fill a part of the space need some that are empty.
+        let most = CELLS_PER_SPHERE * members.len() as f64;
+        let finest = (extent.iter().product::<f64>() / most).cbrt().max(size);
         let count = extent.map(|length| ((length / finest) as i64).max(1));
-        let cell = std::array::from_fn(|a| (extent[a] / count[a] as f64).max(f64::MIN_POSITIVE));
-        let mut grid = Self { domain, octave, largest, origin, cell, count, start: Vec::new(), members: Vec::new() };
+        let cells_per_length = std::array::from_fn(|a| count[a] as f64 / extent[a].max(f64::MIN_POSITIVE));
+        let mut grid =
+            Self { domain, octave, largest, origin, cells_per_length, count, start: Vec::new(), members: Vec::new() };
 
         let cell_of = |q: u32| {
             let folded = domain.folded(x[q as usize]);
@@ -132,28 +138,39 @@ impl<'a> Grid<'a> {
 
     /// The cell, counted along one axis, that a coordinate lies in; not yet folded into the grid.
     fn along(&self, a: usize, coordinate: f64) -> i64 {
-        ((coordinate - self.origin[a]) / self.cell[a]).floor() as i64
+        let place = (coordinate - self.origin[a]) * self.cells_per_length[a];
+        let cut = place as i64;
+        cut.saturating_sub(i64::from(place < cut as f64))
     }
 
     fn index(&self, place: [i64; 3]) -> usize {
         ((place[0] * self.count[1] + place[1]) * self.count[2] + place[2]) as usize
     }
 
-    /// Calls `found(q, image)` for every member whose cell is within `reach` of the stored position `x`.
-    fn visit(&self, x: Vec3<f64>, reach: f64, mut found: impl FnMut(u32, Image)) {
-        let home = self.domain.image_of(x);
-        let folded = self.domain.folded(x);
+    /// The cell of the grid that a cell is a copy of, and the copy of the box it is in.
+    fn wrapped(&self, a: usize, place: i64) -> (i64, i16) {
+        let count = self.count[a];
+        // Divisions are dear, and hardly any cell needs them.
+        if (0..count).contains(&place) { (place, 0) } else { (place.rem_euclid(count), place.div_euclid(count) as i16) }
+    }
+
+    /// Calls `found(q, image)` for every member whose cell is within `reach` of a point in the box that stands for its copy in `home`.
+    fn visit(&self, point: Vec3<f64>, home: Image, reach: f64, mut found: impl FnMut(u32, Image)) {
         let span: [_; 3] = std::array::from_fn(|a| {
-            let (low, high) = (self.along(a, folded.0[a] - reach), self.along(a, folded.0[a] + reach));
+            let (low, high) = (self.along(a, point.0[a] - reach), self.along(a, point.0[a] + reach));
             if self.domain.periodic[a] { low..=high } else { low.max(0)..=high.min(self.count[a] - 1) }
         });
-        for i in span[0].clone() {
-            for j in span[1].clone() {
-                for k in span[2].clone() {
-                    let place = [i, j, k];
-                    let cell = self.index(std::array::from_fn(|a| place[a].rem_euclid(self.count[a])));
-                    let copy: Image = std::array::from_fn(|a| place[a].div_euclid(self.count[a]) as i16 + home[a]);
-                    for &(q, home_q) in &self.members[self.start[cell] as usize..self.start[cell + 1] as usize] {
+        for (i, copy_x) in span[0].clone().map(|i| self.wrapped(0, i)) {
+            for (j, copy_y) in span[1].clone().map(|j| self.wrapped(1, j)) {
+                // Cells in a row along the last axis lie side by side in memory: visit them at once.
+                let (first, last) = (*span[2].start(), *span[2].end());
+                let in_a_row = first >= 0 && last < self.count[2];
+                for k in first..=if in_a_row { last.min(first) } else { last } {
+                    let (k, copy_z) = self.wrapped(2, k);
+                    let cells = self.index([i, j, k])..self.index([i, j, if in_a_row { last } else { k }]) + 1;
+                    let copy = [copy_x + home[0], copy_y + home[1], copy_z + home[2]];
+                    for &(q, home_q) in &self.members[self.start[cells.start] as usize..self.start[cells.end] as usize]
+                    {
                         found(q, std::array::from_fn(|a| copy[a] - home_q[a]));
                     }
                 }

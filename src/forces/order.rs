@@ -2,6 +2,7 @@
 
 use crate::spec::Vec3;
 use crate::system::Domain;
+use rayon::prelude::*;
 
 /// The places of the particles along a Z-shaped curve through cubes of the given side; a stable order, so that particles
 /// already in order stay in place.
@@ -16,7 +17,7 @@ pub fn spatial_order(x: &[Vec3<f64>], domain: &Domain, side: f64) -> Vec<u32> {
         })
     };
     let mut keyed: Vec<(u64, u32)> = x.iter().zip(0..).map(|(p, place)| (key(p), place)).collect();
-    keyed.sort_unstable();
+    keyed.par_sort_unstable();
     keyed.into_iter().map(|(_, place)| place).collect()
 }
 

@@ -5,6 +5,7 @@ use crate::forces::{self, Neighbour, Springs};
 use crate::motion::{self, Grips, Moved};
 use crate::spec::{Flat, PairModel, Vec3};
 use crate::system::{Domain, Halt, Pose, Reason, System};
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 
@@ -65,7 +66,7 @@ impl<M: PairModel> Simulation<M> {
             }
             particles.body.iter_mut().for_each(|body| *body = number[*body as usize]);
             system.bodies = bodies.into_iter().map(|old| system.bodies[old as usize].clone()).collect();
-            order.sort_by_key(|&p| particles.body[p as usize]);
+            order.par_sort_by_key(|&p| particles.body[p as usize]);
         }
         *particles = particles.pick(&order);
     }

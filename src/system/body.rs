@@ -1,10 +1,11 @@
 //! Rigid bodies made of spheres.
 
-use super::{Particles, System};
+use super::{LEAST, Particles, System};
 use crate::spec::titania::def_body::{member_velocity, spin};
 use crate::spec::titania::def_inertia::member_inertia;
 use crate::spec::titania::def_rotation::to_space;
 use crate::spec::{Real, Tensor, Vec3};
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 /// Where a body is and how it lies: its centre of mass, nm, never folded back into the box, and the unit quaternion that takes
@@ -116,11 +117,15 @@ impl System {
     pub fn place_members(&mut self, from: usize) {
         let Particles { x, v, w, body, arm, .. } = &mut self.particles;
         let omegas: Vec<Vec3<f64>> = self.bodies.iter().map(Body::omega).collect();
-        for p in (from..x.len()).filter(|&p| body[p] > 0) {
-            let number = body[p] as usize - 1;
-            (x[p], v[p]) = self.bodies[number].member(omegas[number], arm[p]);
-            w[p] = omegas[number];
-        }
+        let bodies = &self.bodies;
+        let members = (&mut x[from..], &mut v[from..], &mut w[from..], &body[from..], &arm[from..]);
+        members.into_par_iter().with_min_len(LEAST).filter(|member| *member.3 > 0).for_each(
+            |(x, v, w, &body, &arm)| {
+                let number = body as usize - 1;
+                (*x, *v) = bodies[number].member(omegas[number], arm);
+                *w = omegas[number];
+            },
+        );
     }
 }
 

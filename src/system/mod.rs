@@ -15,7 +15,11 @@ pub use wall::{Motion, Wall};
 
 use crate::forces::Springs;
 use crate::spec::Vec3;
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
+
+/// So many particles, or more, are worth another thread.
+const LEAST: usize = 4096;
 
 /// The spheres. All vectors have the same length and are permuted together when the neighbour list is built, so a sphere
 /// keeps its `id`, not its place. Units: nm, m/s, 1/ns, ag.
@@ -75,8 +79,8 @@ impl Particles {
 
     /// The spheres at the given places, in that order.
     pub fn pick(&self, places: &[u32]) -> Self {
-        fn at<T: Copy>(values: &[T], places: &[u32]) -> Vec<T> {
-            places.iter().map(|&p| values[p as usize]).collect()
+        fn at<T: Copy + Send + Sync>(values: &[T], places: &[u32]) -> Vec<T> {
+            places.par_iter().with_min_len(LEAST).map(|&p| values[p as usize]).collect()
         }
         Self {
             x: at(&self.x, places),
