@@ -12,7 +12,7 @@ import statistics
 import subprocess
 from pathlib import Path
 
-from process import HOME, ROOT
+from process import HOME, ROOT, TARGET
 
 SHORT = 50
 STOPPED = 75
@@ -20,7 +20,7 @@ STOPPED = 75
 
 def veridem(*arguments):
     """Runs the program to where it is told to stop; user CPU seconds, wall-clock seconds, largest memory in kB."""
-    words = [ROOT / "target" / "release" / "veridem", "--quiet", *arguments]
+    words = [TARGET / "release" / "veridem", "--quiet", *arguments]
     timed = ["/usr/bin/time", "-f", "%U %e %M", *map(str, words)]
     done = subprocess.run(timed, cwd=HOME, stderr=subprocess.PIPE, text=True, check=False)
     lines = done.stderr.strip().splitlines()

@@ -17,10 +17,10 @@ import statistics
 import subprocess
 from pathlib import Path
 
-from process import HOME, ROOT, cost_of_step
+from process import HOME, ROOT, TARGET, cost_of_step
 
 HERE = Path(__file__).resolve().parent
-ENGINE = ROOT / "target" / "release" / "examples" / "film_steps"
+ENGINE = TARGET / "release" / "examples" / "film_steps"
 STEPS = {"rigid": 10_000, "free": 3000}
 DENSITY = 4.23e-3  # ag/nm^3
 

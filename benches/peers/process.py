@@ -6,7 +6,8 @@ import time
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
-HOME = ROOT / "target" / "peers"
+TARGET = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")).resolve()
+HOME = TARGET / "peers"
 PARTICLE_STEPS = 12_000_000  # of one measurement: a few seconds
 FEWEST_STEPS = 60  # a large crystal takes seconds to set up, and what is measured must outweigh how much those seconds vary
 
@@ -42,7 +43,7 @@ def count(cells):
 
 def engine(threads):
     """The command that makes the engine advance a crystal by a number of steps."""
-    binary = ROOT / "target" / "release" / "examples" / "hcp_steps"
+    binary = TARGET / "release" / "examples" / "hcp_steps"
     return lambda cells, steps: [binary, *cells, steps, threads]
 
 
