@@ -29,20 +29,11 @@ pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
     }
 }
 
-/// The findings of a run; none before it has finished.
-pub fn findings(folder: &RunFolder) -> Result<Vec<Finding>, Error> {
-    let path = folder.results();
-    if !path.exists() {
-        return Ok(Vec::new());
-    }
-    serde_yaml::from_slice(&read(&path)?).map_err(|error| Error::input(&path, error.to_string()))
-}
-
 fn summarise(root: &Path, manner: Manner) -> Result<(), Error> {
     let folder = RunFolder::open(root)?;
     let (case, _) = Case::read(&folder.case())?;
     let manifest = Manifest::read(&folder)?;
-    let (series, findings) = (Series::read(&folder)?, findings(&folder)?);
+    let (series, findings) = (Series::read(&folder)?, Finding::of_run(&folder)?);
     let last = series.rows.last().map(Vec::as_slice).unwrap_or_default();
     let state: Vec<(&String, &String)> = series.columns.iter().zip(last).filter(|(_, cell)| !cell.is_empty()).collect();
     if manner.json {
@@ -72,7 +63,7 @@ fn compare(a: &Path, b: &Path, manner: Manner) -> Result<(), Error> {
     let (series_a, series_b) = (Series::read(&folder_a)?, Series::read(&folder_b)?);
     let differences = differences(&series_a, &series_b);
     let rows = (series_a.rows.len(), series_b.rows.len());
-    let (findings_a, findings_b) = (findings(&folder_a)?, findings(&folder_b)?);
+    let (findings_a, findings_b) = (Finding::of_run(&folder_a)?, Finding::of_run(&folder_b)?);
     let changed: Vec<(&Finding, Option<&Finding>)> = findings_a
         .iter()
         .map(|one| (one, findings_b.iter().find(|other| other.name == one.name)))

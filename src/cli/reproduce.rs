@@ -85,7 +85,7 @@ impl Paper {
             Self::Titania => vec![
                 (Name::Contact, "Two particles", |_| Ok(titania::chapter()?)),
                 (Name::Agglomerate, "A stretched agglomerate", |_| titania::agglomerate::chapter()),
-                (Name::Spectroscopy, "Films under a tip", |set| titania::spectroscopy::chapter(set.extent)),
+                (Name::Spectroscopy, "Films under a tip", titania::spectroscopy::chapter),
             ],
         }
     }

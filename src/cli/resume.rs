@@ -27,7 +27,7 @@ pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
     if manifest.status == Status::Finished {
         return Err(Error::Usage(format!("{}: has finished; there is nothing to resume", arguments.run.display())));
     }
-    if (&*manifest.version, &*manifest.commit) != (env!("CARGO_PKG_VERSION"), env!("VERIDEM_COMMIT")) {
+    if !manifest.is_ours() {
         manner.say("warning: the run was begun by another build of this program; it may not go on with the same bits");
     }
     let mut progress = Progress::new(manner);

@@ -1,11 +1,10 @@
 //! `veridem sweep`: one case for many values of its keys, one core and one run folder for each combination.
 
-use super::inspect::findings;
 use super::{Manner, print};
 use crate::case::Case;
 use crate::case::units::decimal;
 use crate::error::{AtPath, Error};
-use crate::output::{Manifest, RunFolder, write_atomically};
+use crate::output::{Finding, Manifest, RunFolder, write_atomically};
 use crate::run::sweep::{Point, carry_out};
 use crate::run::{Control, Glance, launch};
 use indicatif::{HumanDuration, ProgressBar, ProgressStyle};
@@ -155,7 +154,7 @@ fn summary(axes: &[Axis], points: &[Point], out: &Path) -> Result<String, Error>
     for point in points {
         let folder = RunFolder::open(&out.join(&point.name));
         let (status, found) = match folder {
-            Ok(folder) => (format!("{:?}", Manifest::read(&folder)?.status).to_lowercase(), findings(&folder)?),
+            Ok(folder) => (format!("{:?}", Manifest::read(&folder)?.status).to_lowercase(), Finding::of_run(&folder)?),
             Err(_) => ("failed".into(), Vec::new()),
         };
         for finding in &found {

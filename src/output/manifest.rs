@@ -68,6 +68,11 @@ impl Manifest {
         serde_json::from_slice(&bytes).map_err(|error| Error::input(&path, error.to_string()))
     }
 
+    /// Whether this build of the program began the run.
+    pub fn is_ours(&self) -> bool {
+        (&*self.version, &*self.commit) == (env!("CARGO_PKG_VERSION"), env!("VERIDEM_COMMIT"))
+    }
+
     /// Takes the run up again in this process.
     pub fn resume(&mut self) {
         self.status = Status::Running;

@@ -1,6 +1,8 @@
 //! Rows of the time series, and final quantities.
 
+use super::{RunFolder, read};
 use crate::case::units::decimal;
+use crate::error::Error;
 use serde::{Deserialize, Serialize};
 
 /// A cell of the time series.
@@ -49,5 +51,14 @@ impl Finding {
     /// A verdict in words.
     pub fn words(name: &str, value: impl Into<String>) -> Self {
         Self { name: name.into(), value: value.into(), unit: String::new(), target: String::new() }
+    }
+
+    /// Those of a run; none before it has finished.
+    pub fn of_run(folder: &RunFolder) -> Result<Vec<Self>, Error> {
+        let path = folder.results();
+        if !path.exists() {
+            return Ok(Vec::new());
+        }
+        serde_yaml::from_slice(&read(&path)?).map_err(|error| Error::input(&path, error.to_string()))
     }
 }

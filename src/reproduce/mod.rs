@@ -1,10 +1,11 @@
 //! The papers' claims, tested: `veridem reproduce`.
 
+mod setting;
 pub mod soot;
 pub mod titania;
 pub mod wear;
 
-use std::path::PathBuf;
+pub use setting::Setting;
 
 /// How much is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,16 +21,6 @@ impl Extent {
     pub fn of<T>(self, reduced: T, full: T) -> T {
         if self == Self::Full { full } else { reduced }
     }
-}
-
-/// How a chapter is computed.
-pub struct Setting<'a> {
-    /// How much of it.
-    pub extent: Extent,
-    /// Where runs are kept that take long: what has finished is not run again, and what was stopped is gone on with.
-    pub runs: PathBuf,
-    /// Hears how it is going.
-    pub tell: &'a (dyn Fn(String) + Sync),
 }
 
 /// A claim of a paper beside what came out.

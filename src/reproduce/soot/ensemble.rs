@@ -5,13 +5,10 @@ use crate::error::Error;
 use crate::observe::statistics::Mean;
 use crate::output::RunFolder;
 use crate::reproduce::Setting;
-use crate::run::sweep::{Point, carry_out, set};
-use crate::run::{Control, Series};
-use indicatif::HumanDuration;
+use crate::run::Series;
+use crate::run::sweep::{Point, set};
 use serde_yaml::Value;
 use std::path::Path;
-use std::sync::Mutex;
-use std::time::Instant;
 
 /// The case that all are made of.
 const CASE: &str = include_str!("../../../cases/soot/restructuring.yaml");
@@ -64,32 +61,13 @@ pub struct Ensemble {
 /// One ensemble of each kind; the aggregates of all are the same, and each runs on one core. Whoever stops it gets the ensembles of those
 /// aggregates of which all kinds have finished, two at least.
 pub fn ensembles(protocol: &Protocol, kinds: &[Kind], setting: &Setting) -> Result<Vec<Ensemble>, Error> {
-    let points = points(protocol, kinds)?;
-    std::fs::create_dir_all(&setting.runs).map_err(|cause| Error::Io(setting.runs.clone(), cause))?;
-    let control = Control::new(None, None).map_err(|cause| Error::Io("signal handler".into(), cause))?;
-    let (begin, ends) = (Instant::now(), Mutex::new((0, 0, None)));
-    carry_out(&points, &setting.runs, rayon::current_num_threads(), &control, &|_, outcome| {
-        let (done, new, failure) = &mut *ends.lock().expect("no worker panics");
-        match outcome {
-            Ok(how) => {
-                *done += 1;
-                *new += u32::from(how == "finished");
-                if *new > 0 {
-                    let left = begin.elapsed() * (points.len() - *done) as u32 / *new;
-                    (setting.tell)(format!("{done} of {} runs, about {} left", points.len(), HumanDuration(left)));
-                }
-            }
-            Err(error) => *failure = failure.take().or(Some(error)),
-        }
-    });
-    let failure = ends.into_inner().expect("no worker panics").2;
-    let courses: Vec<Option<Course>> = points.iter().map(|point| course(&setting.runs.join(&point.name))).collect();
+    let kept = setting.keep(&points(protocol, kinds)?)?;
+    let courses = kept.folders.iter().map(|folder| folder.as_ref().map(course).transpose());
+    let courses: Vec<Option<Course>> = courses.collect::<Result<_, Error>>()?;
     let whole: Vec<&[Option<Course>]> =
         courses.chunks(kinds.len()).filter(|kinds| kinds.iter().all(Option::is_some)).collect();
-    match failure {
-        Some(Error::Stopped(_)) if whole.len() >= 2 => {}
-        Some(error) => return Err(error),
-        None => {}
+    if let (Some(stopped), 0..2) = (kept.stopped, whole.len()) {
+        return Err(stopped);
     }
     let of_kind = |k: usize| whole.iter().filter_map(|kinds| kinds[k].as_ref()).collect::<Vec<_>>();
     Ok(kinds.iter().enumerate().map(|(k, &kind)| Ensemble::of(kind, &of_kind(k))).collect())
@@ -114,12 +92,11 @@ fn points(protocol: &Protocol, kinds: &[Kind]) -> Result<Vec<Point>, Error> {
 /// Coordination number and convexity of one aggregate.
 type Course = [Vec<f64>; 2];
 
-/// What is recorded of a run that has finished.
-fn course(root: &Path) -> Option<Course> {
-    let folder = RunFolder::open(root).ok().filter(|folder| folder.results().exists())?;
-    let series = Series::read(&folder).ok()?;
+/// What is recorded of a run.
+fn course(folder: &RunFolder) -> Result<Course, Error> {
+    let series = Series::read(folder)?;
     let column = |name| series.curve("", "time [ns]", name).into_iter().map(|point| point.1).collect();
-    Some(["coordination number", "convexity"].map(column))
+    Ok(["coordination number", "convexity"].map(column))
 }
 
 impl Ensemble {

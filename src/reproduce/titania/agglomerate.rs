@@ -1,11 +1,10 @@
 //! Section 3.1 of the titania paper, Fig. 9: a chain of 14 particles drawn apart.
 
-use super::spectroscopy::between;
 use crate::case::Case;
 use crate::error::Error;
 use crate::figures::{Axis, Curve, Mark, Plot};
 use crate::reproduce::{Chapter, Claim, Figure};
-use crate::run::Pull;
+use crate::run::{Pull, between};
 use rayon::prelude::*;
 use std::path::Path;
 

@@ -1,34 +1,41 @@
 //! Section 3.2 of the titania paper, Figs. 10 and 11: films under the tip of a force microscope.
 
-use crate::case::Case;
 use crate::error::Error;
 use crate::figures::{Axis, Curve, Mark, Plot};
-use crate::reproduce::{Chapter, Claim, Extent, Figure};
-use crate::run::Spectrum;
-use rayon::prelude::*;
+use crate::reproduce::{Chapter, Claim, Extent, Figure, Setting};
+use crate::run::sweep::Point;
+use crate::run::{Spectrum, between};
 use std::path::Path;
 
 /// The case files: a film in proportion, and that of the paper.
-const CASES: [&str; 2] =
-    [include_str!("../../../cases/titania/film.yaml"), include_str!("../../../cases/titania/film-full.yaml")];
+const CASES: [(&str, &str); 2] = [
+    ("film.yaml", include_str!("../../../cases/titania/film.yaml")),
+    ("film-full.yaml", include_str!("../../../cases/titania/film-full.yaml")),
+];
 /// How many curves Fig. 10 shows; five films of other seeds stand in for them.
 const CURVES: u64 = 5;
 /// Part of the way before the last peak of the pull that Fig. 11 looks at, nm.
 const BEFORE: f64 = 40.0;
 
-/// Five force curves.
-pub fn chapter(extent: Extent) -> Result<Chapter, Error> {
-    let case = Case::parse(Path::new("film.yaml"), extent.of(CASES[0], CASES[1]))?;
-    let spectra: Vec<Spectrum> = (1..=CURVES)
-        .into_par_iter()
-        .map(|seed| Spectrum::of(&Case { seed, ..case.clone() }))
-        .collect::<Result<_, Error>>()?;
-    let mut chapter = Chapter::default();
-    if extent == Extent::Reduced {
-        chapter.note = "films of 5,000 particles on 0.5 µm x 0.5 µm instead of 200,000 on 1.58 µm x 1.58 µm, under a tip whose side is 0.25 µm \
-                        instead of 0.8 µm, turned at a setpoint in proportion to its area"
-            .into();
+/// Five force curves; whoever stops it gets those that have finished.
+pub fn chapter(setting: &Setting) -> Result<Chapter, Error> {
+    let (file, text) = setting.extent.of(CASES[0], CASES[1]);
+    let base = serde_yaml::from_str(text).expect("the case is well formed");
+    let point =
+        |seed: u64| Point::new(Path::new(file), &base, &[("seed", &seed.to_string()), ("output.frames", "1 s")]);
+    let kept = setting.keep(&(1..=CURVES).map(point).collect::<Result<Vec<_>, Error>>()?)?;
+    let spectra = kept.folders.iter().flatten().map(Spectrum::read).collect::<Result<Vec<_>, Error>>()?;
+    if let (Some(stopped), true) = (kept.stopped, spectra.is_empty()) {
+        return Err(stopped);
     }
+    let note = match setting.extent {
+        Extent::Reduced => "films of 5,000 particles on 0.5 µm x 0.5 µm instead of 200,000 on 1.58 µm x 1.58 µm, under a tip whose side is \
+                            0.25 µm instead of 0.8 µm, turned at a setpoint in proportion to its area"
+            .into(),
+        Extent::Full if spectra.len() < CURVES as usize => format!("{} of {CURVES} films, those that had finished", spectra.len()),
+        Extent::Full => String::new(),
+    };
+    let mut chapter = Chapter { note, ..Chapter::default() };
     claims(&mut chapter, &spectra);
     figures(&mut chapter, &spectra);
     Ok(chapter)
@@ -103,22 +110,4 @@ fn figures(chapter: &mut Chapter, spectra: &[Spectrum]) {
     let plot = Plot { title: "before the last peak".into(), x, y, curves };
     let caption = "Fig. 11: what contacts do before the last peak of the pull; the paper's is known as a picture only";
     chapter.figures.push(Figure { name: "fig-11".into(), caption: caption.into(), svg: plot.svg() });
-}
-
-/// A curve at a place, between its points.
-pub fn between(curve: &[(f64, f64)], x: f64) -> Option<f64> {
-    let ((a, f), (b, g)) = curve.iter().zip(&curve[1..]).find(|(p, q)| p.0 <= x && x <= q.0 && p.0 < q.0)?;
-    Some(f + (g - f) * (x - a) / (b - a))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::between;
-
-    #[test]
-    fn events_lie_on_the_curve() {
-        let curve = [(0.0, 1.0), (2.0, 5.0), (3.0, 4.0)];
-        assert_eq!([0.0, 1.0, 2.25, 3.0].map(|x| between(&curve, x)), [1.0, 3.0, 4.75, 4.0].map(Some));
-        assert_eq!(between(&curve, 3.5), None);
-    }
 }

@@ -5,7 +5,7 @@ mod pull;
 mod stage;
 mod watch;
 
-pub use film::{Plan as Film, Spectrum};
+pub use film::{Plan as Film, Spectrum, between};
 pub use pull::Pull;
 pub use watch::rolling_resistance;
 

@@ -6,7 +6,7 @@ mod spectrum;
 mod tip;
 mod watch;
 
-pub use spectrum::Spectrum;
+pub use spectrum::{Spectrum, between};
 
 use crate::build::film::{Film, FilmSphere};
 use crate::build::protocol::Progress;

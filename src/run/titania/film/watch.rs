@@ -1,6 +1,7 @@
 //! What is watched of a film under a tip: the force on the tip, and what contacts do.
 
 use super::contacts::Contacts;
+use super::spectrum::{LARGEST, LAST, WAY};
 use super::{FIXED, Law, Stage, TIP};
 use crate::build::film::Bonding;
 use crate::observe::clusters::Clusters;
@@ -136,13 +137,8 @@ impl Watch {
         found
     }
 
-    /// How far the tip had moved, nm, and the mean force on it, pN.
-    pub fn curve(&self) -> &[(f64, f64)] {
-        &self.curve
-    }
-
     /// The largest pull on the tip, and the last peak of it before nothing pulls any more, pN.
-    pub fn largest_and_last_pull(&self) -> (f64, Option<f64>) {
+    fn largest_and_last_pull(&self) -> (f64, Option<f64>) {
         let pull = |k: usize| -self.curve[k].1;
         let pulled = (0..self.curve.len()).rev().find(|&k| pull(k) > NOTHING);
         // Back from there the pull rises to its last peak.
@@ -150,18 +146,13 @@ impl Watch {
         ((0..self.curve.len()).map(pull).fold(0.0, f64::max), last)
     }
 
-    /// How far the tip had gone since the setpoint when the film let go, nm.
-    pub fn way_to_rupture(&self) -> Option<f64> {
-        self.rupture.map(|height| height - self.from)
-    }
-
     /// The largest pull, the last one, and where the film let go.
     fn peaks(&self) -> Vec<Finding> {
         let (largest, last) = self.largest_and_last_pull();
-        let mut found = vec![Finding::number("largest pull on the tip", largest, "pN", None)];
-        found.extend(last.map(|last| Finding::number("last peak of the pull", last, "pN", None)));
-        found.push(match self.way_to_rupture() {
-            Some(way) => Finding::number("way of the tip from the setpoint to the rupture", way, "nm", None),
+        let mut found = vec![Finding::number(LARGEST, largest, "pN", None)];
+        found.extend(last.map(|last| Finding::number(LAST, last, "pN", None)));
+        found.push(match self.rupture {
+            Some(height) => Finding::number(WAY, height - self.from, "nm", None),
             None => Finding::words("rupture of the film", "not within the retraction"),
         });
         found.push(Finding::number("bodies that the tip has taken along", self.on_tip as f64, "", None));

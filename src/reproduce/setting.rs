@@ -1,0 +1,69 @@
+//! How a chapter is computed, and the runs that it keeps.
+
+use super::Extent;
+use crate::error::{AtPath, Error};
+use crate::output::{Manifest, RunFolder};
+use crate::run::Control;
+use crate::run::sweep::{Point, carry_out};
+use indicatif::HumanDuration;
+use std::path::PathBuf;
+use std::sync::Mutex;
+use std::time::Instant;
+
+/// How a chapter is computed.
+pub struct Setting<'a> {
+    /// How much of it.
+    pub extent: Extent,
+    /// Where runs are kept that take long: what has finished is not run again, and what was stopped is gone on with.
+    pub runs: PathBuf,
+    /// Hears how it is going.
+    pub tell: &'a (dyn Fn(String) + Sync),
+}
+
+/// What has become of runs.
+pub struct Kept {
+    /// The folders of those that have finished, in order.
+    pub folders: Vec<Option<RunFolder>>,
+    /// The signal that stopped the others.
+    pub stopped: Option<Error>,
+}
+
+impl Setting<'_> {
+    /// Runs, or goes on with, whatever has not finished, one run on each core.
+    pub fn keep(&self, points: &[Point]) -> Result<Kept, Error> {
+        std::fs::create_dir_all(&self.runs).at(&self.runs)?;
+        let control = Control::new(None, None).map_err(|cause| Error::Io("signal handler".into(), cause))?;
+        let (begin, state) = (Instant::now(), Mutex::new((0, 0, None)));
+        carry_out(points, &self.runs, rayon::current_num_threads(), &control, &|_, outcome| {
+            let (done, new, failure) = &mut *state.lock().expect("no worker panics");
+            match outcome {
+                Ok(how) => {
+                    *done += 1;
+                    *new += u32::from(how == "finished");
+                    if *new > 0 {
+                        let left = begin.elapsed() * (points.len() - *done) as u32 / *new;
+                        (self.tell)(format!("{done} of {} runs, about {} left", points.len(), HumanDuration(left)));
+                    }
+                }
+                Err(error) => *failure = failure.take().or(Some(error)),
+            }
+        });
+        let stopped = match state.into_inner().expect("no worker panics").2 {
+            None => None,
+            Some(error @ Error::Stopped(_)) => Some(error),
+            Some(error) => return Err(error),
+        };
+        let finished = |point: &Point| {
+            RunFolder::open(&self.runs.join(&point.name)).ok().filter(|folder| folder.results().exists())
+        };
+        let folders: Vec<Option<RunFolder>> = points.iter().map(finished).collect();
+        let others = folders.iter().flatten().filter(|folder| !Manifest::read(folder).is_ok_and(|run| run.is_ours()));
+        match others.count() {
+            0 => {}
+            n => (self.tell)(format!(
+                "warning: another build of this program has made {n} of these runs, or a part of them"
+            )),
+        }
+        Ok(Kept { folders, stopped })
+    }
+}
