@@ -48,8 +48,8 @@ pub enum Error {
     Verification(String),
     /// A file could not be written, or its reading broke off.
     Io(PathBuf, io::Error),
-    /// The run was stopped; it goes on from the checkpoint.
-    Stopped(PathBuf),
+    /// A run was stopped, and goes on from its checkpoint; or several were, that the same command goes on with.
+    Stopped(Option<PathBuf>),
 }
 
 impl Error {
@@ -84,7 +84,8 @@ impl fmt::Display for Error {
             Self::Halted(halt, None) => write!(f, "halted at {halt}"),
             Self::Halted(halt, Some(state)) => write!(f, "halted at {halt}; the state is in {}", state.display()),
             Self::Io(path, cause) => write!(f, "{}: {cause}", path.display()),
-            Self::Stopped(run) => write!(f, "stopped; go on with `veridem resume {}`", run.display()),
+            Self::Stopped(Some(run)) => write!(f, "stopped; go on with `veridem resume {}`", run.display()),
+            Self::Stopped(None) => f.write_str("stopped; the same command goes on"),
         }
     }
 }

@@ -2,6 +2,8 @@
 
 use std::path::Path;
 use std::process::Command;
+use veridem::output::RunFolder;
+use veridem::run::Spectrum;
 
 fn veridem(place: &Path, arguments: &[&str]) -> String {
     let output =
@@ -48,7 +50,14 @@ fn the_tip_comes_down_to_its_setpoint_turns_and_pulls_and_the_events_are_those_t
     assert!((deepest - (lowest - 5.0)).abs() < 0.1, "{deepest} {lowest}");
     let rise = up[up.len() - 1][0] - up[up.len() - 2][0];
     assert!((rise - 5.0 * 0.5).abs() < 1e-9, "{rise}");
-    assert!(finding(&run, "largest pull on the tip") > 0.0);
+    let largest = finding(&run, "largest pull on the tip");
+    assert!(largest > 0.0 && up.iter().any(|point| point[1] == -largest));
+    let spectrum = Spectrum::read(&RunFolder::open(&run).unwrap()).unwrap();
+    assert_eq!((spectrum.approach.len(), spectrum.retraction.len()), (down.len(), up.len()));
+    assert_eq!(spectrum.largest, largest);
+    assert!(spectrum.events.iter().all(|event| (deepest..=up[up.len() - 1][0]).contains(&event.0)));
+    let detachments = spectrum.events.iter().filter(|event| event.1.starts_with("detachment of")).count();
+    assert_eq!(detachments as f64, finding(&run, "detachments during retraction"));
 
     let events = std::fs::read_to_string(run.join("events.jsonl")).unwrap();
     for (what, name) in [("sliding of", "slidings"), ("rolling of", "rollings"), ("detachment of", "detachments")] {

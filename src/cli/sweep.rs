@@ -66,6 +66,7 @@ pub fn run(arguments: &Arguments, manner: Manner, threads: Option<u16>) -> Resul
     print(&summary)?;
     let failures = failures.into_inner().expect("no worker panics");
     match failures.len() {
+        _ if control.stops(0) => Err(Error::Stopped(None)),
         0 => Ok(()),
         n => Err(Error::Verification(format!("{n} of {} runs did not finish", points.len()))),
     }
@@ -155,7 +156,7 @@ fn summary(axes: &[Axis], points: &[Point], out: &Path) -> Result<String, Error>
         let folder = RunFolder::open(&out.join(&point.name));
         let (status, found) = match folder {
             Ok(folder) => (format!("{:?}", Manifest::read(&folder)?.status).to_lowercase(), Finding::of_run(&folder)?),
-            Err(_) => ("failed".into(), Vec::new()),
+            Err(_) => ("not run".into(), Vec::new()),
         };
         for finding in &found {
             let name = (finding.name.clone(), finding.unit.clone());

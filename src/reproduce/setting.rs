@@ -24,8 +24,8 @@ pub struct Setting<'a> {
 pub struct Kept {
     /// The folders of those that have finished, in order.
     pub folders: Vec<Option<RunFolder>>,
-    /// The signal that stopped the others.
-    pub stopped: Option<Error>,
+    /// Whether a signal has stopped the others.
+    pub stopped: bool,
 }
 
 impl Setting<'_> {
@@ -45,14 +45,13 @@ impl Setting<'_> {
                         (self.tell)(format!("{done} of {} runs, about {} left", points.len(), HumanDuration(left)));
                     }
                 }
+                Err(Error::Stopped(_)) => {}
                 Err(error) => *failure = failure.take().or(Some(error)),
             }
         });
-        let stopped = match state.into_inner().expect("no worker panics").2 {
-            None => None,
-            Some(error @ Error::Stopped(_)) => Some(error),
-            Some(error) => return Err(error),
-        };
+        if let Some(error) = state.into_inner().expect("no worker panics").2 {
+            return Err(error);
+        }
         let finished = |point: &Point| {
             RunFolder::open(&self.runs.join(&point.name)).ok().filter(|folder| folder.results().exists())
         };
@@ -64,6 +63,6 @@ impl Setting<'_> {
                 "warning: another build of this program has made {n} of these runs, or a part of them"
             )),
         }
-        Ok(Kept { folders, stopped })
+        Ok(Kept { folders, stopped: control.stops(0) })
     }
 }

@@ -197,7 +197,7 @@ impl<'a, S: Study> Run<'a, S> {
             if self.control.stops(self.taken) {
                 self.show(current);
                 self.folder.checkpoints().keep_stopped(&state(current, course))?;
-                return Err(Error::Stopped(self.folder.root().into()));
+                return Err(Error::Stopped(Some(self.folder.root().into())));
             }
             let stepped = current.simulation.step();
             let happened = match stepped.and_then(|()| self.study.intervene(number, &mut current.simulation)) {

@@ -61,7 +61,8 @@ pub fn set(case: &mut Value, key: &str, value: &str) -> Result<(), Error> {
     Ok(())
 }
 
-/// Runs, or goes on with, whatever has not finished, each on one core, `workers` at a time; `ended` is told how.
+/// Runs, or goes on with, whatever has not finished, each on one core, `workers` at a time; `ended` is told how. Once the control stops
+/// the runs, no other is begun.
 pub fn carry_out(
     points: &[Point],
     out: &Path,
@@ -74,7 +75,9 @@ pub fn carry_out(
         for _ in 0..workers.min(points.len()) {
             scope.spawn(|| {
                 let core = ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
-                while let Some(point) = points.get(next.fetch_add(1, Ordering::Relaxed)) {
+                while !control.stops(0)
+                    && let Some(point) = points.get(next.fetch_add(1, Ordering::Relaxed))
+                {
                     let run = || complete(&point.write(out)?, &out.join(&point.name), control);
                     ended(point, core.install(run));
                 }

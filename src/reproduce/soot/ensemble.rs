@@ -66,8 +66,8 @@ pub fn ensembles(protocol: &Protocol, kinds: &[Kind], setting: &Setting) -> Resu
     let courses: Vec<Option<Course>> = courses.collect::<Result<_, Error>>()?;
     let whole: Vec<&[Option<Course>]> =
         courses.chunks(kinds.len()).filter(|kinds| kinds.iter().all(Option::is_some)).collect();
-    if let (Some(stopped), 0..2) = (kept.stopped, whole.len()) {
-        return Err(stopped);
+    if kept.stopped && whole.len() < 2 {
+        return Err(Error::Stopped(None));
     }
     let of_kind = |k: usize| whole.iter().filter_map(|kinds| kinds[k].as_ref()).collect::<Vec<_>>();
     Ok(kinds.iter().enumerate().map(|(k, &kind)| Ensemble::of(kind, &of_kind(k))).collect())

@@ -25,8 +25,8 @@ pub fn chapter(setting: &Setting) -> Result<Chapter, Error> {
         |seed: u64| Point::new(Path::new(file), &base, &[("seed", &seed.to_string()), ("output.frames", "1 s")]);
     let kept = setting.keep(&(1..=CURVES).map(point).collect::<Result<Vec<_>, Error>>()?)?;
     let spectra = kept.folders.iter().flatten().map(Spectrum::read).collect::<Result<Vec<_>, Error>>()?;
-    if let (Some(stopped), true) = (kept.stopped, spectra.is_empty()) {
-        return Err(stopped);
+    if kept.stopped && spectra.is_empty() {
+        return Err(Error::Stopped(None));
     }
     let note = match setting.extent {
         Extent::Reduced => "films of 5,000 particles on 0.5 µm x 0.5 µm instead of 200,000 on 1.58 µm x 1.58 µm, under a tip whose side is \

@@ -102,10 +102,8 @@ impl Watch {
     pub fn look<M: Law>(&self, simulation: &Simulation<M>) -> Vec<Cell> {
         let Contacts { slidings, rollings, detachments, .. } = self.contacts;
         let System { walls, necks, .. } = simulation.system();
-        let tip = match (walls.get(TIP), self.curve.last()) {
-            (Some(tip), Some(mean)) => [Cell::Number(tip.travel.0[2]), Cell::Number(mean.1)],
-            _ => [Cell::Nothing, Cell::Nothing],
-        };
+        let number = |cell: Option<f64>| cell.map_or(Cell::Nothing, Cell::Number);
+        let tip = [walls.get(TIP).map(|tip| tip.travel.0[2]), self.curve.last().map(|mean| mean.1)].map(number);
         let [menisci, on_tip, slidings, detachments] =
             [self.contacts.count() as u64, self.on_tip, slidings, detachments].map(Cell::Count);
         let (rollings, necks) = match M::BONDING {
