@@ -70,17 +70,56 @@ fn slide(load: f64, velocity: f64) -> Result<Slid, Halt> {
     Ok(Slid { load, velocity, period, peak: mean(1), strength: mean(2), curve })
 }
 
-/// What becomes of a particle that is dragged.
-pub fn dragging(chapter: &mut Chapter) -> Result<(), Halt> {
-    let slid = sliding(chapter)?;
-    rolling(chapter, &slid)
+/// A particle that rolls without sliding.
+struct Rolled {
+    load: f64,
+    velocity: f64,
+    /// Least, mean and largest resistance, as a force at its centre, pN.
+    range: [f64; 3],
+    /// The resistance against the way, pN and nm.
+    curve: Vec<(f64, f64)>,
 }
 
-/// Stick and slip, and Fig. 6. Returns the run under 2 nN at 1 m/s.
-fn sliding(chapter: &mut Chapter) -> Result<Slid, Halt> {
-    let runs = [(500.0, 1.0), (1000.0, 1.0), (2000.0, 1.0), (4000.0, 1.0), (8000.0, 1.0), (2000.0, 0.25)];
-    let mut runs: Vec<Slid> =
-        runs.into_par_iter().map(|(load, velocity)| slide(load, velocity)).collect::<Result<_, _>>()?;
+fn roll(load: f64, velocity: f64) -> Result<Rolled, Halt> {
+    let mut simulation = pressed(load, velocity, true)?;
+    let mut curve = Vec::new();
+    while travel(&simulation) < ROLLED {
+        simulation.step()?;
+        curve.push((travel(&simulation), rolling_resistance(&simulation)));
+    }
+    let forces = || curve.iter().map(|point| point.1);
+    let mean = forces().sum::<f64>() / curve.len() as f64;
+    let range = [forces().fold(f64::INFINITY, f64::min), mean, forces().fold(0.0, f64::max)];
+    Ok(Rolled { load, velocity, range, curve })
+}
+
+/// Loads, pN, and velocities, m/s; the last is the third again, slowly.
+const RUNS: [(f64, f64); 6] =
+    [(500.0, 1.0), (1000.0, 1.0), (2000.0, 1.0), (4000.0, 1.0), (8000.0, 1.0), (2000.0, 0.25)];
+const TYPICAL: usize = 2;
+
+/// What becomes of a particle that is dragged.
+pub fn dragging(chapter: &mut Chapter) -> Result<(), Halt> {
+    let slid: Vec<Slid> =
+        RUNS.into_par_iter().map(|(load, velocity)| slide(load, velocity)).collect::<Result<_, _>>()?;
+    let rolled: Vec<Rolled> =
+        RUNS.into_par_iter().map(|(load, velocity)| roll(load, velocity)).collect::<Result<_, _>>()?;
+    sliding(chapter, &slid);
+    rolling(chapter, &rolled, &slid[TYPICAL]);
+    figures(chapter, &slid, &rolled);
+    Ok(())
+}
+
+/// Force over load, with its load; and whether it falls to less than a half.
+fn over_load(points: impl Iterator<Item = (f64, f64)> + Clone) -> (String, bool) {
+    let ratios: Vec<f64> = points.clone().map(|(load, force)| force / load).collect();
+    let listed = points.map(|(load, force)| format!("{:.2} at {} nN", force / load, load * 1e-3));
+    let falls = ratios.windows(2).all(|pair| pair[1] < pair[0]) && ratios[0] > 2.0 * ratios[ratios.len() - 1];
+    (listed.collect::<Vec<_>>().join(", "), falls)
+}
+
+/// Stick and slip, and the upper half of Fig. 6.
+fn sliding(chapter: &mut Chapter, runs: &[Slid]) {
     let (loads, slow) = runs.split_at(5);
     let all = |of: fn(&Slid) -> String| runs.iter().map(of).collect::<Vec<_>>().join(", ");
     chapter.claims.push(Claim::new(
@@ -90,7 +129,7 @@ fn sliding(chapter: &mut Chapter) -> Result<Slid, Halt> {
         all(|run| format!("{:.4}", run.period)) + " nm",
         runs.iter().all(|run| near(run.period, 0.5, 0.01)),
     ));
-    let (fast, slow) = (&loads[2], &slow[0]);
+    let (fast, slow) = (&loads[TYPICAL], &slow[0]);
     chapter.claims.push(Claim::new(
         "Section 2.4",
         "peak friction does not depend on the velocity",
@@ -106,82 +145,76 @@ fn sliding(chapter: &mut Chapter) -> Result<Slid, Halt> {
             + " GPa",
         loads.iter().all(|run| near(run.peak, run.strength, 0.01)),
     ));
-    let ratios: Vec<f64> = loads.iter().map(|run| run.peak / run.load).collect();
+    let (ratios, falls) = over_load(loads.iter().map(|run| (run.load, run.peak)));
     chapter.claims.push(Claim::new(
         "Fig. 6",
         "peak friction over load falls with the load: no law of Amontons",
         "falls",
-        loads
-            .iter()
-            .zip(&ratios)
-            .map(|(run, ratio)| format!("{ratio:.2} at {} nN", run.load * 1e-3))
-            .collect::<Vec<_>>()
-            .join(", "),
-        ratios.windows(2).all(|pair| pair[1] < pair[0]) && ratios[0] > 2.0 * ratios[4],
+        ratios,
+        falls,
     ));
-    let points = loads.iter().map(|run| (run.load * 1e-3, run.peak * 1e-3)).collect();
-    let plot = Plot {
-        title: "friction".into(),
-        x: Axis::linear("load [nN]"),
-        y: Axis::linear("peak friction [nN]"),
-        curves: vec![Curve::new("", Mark::Dots, points)],
-    };
-    let caption = "Fig. 6: peak friction of a particle of 8 nm on a slab against the load".into();
-    chapter.figures.push(Figure { name: "friction".into(), caption, svg: plot.svg() });
-    Ok(runs.swap_remove(2))
 }
 
-/// A particle that rolls without sliding: what resists it, as a force at its centre, against the way, pN and nm.
-fn roll(load: f64, velocity: f64) -> Result<Vec<(f64, f64)>, Halt> {
-    let mut simulation = pressed(load, velocity, true)?;
-    let mut curve = Vec::new();
-    while travel(&simulation) < ROLLED {
-        simulation.step()?;
-        curve.push((travel(&simulation), rolling_resistance(&simulation)));
-    }
-    Ok(curve)
-}
-
-/// Least, mean and largest force of a curve, pN.
-fn range(curve: &[(f64, f64)]) -> [f64; 3] {
-    let forces = || curve.iter().map(|point| point.1);
-    let mean = forces().sum::<f64>() / curve.len() as f64;
-    [forces().fold(f64::INFINITY, f64::min), mean, forces().fold(0.0, f64::max)]
-}
-
-/// Fig. 8, beside what slides under 2 nN.
-fn rolling(chapter: &mut Chapter, slid: &Slid) -> Result<(), Halt> {
-    let runs = [(500.0, 1.0), (2000.0, 1.0), (8000.0, 1.0), (2000.0, 0.25)];
-    let curves: Vec<_> = runs.into_par_iter().map(|(load, velocity)| roll(load, velocity)).collect::<Result<_, _>>()?;
-    let ranges: Vec<[f64; 3]> = curves.iter().map(|curve| range(curve)).collect();
-    let listed = runs.iter().zip(&ranges).map(|((load, velocity), [least, _, most])| {
+/// The resistance to rolling, and the lower half of Fig. 6.
+fn rolling(chapter: &mut Chapter, runs: &[Rolled], slid: &Slid) {
+    let (loads, slow) = runs.split_at(5);
+    let (typical, slow) = (&loads[TYPICAL], &slow[0]);
+    let listed = runs.iter().map(|Rolled { load, velocity, range: [least, _, most], .. }| {
         format!("{least:.1} to {most:.1} pN under {} nN at {velocity} m/s", load * 1e-3)
     });
     chapter.claims.push(Claim::new(
         "Fig. 8",
-        "the resistance to rolling, as a force at the centre, is the same all the way of 1 nm and at both velocities: a pure slider",
-        "a slider without a spring (Eq. 13)",
+        "the resistance to rolling, as a force at the centre, is the same all the way of 1 nm and at both velocities",
+        "a pure slider (Eq. 13)",
         listed.collect::<Vec<_>>().join(", "),
-        ranges.iter().all(|[least, mean, most]| most - least < 0.01 * mean) && near(ranges[3][1], ranges[1][1], 0.01),
+        runs.iter().all(|Rolled { range: [least, mean, most], .. }| most - least < 0.01 * mean)
+            && near(slow.range[1], typical.range[1], 0.01),
     ));
+    let (ratios, falls) = over_load(loads.iter().map(|run| (run.load, run.range[1])));
+    chapter.claims.push(Claim::new(
+        "Fig. 6",
+        "resistance to rolling over load falls with the load",
+        "falls",
+        ratios,
+        falls,
+    ));
+    let higher = slid.peak / typical.range[1];
     chapter.claims.push(Claim::new(
         "Section 2.4",
         "peaks of sliding are significantly higher than the resistance to rolling, under 2 nN",
         "0.65 GPa to 0.25 GPa: 2.6",
-        format!("{:.1} pN to {:.1} pN: {:.2}", slid.peak, ranges[1][1], slid.peak / ranges[1][1]),
-        near(slid.peak / ranges[1][1], 2.6, 0.05),
+        format!("{:.1} pN to {:.1} pN: {higher:.2}", slid.peak, typical.range[1]),
+        near(higher, 2.6, 0.05),
     ));
-    let thinned = |curve: &[(f64, f64)]| curve.iter().step_by(5).map(|&(way, force)| (way, force * 1e-3)).collect();
-    let plot = Plot {
-        title: "sliding and rolling".into(),
-        x: Axis::linear("way [nm]"),
-        y: Axis::linear("force [nN]"),
-        curves: vec![
-            Curve::new("sliding", Mark::Line, thinned(&slid.curve)),
-            Curve::new("rolling", Mark::Line, thinned(&curves[1])),
-        ],
+}
+
+fn figures(chapter: &mut Chapter, slid: &[Slid], rolled: &[Rolled]) {
+    let mut draw = |name: &str, caption: &str, x: &str, y: &str, curves: Vec<Curve>| {
+        let plot = Plot { title: name.into(), x: Axis::linear(x), y: Axis::linear(y), curves };
+        chapter.figures.push(Figure { name: name.into(), caption: caption.into(), svg: plot.svg() });
     };
-    let caption = "Fig. 8: a particle of 8 nm slides and rolls over a slab under 2 nN".into();
-    chapter.figures.push(Figure { name: "dragging".into(), caption, svg: plot.svg() });
-    Ok(())
+    let against_load = |label: &str, points: Vec<(f64, f64)>| {
+        Curve::new(label, Mark::Dots, points.into_iter().map(|(load, force)| (load * 1e-3, force * 1e-3)).collect())
+    };
+    draw(
+        "friction",
+        "Fig. 6: peak friction, and resistance to rolling, of a particle of 8 nm on a slab against the load",
+        "load [nN]",
+        "force [nN]",
+        vec![
+            against_load("sliding", slid[..5].iter().map(|run| (run.load, run.peak)).collect()),
+            against_load("rolling", rolled[..5].iter().map(|run| (run.load, run.range[1])).collect()),
+        ],
+    );
+    let against_way = |label: &str, curve: &[(f64, f64)]| {
+        let points = curve.iter().step_by(5).map(|&(way, force)| (way, force * 1e-3));
+        Curve::new(label, Mark::Line, points.collect())
+    };
+    draw(
+        "dragging",
+        "Fig. 8: a particle of 8 nm slides and rolls over a slab under 2 nN",
+        "way [nm]",
+        "force [nN]",
+        vec![against_way("sliding", &slid[TYPICAL].curve), against_way("rolling", &rolled[TYPICAL].curve)],
+    );
 }
