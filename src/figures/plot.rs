@@ -79,6 +79,9 @@ impl Curve {
     }
 }
 
+/// Width of a plot without names, pixels.
+const PLOT: i32 = 640;
+
 /// A plot.
 #[derive(Clone, Debug)]
 pub struct Plot {
@@ -102,11 +105,15 @@ impl Plot {
 
     fn draw(&self, out: &mut String) -> Result<(), Box<dyn std::error::Error + '_>> {
         let placed: Vec<Vec<(f64, f64)>> = self.curves.iter().map(|curve| self.placed(curve)).collect();
-        let root = SVGBackend::with_string(out, (640, 420)).into_drawing_area();
+        // Names stand beside the plot, where they hide nothing.
+        let longest = self.curves.iter().map(|curve| curve.label.chars().count() as u32).max().unwrap_or(0);
+        let legend = if longest > 0 { 40 + 7 * longest } else { 0 };
+        let root = SVGBackend::with_string(out, (PLOT as u32 + legend, 420)).into_drawing_area();
         root.fill(&WHITE)?;
         let mut chart = ChartBuilder::on(&root)
             .caption(&self.title, ("sans-serif", 17))
             .margin(12)
+            .margin_right(12 + legend)
             .x_label_area_size(44)
             .y_label_area_size(64)
             .build_cartesian_2d(
@@ -123,7 +130,7 @@ impl Plot {
             .y_label_formatter(&|place| self.y.tick(*place))
             .label_style(("sans-serif", 13))
             .draw()?;
-        let mut next = 0;
+        let (mut next, mut line) = (0, 40);
         for (curve, points) in self.curves.iter().zip(placed) {
             let (r, g, b) = COLOURS[next % COLOURS.len()];
             let colour = if curve.mark == Mark::Guide { RGBColor(140, 140, 140) } else { RGBColor(r, g, b) };
@@ -133,22 +140,23 @@ impl Plot {
             }
             next += usize::from(curve.mark != Mark::Guide);
             let style = ShapeStyle::from(&colour).stroke_width(if curve.mark == Mark::Line { 2 } else { 1 });
-            if matches!(curve.mark, Mark::Dots | Mark::Points) {
+            let (dotted, joined) = (
+                matches!(curve.mark, Mark::Dots | Mark::Points),
+                if curve.mark == Mark::Points { &[] } else { &points[..] },
+            );
+            if dotted {
                 chart.draw_series(points.iter().map(|&p| Circle::new(p, 4, colour.filled())))?;
             }
-            let joined = if curve.mark == Mark::Points { Vec::new() } else { points };
-            let drawn = chart.draw_series(LineSeries::new(joined, style))?;
+            chart.draw_series(LineSeries::new(joined.iter().copied(), style))?;
             if !curve.label.is_empty() {
-                drawn.label(&curve.label).legend(move |(x, y)| PathElement::new([(x, y), (x + 18, y)], style));
+                if dotted {
+                    root.draw(&Circle::new((PLOT + 9, line), 4, colour.filled()))?;
+                } else {
+                    root.draw(&PathElement::new([(PLOT, line), (PLOT + 18, line)], style))?;
+                }
+                root.draw(&Text::new(curve.label.as_str(), (PLOT + 24, line - 7), ("sans-serif", 13)))?;
+                line += 18;
             }
-        }
-        if self.curves.iter().any(|curve| !curve.label.is_empty()) {
-            chart
-                .configure_series_labels()
-                .background_style(WHITE.mix(0.8))
-                .border_style(RGBColor(200, 200, 200))
-                .label_font(("sans-serif", 13))
-                .draw()?;
         }
         root.present()?;
         Ok(())
