@@ -184,7 +184,7 @@ mod tests {
 
     fn plot(log: bool, points: Vec<(f64, f64)>) -> Plot {
         let axis = |label| if log { Axis::log(label) } else { Axis::linear(label) };
-        Plot { title: "title".into(), x: axis("x"), y: axis("y"), curves: vec![Curve::new("a", Mark::Dots, points)] }
+        Plot { title: "title".into(), x: axis("x"), y: axis("y"), curves: vec![Curve::new("", Mark::Dots, points)] }
     }
 
     #[test]
