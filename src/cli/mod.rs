@@ -100,7 +100,7 @@ pub fn main() -> ExitCode {
         Command::Resume(arguments) => resume::run(&arguments, manner),
         Command::Check(arguments) => check::run(&arguments, manner),
         Command::Reproduce(arguments) => reproduce::run(&arguments, manner),
-        Command::Sweep(arguments) => sweep::run(&arguments, manner, command_line.threads),
+        Command::Sweep(arguments) => sweep::run(&arguments, manner),
         Command::Import(arguments) => import::run(&arguments, manner),
         Command::Inspect(arguments) => inspect::run(&arguments, manner),
         Command::Eq(arguments) => eq::run(&arguments, manner),

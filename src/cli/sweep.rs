@@ -35,25 +35,28 @@ struct Axis {
 const TRIAL: Duration = Duration::from_secs(3);
 
 /// Runs every combination that has not been run yet and writes the summary.
-pub fn run(arguments: &Arguments, manner: Manner, threads: Option<u16>) -> Result<(), Error> {
+pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
     let (_, text) = Case::read(&arguments.case)?;
     let axes = arguments.keys.iter().map(|argument| axis(argument)).collect::<Result<Vec<_>, _>>()?;
     let points = points(&arguments.case, &text, &axes)?;
     let stem = arguments.case.file_stem().unwrap_or_default();
     let out = arguments.out.clone().unwrap_or_else(|| Path::new("run").join(stem));
     std::fs::create_dir_all(&out).at(&out)?;
-    let workers = threads.map_or_else(|| std::thread::available_parallelism().map_or(1, usize::from), usize::from);
     if !manner.quiet {
-        manner.say(estimate(&points, &out, workers)?);
+        manner.say(estimate(&points, &out)?);
     }
     let bar = if manner.quiet { ProgressBar::hidden() } else { ProgressBar::new(points.len() as u64) };
     let style = ProgressStyle::with_template("{bar:24} {pos}/{len} runs, {eta} left");
     bar.set_style(style.expect("the template is well formed"));
     let failures = Mutex::new(Vec::new());
     let control = Control::new(None, None).map_err(|cause| Error::Io("signal handler".into(), cause))?;
-    carry_out(&points, &out, workers, &control, &|point, outcome| {
+    carry_out(&points, &out, &control, &|point, outcome| {
         let failed = outcome.is_err();
-        let outcome = outcome.map_or_else(|error| error.to_string(), str::to_string);
+        let outcome = match outcome {
+            Ok(true) => "finished".into(),
+            Ok(false) => "had finished before".into(),
+            Err(error) => error.to_string(),
+        };
         bar.suspend(|| manner.say(format!("{}: {outcome}", point.name)));
         bar.inc(1);
         if failed {
@@ -74,7 +77,8 @@ pub fn run(arguments: &Arguments, manner: Manner, threads: Option<u16>) -> Resul
 
 /// Runs the first combination that has not been begun for a moment, on one core, and says how long all will take. Nothing of it is lost:
 /// it is gone on with later.
-fn estimate(points: &[Point], out: &Path, workers: usize) -> Result<String, Error> {
+fn estimate(points: &[Point], out: &Path) -> Result<String, Error> {
+    let workers = rayon::current_num_threads();
     let new: Vec<&Point> = points.iter().filter(|point| !out.join(&point.name).exists()).collect();
     let Some(point) = new.first() else { return Ok(format!("{} runs, all begun before", points.len())) };
     let (mut stage, mut since, mut pace) = (String::new(), Instant::now(), None);

@@ -140,10 +140,8 @@ impl Plot {
             }
             next += usize::from(curve.mark != Mark::Guide);
             let style = ShapeStyle::from(&colour).stroke_width(if curve.mark == Mark::Line { 2 } else { 1 });
-            let (dotted, joined) = (
-                matches!(curve.mark, Mark::Dots | Mark::Points),
-                if curve.mark == Mark::Points { &[] } else { &points[..] },
-            );
+            let dotted = matches!(curve.mark, Mark::Dots | Mark::Points);
+            let joined = if curve.mark == Mark::Points { &[] } else { &points[..] };
             if dotted {
                 chart.draw_series(points.iter().map(|&p| Circle::new(p, 4, colour.filled())))?;
             }

@@ -11,18 +11,18 @@ use num_traits::One;
 
 type Row = Lanes<LANES>;
 
-/// Bodies and what pushes them: three rows of numbers for each.
+/// Bodies and what pushes them: four rows of numbers for each.
 pub struct Push {
     /// Place, velocity, scalar part of the orientation, mass.
-    pub state: Square,
+    state: Square,
     /// Vector part of the orientation, angular momentum, two moments of inertia.
-    pub turning: Square,
+    turning: Square,
     /// Force, torque, the third moment, how far the farthest sphere is.
-    pub loads: Square,
+    loads: Square,
     /// Orientation when neighbours were listed.
-    pub listed: Square,
+    listed: Square,
     /// Time step, ns.
-    pub dt: f64,
+    dt: f64,
 }
 
 impl Push {

@@ -34,12 +34,12 @@ impl Setting<'_> {
         std::fs::create_dir_all(&self.runs).at(&self.runs)?;
         let control = Control::new(None, None).map_err(|cause| Error::Io("signal handler".into(), cause))?;
         let (begin, state) = (Instant::now(), Mutex::new((0, 0, None)));
-        carry_out(points, &self.runs, rayon::current_num_threads(), &control, &|_, outcome| {
+        carry_out(points, &self.runs, &control, &|_, outcome| {
             let (done, new, failure) = &mut *state.lock().expect("no worker panics");
             match outcome {
-                Ok(how) => {
+                Ok(was_left) => {
                     *done += 1;
-                    *new += u32::from(how == "finished");
+                    *new += u32::from(was_left);
                     if *new > 0 {
                         let left = begin.elapsed() * (points.len() - *done) as u32 / *new;
                         (self.tell)(format!("{done} of {} runs, about {} left", points.len(), HumanDuration(left)));

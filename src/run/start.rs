@@ -65,8 +65,9 @@ pub fn launch(
     Ok((folder, findings))
 }
 
-/// Runs the case of a file in a folder, or goes on with it there, unless it has finished; says which.
-pub fn complete(file: &Path, root: &Path, control: &Control) -> Result<&'static str, Error> {
+/// Runs the case of a file in a folder, or goes on with it there, unless it has finished; says whether
+/// there was anything left to do.
+pub fn complete(file: &Path, root: &Path, control: &Control) -> Result<bool, Error> {
     let (case, text) = Case::read(file)?;
     let begun = RunFolder::open(root).and_then(|folder| Ok((Manifest::read(&folder)?, folder))).ok();
     let replace = begun.is_some();
@@ -75,14 +76,14 @@ pub fn complete(file: &Path, root: &Path, control: &Control) -> Result<&'static 
             return Err(Error::Usage("its run folder holds another case".into()));
         }
         if manifest.status == Status::Finished {
-            return Ok("had finished before");
+            return Ok(false);
         }
         if !folder.checkpoints().is_empty()? {
-            return resume(&case, &folder, manifest, control, &mut |_| {}).map(|_| "finished");
+            return resume(&case, &folder, manifest, control, &mut |_| {}).map(|_| true);
         }
     }
     // One that was killed before its first checkpoint begins again.
-    launch(file, root, replace, control, &mut |_| {}).map(|_| "finished")
+    launch(file, root, replace, control, &mut |_| {}).map(|_| true)
 }
 
 /// Goes on with a run from its latest checkpoint.

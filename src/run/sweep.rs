@@ -61,18 +61,17 @@ pub fn set(case: &mut Value, key: &str, value: &str) -> Result<(), Error> {
     Ok(())
 }
 
-/// Runs, or goes on with, whatever has not finished, each on one core, `workers` at a time; `ended` is told how. Once the control stops
-/// the runs, no other is begun.
+/// Runs, or goes on with, whatever has not finished, one on each core; `ended` is told whether there was anything left to do. Once the
+/// control stops the runs, no other is begun.
 pub fn carry_out(
     points: &[Point],
     out: &Path,
-    workers: usize,
     control: &Control,
-    ended: &(dyn Fn(&Point, Result<&'static str, Error>) + Sync),
+    ended: &(dyn Fn(&Point, Result<bool, Error>) + Sync),
 ) {
     let next = AtomicUsize::new(0);
     std::thread::scope(|scope| {
-        for _ in 0..workers.min(points.len()) {
+        for _ in 0..rayon::current_num_threads().min(points.len()) {
             scope.spawn(|| {
                 let core = ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
                 while !control.stops(0)

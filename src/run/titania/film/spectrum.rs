@@ -24,8 +24,8 @@ pub struct Spectrum {
 }
 
 /// The columns of the curve.
-const MOVED: &str = "tip moved [nm]";
-const FORCE: &str = "force on the tip [pN]";
+pub const MOVED: &str = "tip moved [nm]";
+pub const FORCE: &str = "force on the tip [pN]";
 /// The findings that a spectrum holds.
 pub const LARGEST: &str = "largest pull on the tip";
 pub const LAST: &str = "last peak of the pull";

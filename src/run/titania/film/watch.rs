@@ -1,7 +1,7 @@
 //! What is watched of a film under a tip: the force on the tip, and what contacts do.
 
 use super::contacts::Contacts;
-use super::spectrum::{LARGEST, LAST, WAY};
+use super::spectrum::{FORCE, LARGEST, LAST, MOVED, WAY};
 use super::{FIXED, Law, Stage, TIP};
 use crate::build::film::Bonding;
 use crate::observe::clusters::Clusters;
@@ -11,16 +11,8 @@ use crate::system::System;
 use serde::{Deserialize, Serialize};
 
 /// The columns of the series.
-pub const COLUMNS: [&str; 8] = [
-    "tip moved [nm]",
-    "force on the tip [pN]",
-    "menisci",
-    "bodies on the tip",
-    "slidings",
-    "rollings",
-    "detachments",
-    "necks",
-];
+pub const COLUMNS: [&str; 8] =
+    [MOVED, FORCE, "menisci", "bodies on the tip", "slidings", "rollings", "detachments", "necks"];
 
 /// Time between two looks at all contacts, ns.
 const LOOK: f64 = 0.05;
