@@ -22,7 +22,9 @@ pub struct Problem {
 
 impl fmt::Display for Problem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}:", self.file.display())?;
+        if !self.file.as_os_str().is_empty() {
+            write!(f, "{}:", self.file.display())?;
+        }
         if let Some(line) = self.line {
             write!(f, "{line}:")?;
         }
@@ -64,6 +66,11 @@ impl Error {
             Self::Io(..) => 74,
             Self::Stopped(_) => 75,
         }
+    }
+
+    /// One problem with the value of a key of the case, found when the file is no longer at hand.
+    pub fn of_key(key: impl Into<String>, what: impl Into<String>) -> Self {
+        Self::Input(vec![Problem { file: PathBuf::new(), line: None, key: key.into(), what: what.into() }])
     }
 
     /// One problem with a file as a whole.

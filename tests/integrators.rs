@@ -109,7 +109,7 @@ fn velocity_verlet_keeps_momentum_and_accounts_for_surfaces_and_necks_that_break
     account(&simulation);
     for _ in 0..10_000 {
         simulation.step().expect("a stable step");
-        let breaks = |held: &Stored<f64>| held.normal + held.tangential + held.rolling + held.torsion > 20.0;
+        let breaks = |held: &Stored<f64>| held.necks > 20.0;
         broken += simulation.break_necks(breaks).expect("neighbours").len();
     }
     account(&simulation);

@@ -116,7 +116,7 @@ fn a_neck_breaks_when_it_holds_more_than_it_can_and_the_energy_is_accounted_for(
         let mut broken = Vec::new();
         for _ in 0..200 {
             simulation.step().expect("a stable step");
-            let breaks = |held: &Stored<f64>| held.normal + held.tangential + held.rolling + held.torsion > strength;
+            let breaks = |held: &Stored<f64>| held.necks > strength;
             broken.extend(simulation.break_necks(breaks).expect("neighbours"));
         }
         let ledger = simulation.ledger();

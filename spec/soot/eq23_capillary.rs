@@ -12,7 +12,7 @@ use crate::{Real, equation};
 /// # Reading
 ///
 /// The formula has no direction; the force is attractive, along the normal on i. At $d_{\mathrm{cutoff}}$ it has not dropped to zero, as the text says, but to
-/// one half. Evaluated as $\psi / (1 + e^{2\kappa(d - d_{\mathrm{cutoff}})})$, which cancels nothing far away, with the exponential of a negative number only.
+/// one half. The distance is that of the centres whatever the radii: of two spheres larger than those of the paper, which touch at 28 nm, less is left. Evaluated as $\psi / (1 + e^{2\kappa(d - d_{\mathrm{cutoff}})})$, which cancels nothing far away, with the exponential of a negative number only.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

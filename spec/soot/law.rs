@@ -14,8 +14,9 @@ pub use wall::Wall;
 pub enum Torsion {
     /// By a spring and a dashpot, like every other motion.
     Spring,
-    /// By the dashpot alone, as in the published simulations: they turn the torsion spring into the contact plane, where nothing but
-    /// its last increment is left of it, and a twist meets no lasting resistance. See [`rotated_torsion`](super::def_spring::rotated_torsion).
+    /// By the dashpot alone: the published simulations turn the torsion spring into the contact plane, where nothing but
+    /// its last increment is left of it along the normal, and a twist meets no lasting resistance. What becomes of it in the plane, a spring that bends in a direction that rounding
+    /// decides, is left out. See [`rotated_torsion`](super::def_spring::rotated_torsion).
     AsPublished,
 }
 
@@ -30,13 +31,15 @@ flat_struct! {
 flat_struct! {
     /// What a pair holds, J, by cause.
     pub struct Stored {
-        /// Normal spring.
+        /// All four springs of a neck.
+        pub necks,
+        /// Normal spring of a contact.
         pub normal,
-        /// Tangential spring.
+        /// Tangential spring of a contact.
         pub tangential,
-        /// Rolling spring.
+        /// Rolling spring of a contact.
         pub rolling,
-        /// Torsion spring.
+        /// Torsion spring of a contact.
         pub torsion,
         /// Van der Waals attraction, zero at the cutoff and beyond.
         pub van_der_waals,
@@ -115,9 +118,11 @@ impl PairModel for Soot {
     fn stored<R: Real>(&self, c: &Contact<R>, k: &Coefficients<R>, memory: &Memory<R>) -> Stored<R> {
         let bonded = is_bonded(k);
         let attraction: Attraction<R> = lifted(&self.attraction);
-        let [normal, tangential, rolling, torsion] = self.springs(bonded).stored(bonded, c.gap, memory);
+        let held = self.springs(bonded).stored(bonded, c.gap, memory);
+        let necks = R::select(bonded, held[0] + held[1] + held[2] + held[3], R::zero());
+        let [normal, tangential, rolling, torsion] = held.map(|energy| R::select(bonded, R::zero(), energy));
         let (van_der_waals, capillary) = attraction.energies(c.distance, c.r_i, c.r_j);
-        Stored { normal, tangential, rolling, torsion, van_der_waals, capillary }
+        Stored { necks, normal, tangential, rolling, torsion, van_der_waals, capillary }
     }
 
     /// Largest distance of centres at which two spheres without a neck act on each other, m.
@@ -148,7 +153,7 @@ impl PairModel for Soot {
         let (wall, &Touch { gap, r, .. }) = (&self.walls[material], touch);
         let van_der_waals = if nearest { wall.energy(gap, r) } else { 0.0 };
         let [normal, tangential, rolling, torsion] = wall.stored(gap, memory);
-        Stored { normal, tangential, rolling, torsion, van_der_waals, capillary: 0.0 }
+        Stored { necks: 0.0, normal, tangential, rolling, torsion, van_der_waals, capillary: 0.0 }
     }
 }
 

@@ -48,7 +48,7 @@ fn moments<R: Real>(median: R, sigma_g: R, lo: R, hi: R) -> [R; 4] {
 /// | `median` | $m$ | 1 | >= 3 | median before the discretisation |
 /// | `s_g` | $\sigma_G$ | 1 | [1.2, 3] | geometric standard deviation |
 /// | `lo` | $d_{lo}$ | 1 | >= 3 | smallest diameter |
-/// | `hi` | $d_{hi}$ | 1 | >= 3 | largest diameter, not below the smallest |
+/// | `hi` | $d_{hi}$ | 1 | >= 3 | largest diameter, up to 31 above the smallest |
 /// | → `p` | $p$ | 1 | | share of the class |
 ///
 /// Rounding: at most 1.5 ULP.
@@ -73,7 +73,7 @@ pub fn lognormal_share<R: Real>(d: R, median: R, s_g: R, lo: R, hi: R) -> R {
 /// | `median` | $m$ | 1 | >= 3 | median before the discretisation |
 /// | `s_g` | $\sigma_G$ | 1 | [1.2, 3] | geometric standard deviation |
 /// | `lo` | $d_{lo}$ | 1 | >= 3 | smallest diameter |
-/// | `hi` | $d_{hi}$ | 1 | >= 3 | largest diameter, not below the smallest |
+/// | `hi` | $d_{hi}$ | 1 | >= 3 | largest diameter, up to 31 above the smallest |
 /// | → `mean` | $\langle d \rangle$ | 1 | | mean diameter |
 /// | → `sauter` | $\bar{d}_s$ | 1 | | Sauter diameter |
 /// | → `d_30` | $d_{30}$ | 1 | | diameter of the mean volume |

@@ -25,6 +25,7 @@ pub enum Solvation {
 /// repel bare surfaces that touch; in the convention of its source, where a force is positive when it repels, it
 /// attracts them. The stiffnesses that the authors' program derives by Eq. 9, and the paper's range of 20 to 45 GPa, come out with the latter only,
 /// so [`Solvation::Israelachvili`] is the default and [`Solvation::Printed`] the named alternative: they differ by the sign of `f_solv`.
+/// As printed, two particles at the distance at which Eq. 9 balances the forces are not at rest: the attraction grows faster than the contact resists, and they move to another distance.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

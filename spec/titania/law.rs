@@ -241,10 +241,12 @@ impl PairModel for Titania {
         contact.stored(c, attraction.potential(c.distance), spring)
     }
 
+    /// For two particles at rest; where attraction outweighs the contact there, as with Eqs. 3 to 5 as printed, for the contact alone.
     fn critical_time_step(&self, r: f64, m: f64) -> f64 {
         let (k, d) = (self.parameters(r, r, m, m), self.equilibrium(r, r));
         let (_, repulsion, _) = hertz(k.k_n, r + r - d, k.r_eff);
-        stable_time_step(effective_mass(m, m), repulsion - self.attraction(r, r).slope(d), k.gamma_n)
+        let stiffness = repulsion - self.attraction(r, r).slope(d);
+        stable_time_step(effective_mass(m, m), if stiffness > 0.0 { stiffness } else { repulsion }, k.gamma_n)
     }
 }
 

@@ -20,7 +20,7 @@
 //!
 //! # Choices
 //!
-//! Where the text allows several readings, each is a named option of [`law::Titania`]: the sign of the solvation force
+//! Where the text allows several readings, the equation says which is taken. Options of [`law::Titania`] are the sign of the solvation force
 //! ([`eq03_attraction::Solvation`]), what a slip leaves of the tangential spring ([`eq12_sliding::Slip`]), the damping constant of Eq. 7.
 
 pub mod attraction;

@@ -13,6 +13,7 @@ mod validation;
 
 pub use derived::{Critical, OF_WEAR, Scales};
 pub use film::*;
+pub use read::located;
 pub use schema::*;
 pub use soot::*;
 pub use titania::*;

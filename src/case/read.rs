@@ -4,7 +4,7 @@ use super::{Case, validation};
 use crate::error::{Error, Problem};
 use serde::de::{DeserializeSeed, Deserializer, IgnoredAny, MapAccess, Visitor};
 use std::fmt;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 impl Case {
     /// Reads and checks a case file; also returns its text.
@@ -16,15 +16,24 @@ impl Case {
 
     /// Reads and checks the text of a case file.
     pub fn parse(file: &Path, text: &str) -> Result<Self, Error> {
-        let case: Self = serde_yaml::from_str(text).map_err(|error| Error::Input(vec![problem(file, &error)]))?;
+        let mut case: Self = serde_yaml::from_str(text).map_err(|error| Error::Input(vec![problem(file, &error)]))?;
+        case.choose_necks();
         let found = validation::problems(&case);
         if found.is_empty() {
             return Ok(case);
         }
-        let locate =
-            |(key, what): (String, String)| Problem { file: file.into(), line: line_of(text, &key), key, what };
-        Err(Error::Input(found.into_iter().map(locate).collect()))
+        let problem = |(key, what): (String, String)| Problem { file: PathBuf::new(), line: None, key, what };
+        Err(located(Error::Input(found.into_iter().map(problem).collect()), file, text))
     }
+}
+
+/// Says of problems with keys in which file and line they are.
+pub fn located(error: Error, file: &Path, text: &str) -> Error {
+    let Error::Input(mut problems) = error else { return error };
+    for problem in problems.iter_mut().filter(|problem| problem.file.as_os_str().is_empty()) {
+        (problem.file, problem.line) = (file.into(), line_of(text, &problem.key));
+    }
+    Error::Input(problems)
 }
 
 /// Puts an error of the YAML reader into our form. Its text is `path: message at line 3 column 5`.

@@ -112,6 +112,9 @@ pub fn rounded(value: f64) -> String {
 
 /// An engine value written in `unit` with six digits, for people.
 pub fn in_unit(value: f64, unit_text: &str) -> String {
+    if !value.is_finite() {
+        return format!("{value} {unit_text}");
+    }
     let (_, power) = unit(unit_text).expect("units named in the source exist");
     format!("{} {unit_text}", rounded(shifted(&format!("{value:e}"), -power)))
 }
@@ -157,5 +160,6 @@ mod tests {
         assert_eq!(in_unit(73e3, "GPa"), "73 GPa");
         assert_eq!(in_unit(2.0 / 3.0 * 1e-3, "fs"), "666.667 fs");
         assert_eq!(in_unit(1.0, "kg"), "1e-21 kg");
+        assert_eq!(in_unit(f64::INFINITY, "fs"), "inf fs");
     }
 }

@@ -1,8 +1,8 @@
 //! `veridem check`: everything about a case short of running it.
 
 use super::{Manner, print};
-use crate::case::Case;
 use crate::error::Error;
+use crate::run::examine;
 use std::path::PathBuf;
 
 /// The arguments.
@@ -14,8 +14,7 @@ pub struct Arguments {
 
 /// Checks the case and prints it resolved.
 pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
-    let (case, _) = Case::read(&arguments.case)?;
-    let resolved = case.resolved();
+    let resolved = examine(&arguments.case)?.resolved();
     if manner.json {
         let value: serde_json::Value = serde_yaml::from_str(&resolved).expect("a resolved case is plain data");
         print(&format!("{value:#}\n"))

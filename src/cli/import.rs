@@ -1,7 +1,7 @@
 //! `veridem import`: what an aggregate of another program looks like, and its spheres as extended XYZ.
 
 use super::{Manner, print};
-use crate::build::aggregate::import::{Options, read};
+use crate::build::aggregate::import::{Imported, Options, read, read_necks};
 use crate::case::quantity::{Length, Quantity};
 use crate::error::Error;
 use crate::output::{extended_xyz, write_atomically};
@@ -19,6 +19,12 @@ pub struct Arguments {
     /// Radius of all spheres, such as `14 nm`, where the file has none
     #[arg(long, value_name = "LENGTH")]
     radius: Option<String>,
+    /// Format, where the content does not tell: flage, mstm, fracval, pyfracval, vtk, lammps or xyz
+    #[arg(long)]
+    format: Option<String>,
+    /// File of necks that soot-dem wrote beside the spheres
+    #[arg(long, value_name = "FILE")]
+    necks: Option<PathBuf>,
     /// Accept spheres that do not hang together
     #[arg(long)]
     disconnected: bool,
@@ -34,7 +40,9 @@ pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
         text.as_ref().map(parse).transpose()
     };
     let (unit, radius) = (length(&arguments.unit)?, length(&arguments.radius)?);
-    let options = Options { format: None, unit, radius, disconnected: arguments.disconnected };
+    let word = |text: &String| serde_yaml::from_str(text).map_err(|error| Error::Usage(format!("--format: {error}")));
+    let format = arguments.format.as_ref().map(word).transpose()?;
+    let options = Options { format, unit, radius, disconnected: arguments.disconnected };
     let imported = read(&arguments.file, &options)?;
     if let Some(path) = &arguments.out {
         let mut particles = Particles::default();
@@ -45,5 +53,12 @@ pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
         write_atomically(path, extended_xyz(&system, "imported").as_bytes())?;
         manner.say(format!("written: {}", path.display()));
     }
-    print(&format!("{:?}\n{}\n", imported.format, imported.report))
+    let necks = arguments.necks.as_ref().map(|file| read_necks(file, imported.spheres.len())).transpose()?;
+    let Imported { format, report, .. } = imported;
+    if manner.json {
+        let necks = necks.map(|necks| necks.len());
+        return print(&format!("{:#}\n", serde_json::json!({ "format": format, "necks": necks, "report": report })));
+    }
+    let necks = necks.map_or_else(String::new, |necks| format!("necks            {}\n", necks.len()));
+    print(&format!("{format:?}\n{report}\n{necks}"))
 }

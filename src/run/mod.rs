@@ -12,10 +12,10 @@ mod titania;
 mod wear;
 
 pub use control::Control;
-pub use report::{Series, report};
-pub use start::{complete, launch, resume};
+pub use report::{Event, Series, between, report};
+pub use start::{complete, examine, launch, resume};
 pub use study::Study;
-pub use titania::{Pull, Spectrum, between, rolling_resistance};
+pub use titania::{Pull, Spectrum, rolling_resistance};
 
 use crate::build::protocol::Progress;
 use crate::case::{Case, InSteps};

@@ -3,8 +3,9 @@
 use crate::case::Case;
 use crate::error::{AtPath, Error};
 use crate::figures::{Axis, Curve, Mark, Plot, Report, snapshot};
-use crate::output::{Finding, RunFolder, write_atomically};
+use crate::output::{Finding, RunFolder, read, write_atomically};
 use crate::system::System;
+use serde::Deserialize;
 use std::collections::BTreeMap;
 
 /// Draws the particles as they are now, with one of the axes pointing upwards.
@@ -49,30 +50,46 @@ const CURVES: [(&str, &[&str], &str, &str); 21] = [
     ("ledger", &[], "time [ns]", "relative residual"),
 ];
 
+/// Events that are marked where they happened on curves of one of these quantities, by a word of theirs.
+const MARKED: [&str; 4] = ["sliding", "rolling", "detachment", "breaks"];
+const MARKED_ON: [&str; 3] = ["pulling force [pN]", "force on the tip [pN]", "pull on the tip [pN]"];
+/// What the energies of all causes are drawn together as.
+const ENERGIES: &str = "energies";
+
 /// Makes figures and report of a finished run from what it has recorded.
 pub fn report(case: &Case, folder: &RunFolder, findings: &[Finding]) -> Result<(), Error> {
     let mut page = Report::new(&case.title);
     let rows: Vec<[String; 4]> =
         findings.iter().map(|f| [f.name.clone(), f.value.clone(), f.unit.clone(), f.target.clone()]).collect();
     page.table(&["quantity", "value", "unit", "target"], &rows);
-    let series = Series::read(folder)?;
+    let (series, events) = (Series::read(folder)?, Event::all(folder)?);
     for (name, stages, x, y) in CURVES {
         let labels = if stages.len() > 1 { stages } else { &[""] };
         let points = |k: usize| series.curve(stages.get(k).copied().unwrap_or_default(), x, y);
         let curves = labels.iter().enumerate().map(|(k, label)| Curve::new(*label, Mark::Line, points(k)));
-        let curves: Vec<Curve> = curves.filter(|curve| curve.points.len() > 1).collect();
-        if curves.is_empty() {
-            continue;
+        let mut curves: Vec<Curve> = curves.filter(|curve| curve.points.len() > 1).collect();
+        if let (true, Some(stage)) = (MARKED_ON.contains(&y), stages.last()) {
+            let marked = MARKED.map(|word| Curve::new(word, Mark::Points, series.marked(&events, stage, word, x, y)));
+            curves.extend(marked.into_iter().filter(|curve| !curve.points.is_empty()));
         }
-        let plot = Plot { title: name.into(), x: Axis::linear(x), y: Axis::linear(y), curves };
-        let svg = plot.svg();
-        write_atomically(&folder.figures().join(name).with_extension("svg"), svg.as_bytes())?;
-        page.figure(&svg, &format!("{y} against {x}"));
+        draw(folder, &mut page, name, Plot { title: name.into(), x: Axis::linear(x), y: Axis::linear(y), curves })?;
     }
+    let (x, y) = (Axis::linear(TIME), Axis::linear("change of energy [aJ]"));
+    draw(folder, &mut page, ENERGIES, Plot { title: ENERGIES.into(), x, y, curves: series.energies() })?;
     for (name, svg) in pictures(folder)? {
         page.figure(&svg, &name);
     }
     write_atomically(&folder.report(), page.finish().as_bytes())
+}
+
+fn draw(folder: &RunFolder, page: &mut Report, name: &str, plot: Plot) -> Result<(), Error> {
+    if plot.curves.is_empty() {
+        return Ok(());
+    }
+    let svg = plot.svg();
+    write_atomically(&folder.figures().join(name).with_extension("svg"), svg.as_bytes())?;
+    page.figure(&svg, &format!("{} against {}", plot.y.label, plot.x.label));
+    Ok(())
 }
 
 /// Snapshots made during the run, in the order of their names.
@@ -81,12 +98,35 @@ fn pictures(folder: &RunFolder) -> Result<BTreeMap<String, String>, Error> {
     for entry in std::fs::read_dir(folder.figures()).at(&folder.figures())? {
         let path = entry.at(&folder.figures())?.path();
         let name = path.file_stem().unwrap_or_default().to_string_lossy().to_string();
-        if !CURVES.iter().any(|curve| curve.0 == name) {
+        if name != ENERGIES && !CURVES.iter().any(|curve| curve.0 == name) {
             found.insert(name, std::fs::read_to_string(&path).at(&path)?);
         }
     }
     Ok(found)
 }
+
+/// Something that happened in a run.
+#[derive(Deserialize)]
+pub struct Event {
+    /// The stage.
+    pub stage: String,
+    /// When, ns.
+    pub time_ns: f64,
+    /// What.
+    pub event: String,
+}
+
+impl Event {
+    /// All that a run has written down.
+    pub fn all(folder: &RunFolder) -> Result<Vec<Self>, Error> {
+        let path = folder.events();
+        let lines = read(&path)?;
+        let lines = lines.split(|&byte| byte == b'\n').filter(|line| !line.is_empty());
+        lines.map(|line| serde_json::from_slice(line).map_err(|error| Error::input(&path, error.to_string()))).collect()
+    }
+}
+
+const TIME: &str = "time [ns]";
 
 /// The time series of a run, read back.
 pub struct Series {
@@ -108,6 +148,33 @@ impl Series {
         Ok(Self { columns, rows })
     }
 
+    /// Where the events with a word were on the curve of a stage.
+    fn marked(&self, events: &[Event], stage: &str, word: &str, x: &str, y: &str) -> Vec<(f64, f64)> {
+        let [x, y] = [x, y].map(|column| self.curve(stage, TIME, column));
+        let these = events.iter().filter(|event| event.stage == stage && event.event.contains(word));
+        these.filter_map(|event| Some((between(&x, event.time_ns)?, between(&y, event.time_ns)?))).collect()
+    }
+
+    /// How the energies of all causes, and all that was lost, have changed since the beginning, aJ against time; without what is too little to be seen.
+    fn energies(&self) -> Vec<Curve> {
+        let change = |column: &str| -> Vec<(f64, f64)> {
+            let points = self.curve("", TIME, column);
+            points.iter().map(|point| (point.0, 1e-3 * (point.1 - points[0].1))).collect()
+        };
+        let of = |text: &str| self.columns.iter().filter(|column| column.contains(text)).collect::<Vec<_>>();
+        let mut curves: Vec<(&str, Vec<(f64, f64)>)> = of(" energy [zJ]")
+            .iter()
+            .map(|column| (&column[..column.len() - " energy [zJ]".len()], change(column)))
+            .collect();
+        let lost: Vec<_> = of("lost to ").iter().map(|column| change(column)).collect();
+        let sum = |k: usize| lost.iter().map(|points| points[k].1).sum();
+        curves.push(("lost", (0..lost[0].len()).map(|k| (lost[0][k].0, sum(k))).collect()));
+        let size = |points: &[(f64, f64)]| points.iter().map(|point| point.1.abs()).fold(0.0, f64::max);
+        let largest = curves.iter().map(|curve| size(&curve.1)).fold(0.0, f64::max);
+        let seen = curves.into_iter().filter(|curve| largest > 0.0 && size(&curve.1) > 0.01 * largest);
+        seen.map(|(name, points)| Curve::new(name, Mark::Line, points)).collect()
+    }
+
     /// The points of one column against another in one stage, or in all for an empty name.
     pub fn curve(&self, stage: &str, x: &str, y: &str) -> Vec<(f64, f64)> {
         let place = |name: &str| self.columns.iter().position(|column| column == name);
@@ -115,4 +182,10 @@ impl Series {
         let of_stage = self.rows.iter().filter(|row| stage.is_empty() || row[0] == stage);
         of_stage.filter_map(|row| Some((row[x].parse().ok()?, row[y].parse().ok()?))).collect()
     }
+}
+
+/// A curve at a place, between its points.
+pub fn between(curve: &[(f64, f64)], x: f64) -> Option<f64> {
+    let ((a, f), (b, g)) = curve.iter().zip(&curve[1..]).find(|(p, q)| p.0 <= x && x <= q.0 && p.0 < q.0)?;
+    Some(f + (g - f) * (x - a) / (b - a))
 }

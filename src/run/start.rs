@@ -1,13 +1,13 @@
 //! From a case to the run of its paper.
 
 use super::{Control, Glance, Run, Study, soot, titania, wear};
-use crate::case::{Amorphous, Case, Model, Sample};
+use crate::case::{Amorphous, Case, Model, Sample, located};
 use crate::error::{AtPath, Error};
 use crate::output::{Finding, Manifest, RunFolder, Status, sha256_file, write_atomically};
 use crate::spec::Necked;
 use crate::spec::titania::Tabulated;
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Does the same with the plan of any paper.
 macro_rules! with_plan {
@@ -47,22 +47,39 @@ pub fn launch(
 ) -> Result<(RunFolder, Vec<Finding>), Error> {
     let (case, text) = Case::read(file)?;
     let mut inputs = BTreeMap::from([(file.display().to_string(), sha256_file(file)?)]);
-    let read = match &case.sample {
-        Sample::Amorphous(Amorphous { load, .. }) => load.clone(),
-        _ => None,
-    };
-    for file in read.into_iter().chain(case.soot_files()) {
-        std::fs::metadata(&file).map_err(|cause| Error::NoInput(file.clone(), cause))?;
+    for file in files(&case)? {
         inputs.insert(file.display().to_string(), sha256_file(&file)?);
     }
     // Whatever is wrong with the input is found before anything is written.
-    let initial = with_plan!(case, plan => plan.initial()?);
+    let initial = with_plan!(case, plan => plan.initial()).map_err(|error| located(error, file, &text))?;
     let folder = RunFolder::create(root, replace)?;
     write_atomically(&folder.case(), text.as_bytes())?;
     write_atomically(&folder.resolved(), case.resolved().as_bytes())?;
     let manifest = Manifest::begin(case.seed, inputs);
     let findings = with_plan!(case, plan => Run::new(&case, plan, &folder, manifest, control, show).start(initial)?);
     Ok((folder, findings))
+}
+
+/// The files that a case reads, all of which are there.
+fn files(case: &Case) -> Result<Vec<PathBuf>, Error> {
+    let sample = match &case.sample {
+        Sample::Amorphous(Amorphous { load, .. }) => load.clone(),
+        Sample::Film(film) => film.load.clone(),
+        _ => None,
+    };
+    let files: Vec<PathBuf> = sample.into_iter().chain(case.soot_files()).collect();
+    for file in &files {
+        std::fs::metadata(file).map_err(|cause| Error::NoInput(file.clone(), cause))?;
+    }
+    Ok(files)
+}
+
+/// Looks at everything about the case of a file short of running it.
+pub fn examine(file: &Path) -> Result<Case, Error> {
+    let (case, text) = Case::read(file)?;
+    files(&case)?;
+    with_plan!(case, plan => plan.examine()).map_err(|error| located(error, file, &text))?;
+    Ok(case)
 }
 
 /// Runs the case of a file in a folder, or goes on with it there, unless it has finished; says whether

@@ -18,6 +18,10 @@ pub trait Study {
 
     /// The names of the stages.
     fn stages(&self) -> Vec<&'static str>;
+    /// Looks at what the case needs beside itself, short of computing anything.
+    fn examine(&self) -> Result<(), Error> {
+        Ok(())
+    }
     /// The particles before the first stage.
     fn initial(&self) -> Result<System, Error>;
     /// True for a stage that starts from the sample, false for one that makes it.

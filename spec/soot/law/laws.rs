@@ -49,7 +49,7 @@ proptest! {
                     let grip = law.pair(&c, &k, memory, dt);
                     let stored = law.stored(&c, &k, &grip.memory);
                     let vectors = [grip.wrench.force, grip.wrench.torque_i, grip.wrench.torque_j];
-                    let numbers = (0..7).map(|k| *grip.memory.at(k)).chain((0..5).map(|k| *grip.losses.at(k))).chain((0..6).map(|k| *stored.at(k)));
+                    let numbers = (0..7).map(|k| *grip.memory.at(k)).chain((0..5).map(|k| *grip.losses.at(k))).chain((0..7).map(|k| *stored.at(k)));
                     prop_assert!(vectors.iter().flat_map(|v| v.0).chain(numbers).all(f64::is_finite));
                 }
             }

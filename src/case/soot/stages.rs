@@ -47,7 +47,7 @@ section! {
         turn_rate: Quantity<Rate> = quantity("0.1 1/ns"),
         /// When it turns round.
         turn: Quantity<Time> = quantity("10.8 ns"),
-        /// Natural frequency of the cantilever, Eq. 30.
+        /// Natural frequency of the cantilever, in cycles: the angular frequency of Eq. 30 is 2 pi times as large.
         cantilever: Quantity<Rate> = quantity("0.07 1/ns"),
         /// How long it is watched.
         duration: InSteps = Scaled::Absolute(quantity("500 ns")),

@@ -125,7 +125,13 @@ fn interactions(titania: &Titania, found: &mut Found) {
     let between = "more than 0 and less than 1";
     expect(found, humidity > 0.0 && humidity < 1.0, &at("humidity"), decimal(humidity), between);
     let angle = titania.contact_angle;
-    expect(found, (0.0..1.5).contains(&angle), &at("contact_angle"), decimal(angle), "at least 0 and less than 1.5");
+    expect(
+        found,
+        (0.0..1.5).contains(&angle),
+        &at("contact_angle"),
+        decimal(angle),
+        "radians, at least 0 and less than 1.5",
+    );
     for (key, value, text) in [
         ("density", titania.density.value, titania.density.to_string()),
         ("temperature", titania.temperature.value, titania.temperature.to_string()),

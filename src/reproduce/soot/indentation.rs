@@ -66,7 +66,7 @@ fn plan(protocol: &Protocol, seed: u64) -> Plan {
     Plan {
         seed,
         max_overlap: defaults::<Limits>().overlap,
-        soot: Soot { necks: NeckSet::S, cutoff: quantity("42 nm"), ..defaults() },
+        soot: Soot { necks: Some(NeckSet::S), cutoff: quantity("42 nm"), ..defaults() },
         sample: Aggregate { spheres: protocol.spheres, neck_fraction: 1.0, ..defaults() },
         stages: vec![
             SootStage::Deposition(defaults()),
@@ -76,6 +76,7 @@ fn plan(protocol: &Protocol, seed: u64) -> Plan {
                 ..defaults()
             }),
         ],
+        keys: Vec::new(),
     }
 }
 

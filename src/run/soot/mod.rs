@@ -4,7 +4,7 @@ mod stage;
 pub mod watch;
 
 use super::Study;
-use crate::build::aggregate::necks::{keep_fraction, necks};
+use crate::build::aggregate::necks::{Neck, keep_fraction, necks};
 use crate::build::aggregate::{Method, Radii, Recipe, Sphere, aggregate, import};
 use crate::build::protocol::Progress;
 use crate::case::quantity::{Length, Quantity};
@@ -34,6 +34,8 @@ pub struct Plan {
     pub sample: Aggregate,
     /// What is done to it, one after the other.
     pub stages: Vec<SootStage>,
+    /// The keys of the stages in the case.
+    pub keys: Vec<String>,
 }
 
 /// How much farther than their range neighbours are listed, in radii: spheres that collapse take tens of thousands of steps for this way.
@@ -47,7 +49,8 @@ impl Plan {
     pub fn of(case: &Case) -> Self {
         let (soot, sample, stages) = case.soot().expect("a checked case of the soot paper is complete");
         let (soot, sample) = (soot.clone(), sample.clone());
-        Self { seed: case.seed, max_overlap: case.limits.overlap, soot, sample, stages }
+        let keys = stages.iter().enumerate().map(|(number, stage)| case.soot_key(number, stage)).collect();
+        Self { seed: case.seed, max_overlap: case.limits.overlap, soot, sample, stages, keys }
     }
 }
 
@@ -65,14 +68,28 @@ impl Plan {
         serde_json::to_string(&(&self.soot, &sample)).expect("a case is plain data")
     }
 
-    /// The spheres of the sample, about their centre of mass.
+    /// The spheres of the sample, about their centre of mass, and its necks.
+    fn aggregate(&self) -> Result<(Vec<Sphere>, Vec<Neck>), Error> {
+        let spheres = self.spheres()?;
+        let joined = match self.sample.import.as_ref().and_then(|import| import.necks.as_ref()) {
+            Some(file) => import::read_necks(file, spheres.len())?,
+            None => necks(&spheres, self.sample.neck_distance.value, !self.sample.neck_cycles),
+        };
+        Ok((spheres, keep_fraction(&joined, self.sample.neck_fraction, self.seed)))
+    }
+
     fn spheres(&self) -> Result<Vec<Sphere>, Error> {
         let sample = &self.sample;
-        if let Some(Import { file, unit, radius, disconnected }) = &sample.import {
+        if let Some(Import { file, format, unit, radius, disconnected, .. }) = &sample.import {
             let length = |quantity: &Option<Quantity<Length>>| quantity.as_ref().map(|length| length.value);
-            let (unit, radius, disconnected) = (length(unit), length(radius), *disconnected);
-            let options = import::Options { format: None, unit, radius, disconnected };
-            return Ok(centred(import::read(file, &options)?.spheres));
+            let (unit, radius) = (length(unit), length(radius));
+            let options = import::Options { format: *format, unit, radius, disconnected: *disconnected };
+            let spheres = centred(import::read(file, &options)?.spheres);
+            let extreme = |of: fn(f64, f64) -> f64| spheres.iter().map(|sphere| sphere.radius).reduce(of);
+            let radii = [extreme(f64::min), extreme(f64::max)].map(|r| r.expect("a file without spheres is refused"));
+            let tests = self.stages.iter().zip(&self.keys);
+            let trouble = tests.flat_map(|(stage, key)| self.soot.trouble(radii, stage.dt(), key)).next();
+            return trouble.map_or(Ok(spheres), |(key, what)| Err(Error::of_key(key, what)));
         }
         let median = sample.radius.value;
         let recipe = Recipe {
@@ -89,8 +106,15 @@ impl Plan {
                 Growth::Spheres => Method::Spheres,
             },
         };
-        aggregate(&recipe, self.seed).map_err(|failure| Error::Usage(failure.to_string()))
+        aggregate(&recipe, self.seed).map_err(|failure| Error::of_key("sample.aggregate", failure.to_string()))
     }
+}
+
+/// The radius that lengths are counted in: half of the spheres are smaller.
+fn median_radius(Particles { radius, .. }: &Particles) -> f64 {
+    let mut radii = radius.clone();
+    radii.sort_unstable_by(f64::total_cmp);
+    radii[radii.len() / 2]
 }
 
 /// The same spheres with their centre of mass at the origin.
@@ -110,6 +134,10 @@ impl Study for Plan {
         self.stages.iter().map(SootStage::name).collect()
     }
 
+    fn examine(&self) -> Result<(), Error> {
+        self.initial().map(drop)
+    }
+
     fn initial(&self) -> Result<System, Error> {
         // Files that a later stage needs are looked at before anything is computed.
         self.stages.iter().try_for_each(|stage| stage::solid(stage).map(drop))?;
@@ -120,9 +148,7 @@ impl Study for Plan {
             }
             return Ok(system);
         }
-        let spheres = self.spheres()?;
-        let joined = necks(&spheres, self.sample.neck_distance.value, true);
-        let kept = keep_fraction(&joined, self.sample.neck_fraction, self.seed);
+        let (spheres, kept) = self.aggregate()?;
         let mut particles = Particles::default();
         let reach = spheres.iter().map(|sphere| sphere.centre.norm() + sphere.radius).fold(0.0, f64::max);
         for &Sphere { centre, radius } in &spheres {
@@ -142,7 +168,7 @@ impl Study for Plan {
     }
 
     fn set_up(&self, stage: usize, system: System) -> Result<System, Error> {
-        let ground = Ground { seed: self.seed, radius: self.sample.radius.value };
+        let ground = Ground { seed: self.seed, radius: median_radius(&system.particles) };
         stage::set_up(&self.stages[stage], &ground, system)
     }
 
@@ -155,13 +181,13 @@ impl Study for Plan {
         law
     }
 
-    fn settings(&self, stage: usize, _: &System) -> Settings {
+    fn settings(&self, stage: usize, system: &System) -> Settings {
         Settings {
             dt: self.stages[stage].dt().value,
             integrator: self.stages[stage].integrator().engine(),
             far_every: self.stages[stage].attraction_every(),
             damping: 0.0,
-            skin: SKIN * self.sample.radius.value,
+            skin: SKIN * median_radius(&system.particles),
             max_overlap: self.max_overlap,
             relax_box: None,
             instructions: Instructions::best(),
@@ -203,8 +229,7 @@ impl Study for Plan {
         if !simulation.system().step.is_multiple_of(EXAMINED) {
             return Ok(Vec::new());
         }
-        let broken = simulation
-            .break_necks(|held| held.normal + held.tangential + held.rolling + held.torsion > strength.value)?;
+        let broken = simulation.break_necks(|held| held.necks > strength.value)?;
         Ok(broken.iter().map(|(i, j)| format!("the neck of {i} and {j} breaks")).collect())
     }
 

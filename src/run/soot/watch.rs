@@ -9,17 +9,16 @@ use crate::simulation::Simulation;
 use crate::spec::Vec3;
 use crate::spec::soot;
 use crate::spec::soot::{SUBSTRATE, TIP};
-use crate::system::{Particles, Surface, System};
+use crate::system::{Forces, Particles, Surface, System};
 use serde::{Deserialize, Serialize};
 
 /// The columns of the series.
-pub const COLUMNS: [&str; 20] = [
+pub const COLUMNS: [&str; 19] = [
     "coordination number",
     "convexity",
     "gyration radius [nm]",
     "height [nm]",
     "necks",
-    "lost to breaking [zJ]",
     "energy at surfaces [zJ]",
     "lost at surfaces [zJ]",
     "work of surfaces [zJ]",
@@ -78,17 +77,14 @@ impl Watch {
         let account = ledger.surfaces;
         let mut cells: Vec<Cell> = shape(system).into_iter().chain([height(system)]).map(Cell::Number).collect();
         cells.push(Cell::Count(system.necks.len() as u64));
-        cells.push(Cell::Number(ledger.lost_to_breaking));
         let energies = [account.stored.iter().sum(), account.lost.iter().sum(), account.work];
         cells.extend(energies.map(Cell::Number));
-        let vertical = |surface: &Surface| {
-            let force = surface.force;
-            [force.contact, force.friction, force.van_der_waals].map(|force| Cell::Number(force.0[2]))
-        };
         match surface(system, SUBSTRATE) {
             Some(substrate) => {
                 cells.push(Cell::Count(spheres_on(&system.particles, substrate)));
-                cells.extend(vertical(substrate));
+                // The friction of a level substrate has no vertical part.
+                let Forces { contact, friction, van_der_waals } = substrate.force;
+                cells.extend([contact.0[2], friction.norm(), van_der_waals.0[2]].map(Cell::Number));
             }
             None => cells.extend(vec![Cell::Nothing; 4]),
         }
@@ -96,7 +92,8 @@ impl Watch {
         match (surface(system, TIP), &self.curve) {
             (Some(tip), Some(curve)) => {
                 cells.extend([Cell::Number(tip.way.0[2]), Cell::Count(spheres_on(&system.particles, tip))]);
-                cells.extend(vertical(tip));
+                let Forces { contact, friction, van_der_waals } = tip.force;
+                cells.extend([contact, friction, van_der_waals].map(|force| Cell::Number(force.0[2])));
                 cells.extend([-tip.force.total().0[2], curve.reading()].map(Cell::Number));
             }
             _ => cells.extend(vec![Cell::Nothing; 7]),

@@ -5,7 +5,7 @@ mod pull;
 mod stage;
 mod watch;
 
-pub use film::{Plan as Film, Spectrum, between};
+pub use film::{Plan as Film, Spectrum};
 pub use pull::Pull;
 pub use watch::rolling_resistance;
 
@@ -140,7 +140,7 @@ impl Study for Plan {
     }
 
     fn end(&self, _: usize, simulation: Simulation<Titania>) -> Result<System, Error> {
-        Ok(simulation.into_system())
+        Ok(simulation.into_system_with_springs())
     }
 
     fn parts(&self, stage: usize) -> u64 {

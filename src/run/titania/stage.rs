@@ -107,7 +107,8 @@ impl Stage {
     }
 }
 
-/// Holds the first two particles of a chain and drives the last two.
+/// Holds the first two particles of a chain and drives the last two, each two as one that does not turn. The paper drives and holds their centres of mass alone: its
+/// outermost particles may turn about each other.
 fn ends(system: &mut System, particles: u32, driven: [Motion; 3]) {
     system.add_wall(HELD, |p, i| p.id[i] < 2);
     system.add_wall(driven, |p, i| p.id[i] + 2 >= particles);

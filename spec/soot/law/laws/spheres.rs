@@ -67,7 +67,7 @@ impl<const N: usize> Spheres<N> {
         let stored = Self::pairs().map(|(i, j)| {
             let k = Coefficients { bonded: self.bonded };
             let s = self.law.stored(&self.contact(i, j), &k, &self.springs[i * N + j]);
-            s.normal + s.tangential + s.rolling + s.torsion + s.van_der_waals + s.capillary
+            (0..7).map(|k| *s.at(k)).sum::<f64>()
         });
         kinetic.sum::<f64>() + stored.sum::<f64>()
     }

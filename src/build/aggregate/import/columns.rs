@@ -66,7 +66,10 @@ pub fn xyz(source: &Source) -> Result<Raw, Error> {
         };
         raw.push(source, k, [x, y, z], radius.and_then(|column| words.get(column).copied()))?;
     }
-    Ok(raw)
+    match lines.find(|(_, line)| !line.is_empty()) {
+        Some((k, _)) => Err(source.at(k, &format!("found more rows than the {number} spheres of the first line"))),
+        None => Ok(raw),
+    }
 }
 
 /// Where position and radius are in rows that are described as `species:S:1:pos:R:3:radius:R:1`.

@@ -10,28 +10,30 @@ pub use report::Report;
 pub use vtk::read_necks;
 
 use super::Sphere;
+use crate::case::section::words;
 use crate::error::{Error, Problem};
 use crate::observe::morphology::components;
 use crate::spec::Vec3;
 use std::path::Path;
 
-/// Who wrote the file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Format {
-    /// XML with `position` elements, in monomer radii.
-    Flage,
-    /// Rows `r x y z`.
-    Mstm,
-    /// Rows `x y z r`.
-    FracVal,
-    /// Rows `x y z r` below a header of comments.
-    PyFracVal,
-    /// Legacy VTK points, in monomer radii.
-    Vtk,
-    /// A data file with a section `Atoms # sphere`.
-    Lammps,
-    /// A number, a comment, rows `species x y z`, perhaps with a radius.
-    Xyz,
+words! {
+    /// Who wrote the file.
+    pub enum Format {
+        /// XML with `position` elements, in monomer radii.
+        Flage = "flage",
+        /// Rows `r x y z`.
+        Mstm = "mstm",
+        /// Rows `x y z r`.
+        FracVal = "fracval",
+        /// Rows `x y z r` below a header of comments.
+        PyFracVal = "pyfracval",
+        /// Legacy VTK points of soot-dem, in monomer radii.
+        Vtk = "vtk",
+        /// A data file with a section `Atoms # sphere`.
+        Lammps = "lammps",
+        /// A number, a comment, rows `species x y z`, perhaps with a radius.
+        Xyz = "xyz",
+    }
 }
 
 /// What the file does not say.
@@ -92,7 +94,7 @@ pub fn parse(file: &Path, text: &str, options: &Options) -> Result<Imported, Err
     let spheres = scaled(&source, &raw, format, options)?;
     let parts = components(&spheres);
     if parts > 1 && !options.disconnected {
-        let what = format!("found {parts} parts that do not touch, expected one; `disconnected: true` accepts them");
+        let what = format!("found {parts} parts that do not touch, expected one; `disconnected` accepts them");
         return Err(Error::input(file, what));
     }
     Ok(Imported { format, report: Report::of(&spheres, parts), spheres })

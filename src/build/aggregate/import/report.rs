@@ -3,13 +3,14 @@
 use crate::build::aggregate::Sphere;
 use crate::observe::morphology::{Extent, gyration_radius, pairs_within};
 use crate::spec::Real;
+use serde::Serialize;
 use std::fmt;
 
 /// Surfaces that are deeper in each other than this part of the mean diameter overlap: files in single precision stay below it.
 const OVERLAP: f64 = 1e-6;
 
 /// Figures for people.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Report {
     /// Number of spheres.
     pub number: usize,
@@ -94,7 +95,8 @@ impl fmt::Display for Report {
         writeln!(f, "gyration radius  {:.4} nm", self.r_g)?;
         writeln!(f, "D_f (estimate)   {}", or_none(self.d_f.map(|d| format!("{d:.2}"))))?;
         writeln!(f, "k_f (estimate)   {}", or_none(self.k_f.map(|k| format!("{k:.2}"))))?;
-        writeln!(f, "smallest gap     {}", or_none(self.smallest_gap.map(|gap| format!("{gap:.3e} nm"))))?;
+        let gap = self.smallest_gap.map_or("more than a radius".into(), |gap| format!("{gap:.3e} nm"));
+        writeln!(f, "smallest gap     {gap}")?;
         writeln!(f, "overlaps         {}", self.overlaps)?;
         write!(f, "components       {}", self.components)
     }

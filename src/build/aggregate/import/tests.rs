@@ -58,6 +58,7 @@ fn errors_name_file_line_and_what_was_expected() {
         ("1 0 0 0\n1 0 2 x\n", ":2: found `x`, expected a number"),
         ("3\n\nC 0 0 0\nC 0 0 2\n", ":5: found 2 spheres, expected 3"),
         ("1\n\nC 0 0\n", ":3: found 3 columns, expected at least 4"),
+        ("1\n\nC 0 0 0\nC 0 0 2\n", ":4: found more rows than the 1 spheres"),
         (
             "<geometry_complex>\n<particle><position>1, 2</position></particle></geometry_complex>",
             ":2: found 2 numbers, expected the 3",
@@ -75,6 +76,23 @@ fn errors_name_file_line_and_what_was_expected() {
         let trouble = parse(Path::new("a.txt"), text, &BOTH).unwrap_err().to_string();
         assert!(trouble.starts_with("a.txt:") && trouble.contains(expected), "{text}: {trouble}");
     }
+}
+
+#[test]
+fn a_format_may_be_given_where_the_rows_do_not_tell() {
+    let rows = "2 4 2 2\n2 2 2 2\n";
+    let read = |format| parse(Path::new("a.txt"), rows, &Options { format, unit: Some(1.0), ..Options::default() });
+    assert!(read(None).unwrap_err().to_string().contains("format: is missing"));
+    let first = |format| read(Some(format)).unwrap().spheres[0].centre;
+    assert_eq!(first(Format::Mstm), Vec3([4.0, 2.0, 2.0]));
+    assert_eq!(first(Format::FracVal), Vec3([2.0, 4.0, 2.0]));
+}
+
+#[test]
+fn anything_may_stand_between_the_numbers_of_flage() {
+    let text = "<!DOCTYPE g>\n<g><particle><position>X=0.0sep <!-- y -->1e0; Z:-2</position></particle></g>";
+    let found = parse(Path::new("a.xml"), text, &Options { radius: Some(14.0), ..Options::default() }).unwrap();
+    assert_eq!(found.spheres[0].centre, Vec3([0.0, 14.0, -28.0]));
 }
 
 #[test]

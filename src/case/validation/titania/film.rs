@@ -36,17 +36,18 @@ pub fn sample(film: &Film, thick: &str, core_gap: f64, found: &mut Found) {
     let median = numbers.median;
     let inside = median >= 1.0 && median <= numbers.largest as f64;
     expect(found, inside, &at("aggregates.median"), decimal(median), "at least 1 and at most the largest number");
-    for (key, value) in [
-        ("aggregates.deviation", numbers.deviation),
-        ("prefactor", film.prefactor),
-        ("gas.temperature", film.gas.temperature.value),
-        ("gas.viscosity", film.gas.viscosity.value),
-        ("gas.free_path", film.gas.free_path.value),
-        ("drift", film.drift.value),
+    for (key, value, text) in [
+        ("aggregates.deviation", numbers.deviation, decimal(numbers.deviation)),
+        ("prefactor", film.prefactor, decimal(film.prefactor)),
+        ("gas.temperature", film.gas.temperature.value, film.gas.temperature.to_string()),
+        ("gas.viscosity", film.gas.viscosity.value, film.gas.viscosity.to_string()),
+        ("gas.free_path", film.gas.free_path.value, film.gas.free_path.to_string()),
+        ("drift", film.drift.value, film.drift.to_string()),
     ] {
-        expect(found, value > 0.0, &at(key), decimal(value), "more than zero");
+        expect(found, value > 0.0, &at(key), text, "more than zero");
     }
-    expect(found, numbers.largest >= 1, &at("aggregates.largest"), numbers.largest, "1 or more");
+    let (largest, most) = (numbers.largest, "1 to 1000000");
+    expect(found, (1..=1_000_000).contains(&largest), &at("aggregates.largest"), largest, most);
     expect(found, film.cluster >= 1, &at("cluster"), film.cluster, "1 or more");
     let (d_f, range) = (film.dimension, "more than 1 and at most 3");
     expect(found, d_f > 1.0 && d_f <= 3.0, &at("dimension"), decimal(d_f), range);
@@ -67,6 +68,10 @@ pub fn test(film: &Film, test: &Spectroscopy, thick: &str, core_gap: f64, found:
     ] {
         expect(found, value > 0.0, &at(key), text, "more than zero");
     }
+    let (average, dt) = (&test.average, &test.dt);
+    let down = test.depth.value / test.speed.value;
+    let window = format!("at least a time step, {dt}, and less than the tip takes for its depth");
+    expect(found, (dt.value..down).contains(&average.value), &at("average"), average, &window);
     expect(found, test.drag.value >= 0.0, &at("drag"), &test.drag, "zero or more");
     let (radius, side) = (&test.tip.radius, &test.tip.side);
     expect(found, 2.0 * radius.value > core_gap, &at("tip.radius"), radius, &format!("half of a diameter {thick}"));

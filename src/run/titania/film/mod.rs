@@ -6,7 +6,7 @@ mod spectrum;
 mod tip;
 mod watch;
 
-pub use spectrum::{Spectrum, between};
+pub use spectrum::Spectrum;
 
 use crate::build::film::{Film, FilmSphere};
 use crate::build::protocol::Progress;
@@ -153,7 +153,7 @@ impl<M: Law> Study for Plan<M> {
             return Ok(system);
         }
         let film = self.film.plan().build(self.seed);
-        let film = film.map_err(|failure| Error::Usage(failure.to_string()))?;
+        let film = film.map_err(|failure| Error::of_key("sample.film", failure.to_string()))?;
         Ok(film.system(M::BONDING, |d| self.titania.particle(d)))
     }
 

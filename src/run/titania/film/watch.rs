@@ -112,6 +112,14 @@ impl Watch {
         let mut found = match stage {
             Stage::Relaxation => Vec::new(),
             Stage::Approach => vec![
+                Finding::words(
+                    "end of the approach",
+                    if self.force() < setpoint {
+                        "at its greatest depth, below the setpoint"
+                    } else {
+                        "at the setpoint"
+                    },
+                ),
                 Finding::number("force at the end of the approach", self.force(), "pN", Some(setpoint)),
                 Finding::number("depth of the approach", -self.curve.last().map_or(0.0, |point| point.0), "nm", None),
             ],
