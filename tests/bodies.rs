@@ -7,7 +7,7 @@ use veridem::simulation::Simulation;
 use veridem::spec::Vec3;
 use veridem::spec::titania::def_rotation::to_space;
 use veridem::spec::wear::law::Wear;
-use veridem::system::{Domain, Motion, Particles, System};
+use veridem::system::{Domain, Motion, Particles, Steering, System};
 
 /// The crowd of the other tests; of every five spheres in a row of six three are a body, bent by the jitter, and three stay by themselves.
 fn mixed(seed: u64) -> System {
@@ -71,6 +71,29 @@ fn the_physical_account_closes_to_first_order_in_the_time_step() {
     };
     let (coarse, fine) = (residual(4e-5, 500), residual(1e-5, 2000));
     assert!(coarse < 0.03 && fine < 0.3 * coarse, "{coarse} {fine}");
+}
+
+#[test]
+fn a_spring_draws_the_centre_of_mass_of_colliding_spheres_as_if_it_were_one() {
+    let mut system = crowd(7, 4);
+    system.domain.periodic = [false; 3];
+    let (dt, count, all) = (2e-5, 700, (0..64).collect());
+    let velocity = Vec3([5.0, -2.0, 0.0]);
+    let omega = 2.0 * std::f64::consts::PI / (500.0 * dt);
+    let mass: f64 = system.particles.mass.iter().sum();
+    let momentum = momenta(&system).0;
+    system.steerings = vec![Steering::new(&system.particles, all, mass * omega * omega, velocity)];
+    let simulation = steps(start(system), count);
+    let spring = &simulation.system().steerings[0];
+    let t = count as f64 * dt;
+    let way = (spring.centre(&simulation.system().particles).0 - spring.origin).0;
+    for a in 0..3 {
+        let begun = momentum.0[a] / mass;
+        let expected = velocity.0[a] * t - (velocity.0[a] - begun) / omega * (omega * t).sin();
+        assert!((way[a] - expected).abs() < 1e-3 * (1.0 + begun.abs()) * t, "{a}: {} {expected}", way[a]);
+    }
+    let ledger = simulation.ledger();
+    assert!(ledger.discrete_residual().abs() < 1e-11 * ledger.turnover(), "{}", ledger.discrete_residual());
 }
 
 #[test]

@@ -25,8 +25,10 @@ pub struct Ledger {
     pub lost_to_breaking: f64,
     /// Work of walls of prescribed velocity.
     pub work_walls: f64,
-    /// Work of the loads on walls.
+    /// Work of the loads on walls, and of springs at centres of mass as these moved.
     pub work_loads: f64,
+    /// How much larger the work of those springs is at the velocities before each step, which the discrete account needs.
+    pub late_work: f64,
     /// Work of the sides of the box.
     pub work_box: f64,
     /// Kinetic energy at the start.
@@ -113,8 +115,9 @@ impl Ledger {
 
     /// What the discrete account does not explain, zJ: rounding.
     pub fn discrete_residual(&self) -> f64 {
-        let gained = self.work_pairs + self.surfaces.work_on_spheres + self.work_walls + self.work_loads + self.scheme
-            - self.lost_drag;
+        let loads = self.work_loads + self.late_work;
+        let gained =
+            self.work_pairs + self.surfaces.work_on_spheres + self.work_walls + loads + self.scheme - self.lost_drag;
         self.kinetic - self.kinetic_at_start - gained
     }
 

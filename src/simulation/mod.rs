@@ -6,6 +6,7 @@ mod listing;
 mod necks;
 mod pairs;
 mod snapshot;
+mod steering;
 mod surfaces;
 mod verlet;
 
@@ -185,6 +186,7 @@ impl<M: PairModel> Simulation<M> {
         };
         let box_work: f64 = (0..3).map(|a| totals.virial[a] * (growth[a] - 1.0)).sum();
         self.lean_on_surfaces()?;
+        self.steer();
         let acting = self.acting_on_walls();
         let wall_work = motion::drive(&mut self.system.walls, &acting, dt);
         let (moved, corrected) = self.advance(growth, dt, damping);

@@ -4,12 +4,14 @@ mod body;
 mod domain;
 mod halt;
 pub mod mesh;
+mod steering;
 mod surface;
 mod wall;
 
 pub use body::{Body, Pose, turned};
 pub use domain::{Domain, Image};
 pub use halt::{Halt, Reason};
+pub use steering::Steering;
 pub use surface::{Course, Forces, Grips, Shape, Surface};
 pub use wall::{Motion, Wall};
 
@@ -110,6 +112,8 @@ pub struct System {
     pub walls: Vec<Wall>,
     /// The surfaces that spheres lean on.
     pub surfaces: Vec<Surface>,
+    /// The springs at centres of mass; for steps of [`HalfStep`](crate::simulation::Integrator::HalfStep).
+    pub steerings: Vec<Steering>,
     /// Necks between spheres: ids, the lower first, in ascending order.
     pub necks: Vec<(u32, u32)>,
     /// Springs of pairs that the next simulation is to begin with; none while one goes on.
@@ -129,6 +133,7 @@ impl System {
             bodies: Vec::new(),
             walls: Vec::new(),
             surfaces: Vec::new(),
+            steerings: Vec::new(),
             necks: Vec::new(),
             springs: Springs::default(),
             time: 0.0,

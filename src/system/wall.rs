@@ -1,7 +1,7 @@
 //! Rigid walls made of spheres.
 
 use crate::spec::Vec3;
-use crate::spec::titania::def_drive::{steering, tip};
+use crate::spec::titania::def_drive::tip;
 use serde::{Deserialize, Serialize};
 
 /// What drives a wall along one axis.
@@ -11,13 +11,6 @@ pub enum Motion {
     Velocity(f64),
     /// Is pushed by this force, pN, besides its spheres' neighbours, and moves as one body of its mass.
     Load(f64),
-    /// Is drawn by a spring and moves as one body of its mass; the spring is relaxed at first.
-    Steered {
-        /// Stiffness of the spring, pN/nm.
-        stiffness: f64,
-        /// Velocity of its other end, m/s.
-        velocity: f64,
-    },
     /// Comes down the axis, turns, and goes up again, whatever acts on it.
     Return {
         /// At which it comes and goes, m/s.
@@ -49,10 +42,10 @@ pub struct Wall {
 }
 
 impl Wall {
-    /// A wall at its prescribed velocity, at that of the spring's end where it is steered, at rest where it is load-controlled.
+    /// A wall at its prescribed velocity, at rest where it is load-controlled.
     pub fn new(motion: [Motion; 3], mass: f64) -> Self {
         let velocity = motion.map(|m| match m {
-            Motion::Velocity(velocity) | Motion::Steered { velocity, .. } => velocity,
+            Motion::Velocity(velocity) => velocity,
             Motion::Load(_) => 0.0,
             Motion::Return { speed, .. } => -speed,
         });
@@ -73,9 +66,6 @@ impl Wall {
         match self.motion[axis] {
             Motion::Velocity(_) | Motion::Return { .. } => None,
             Motion::Load(force) => Some(force),
-            Motion::Steered { stiffness, velocity } => {
-                Some(steering(stiffness, self.travel.0[axis], 0.0, velocity, self.age))
-            }
         }
     }
 

@@ -1,5 +1,6 @@
 //! What the composed law must obey, with every element alone and together, as a motion.
 
+mod encounters;
 mod spheres;
 
 use super::*;

@@ -40,8 +40,8 @@ pub fn chapter() -> Result<Chapter, Error> {
             "Fig. 9",
             format!("pulling forces are a few nanonewtons (1 to 10 nN), {name} water"),
             "in the picture only",
-            format!("at most {:.2} nN; at the detachments {} nN", pull.largest() * 1e-3, forces.join(", ")),
-            (1e3..1e4).contains(&pull.largest()),
+            format!("at most {:.2} nN; at the detachments {} nN", pull.largest * 1e-3, forces.join(", ")),
+            (1e3..1e4).contains(&pull.largest),
         ));
         chapter.figures.push(figure(name, pull));
     }
@@ -49,8 +49,8 @@ pub fn chapter() -> Result<Chapter, Error> {
         "Fig. 9",
         "the lower surface tension of TIP3P water lets go at a lower force",
         "in the picture only",
-        format!("at most {:.2} nN instead of {:.2} nN", pulls[1].largest() * 1e-3, pulls[0].largest() * 1e-3),
-        pulls[1].largest() < pulls[0].largest(),
+        format!("at most {:.2} nN instead of {:.2} nN", pulls[1].largest * 1e-3, pulls[0].largest * 1e-3),
+        pulls[1].largest < pulls[0].largest,
     ));
     Ok(chapter)
 }

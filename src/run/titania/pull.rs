@@ -11,6 +11,8 @@ use crate::run::study::run_stage;
 pub struct Pull {
     /// How far the end of the spring had been drawn, nm, and the mean force of the spring, pN.
     pub curve: Vec<(f64, f64)>,
+    /// Largest force after the particles were set in motion, pN.
+    pub largest: f64,
     /// What happened, and how far it had been drawn then.
     pub events: Vec<(f64, String)>,
 }
@@ -31,6 +33,7 @@ impl Pull {
                 if simulation.system().step.is_multiple_of(rows) {
                     plan.look(watch, simulation);
                     pull.curve.push((watch.pulled(simulation), watch.mean_pull()));
+                    pull.largest = watch.largest_pull();
                 }
             })?;
         }
@@ -42,10 +45,5 @@ impl Pull {
         let before = |drawn: f64| self.curve.iter().rev().find(|point| point.0 <= drawn).map(|point| point.1);
         let detachments = self.events.iter().filter(|(_, event)| event.starts_with("detachment"));
         detachments.filter_map(|&(drawn, _)| before(drawn)).collect()
-    }
-
-    /// Largest force, pN.
-    pub fn largest(&self) -> f64 {
-        self.curve.iter().map(|point| point.1).fold(0.0, f64::max)
     }
 }

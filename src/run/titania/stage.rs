@@ -2,7 +2,8 @@
 
 use crate::build::pair::drag;
 use crate::case::{Approach, Dragging, Stretching};
-use crate::system::{Motion, System};
+use crate::spec::Vec3;
+use crate::system::{Motion, Steering, System};
 
 /// A stage.
 #[derive(Clone, Debug, PartialEq)]
@@ -91,25 +92,22 @@ impl Stage {
         ]
     }
 
-    /// Holds what is held, the first wall, and drives what is driven, the second.
+    /// Holds what is held, and drives what is driven: the second wall, or, of a chain that is pulled, the second spring.
     pub fn drive(&self, system: &mut System) {
         system.remove_walls();
+        system.steerings.clear();
         match self.act {
             Act::Approach { .. } => {}
             Act::Press { load, .. } => drag(system, 0.0, load, false),
             Act::Drag { velocity, load, rolls } => drag(system, velocity, load, rolls),
-            Act::Relax { particles } => ends(system, particles, HELD),
+            Act::Relax { particles } => system.add_wall(HELD, |p, i| p.id[i] < 2 || p.id[i] + 2 >= particles),
             Act::Pull { particles, stiffness, velocity } => {
-                let held = Motion::Steered { stiffness, velocity: 0.0 };
-                ends(system, particles, [Motion::Steered { stiffness, velocity }, held, held]);
+                let end = |ids: std::ops::Range<u32>, velocity: f64| {
+                    let velocity = Vec3([velocity, 0.0, 0.0]);
+                    Steering::new(&system.particles, ids.collect(), stiffness, velocity)
+                };
+                system.steerings = vec![end(0..2, 0.0), end(particles - 2..particles, velocity)];
             }
         }
     }
-}
-
-/// Holds the first two particles of a chain and drives the last two, each two as one that does not turn. The paper drives and holds their centres of mass alone: its
-/// outermost particles may turn about each other.
-fn ends(system: &mut System, particles: u32, driven: [Motion; 3]) {
-    system.add_wall(HELD, |p, i| p.id[i] < 2);
-    system.add_wall(driven, |p, i| p.id[i] + 2 >= particles);
 }

@@ -24,6 +24,9 @@ pub const COLUMNS: [&str; 12] = [
     "detachments",
 ];
 
+/// Which of the springs at the ends of a chain is drawn; the first holds the other end.
+const DRAWN: usize = 1;
+
 /// How far from rest a released pair may still swing and be called settled, nm.
 const SETTLED: f64 = 5e-3;
 
@@ -139,7 +142,7 @@ impl Watch {
                 }
             }
             Act::Pull { .. } => {
-                self.pull.0 += system.walls[1].load(0).unwrap_or(0.0);
+                self.pull.0 += system.steerings[DRAWN].force.0[0];
                 self.pull.1 += 1;
             }
             _ => {}
@@ -151,12 +154,14 @@ impl Watch {
         self.mean_pull
     }
 
+    /// The largest of these means, once the drawn particles have been set in motion, pN.
+    pub fn largest_pull(&self) -> f64 {
+        self.largest_pull
+    }
+
     /// How far the end of that spring has been drawn, nm.
     pub fn pulled(&self, simulation: &Simulation<Titania>) -> f64 {
-        simulation.system().walls.get(1).map_or(0.0, |wall| match wall.motion[0] {
-            crate::system::Motion::Steered { velocity, .. } => velocity * wall.age,
-            _ => 0.0,
-        })
+        simulation.system().steerings.get(DRAWN).map_or(0.0, |spring| spring.drawn().0[0])
     }
 
     /// The cells of the columns.
@@ -166,19 +171,19 @@ impl Watch {
         if system.particles.len() == 2 {
             cells[0] = Cell::Number(distance(simulation));
         }
-        if let Some(wall) = system.walls.get(1) {
-            if matches!(wall.motion[0], crate::system::Motion::Steered { .. }) {
-                if self.pull.1 > 0 {
-                    self.mean_pull = self.pull.0 / self.pull.1 as f64;
+        if let Some(spring) = system.steerings.get(DRAWN) {
+            if self.pull.1 > 0 {
+                self.mean_pull = self.pull.0 / self.pull.1 as f64;
+                if spring.age > spring.swing(&system.particles) {
                     self.largest_pull = self.largest_pull.max(self.mean_pull);
-                    self.pull = (0.0, 0);
                 }
-                let numbers = [self.pulled(simulation), wall.travel.0[0], self.mean_pull];
-                cells.splice(4..7, numbers.map(Cell::Number));
-            } else if system.particles.len() == 2 {
-                let numbers = [wall.travel.0[0], -wall.force.0[0], rolling_resistance(simulation)];
-                cells.splice(1..4, numbers.map(Cell::Number));
+                self.pull = (0.0, 0);
             }
+            let numbers = [self.pulled(simulation), spring.travel.0[0], self.mean_pull];
+            cells.splice(4..7, numbers.map(Cell::Number));
+        } else if let (Some(wall), 2) = (system.walls.get(1), system.particles.len()) {
+            let numbers = [wall.travel.0[0], -wall.force.0[0], rolling_resistance(simulation)];
+            cells.splice(1..4, numbers.map(Cell::Number));
         }
         let contacts = simulation.pairs().filter(|pair| pair.contact.gap < 0.0).count();
         let counts = [contacts, self.bonds.len(), self.slips.len(), self.rollings as usize, self.detachments.len()];
