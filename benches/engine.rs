@@ -6,6 +6,7 @@ mod crystal;
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use std::path::Path;
 use std::time::Duration;
+use veridem::build::aggregate::{self, Method, Radii, Recipe};
 use veridem::case::Case;
 use veridem::forces::Instructions;
 use veridem::run::Study;
@@ -34,7 +35,7 @@ fn step(criterion: &mut Criterion) {
 }
 
 /// The initial state of the published soot simulation, on one core.
-fn aggregate(criterion: &mut Criterion) {
+fn restructuring(criterion: &mut Criterion) {
     let (case, _) = Case::read(Path::new("cases/soot/restructuring.yaml")).expect("a case of the repository");
     let plan = Plan::of(&case);
     let system = plan.initial().expect("an aggregate");
@@ -47,6 +48,22 @@ fn aggregate(criterion: &mut Criterion) {
     group.bench_function(format!("{particles} spheres"), |b| {
         pool.install(|| b.iter(|| simulation.step().expect("a stable aggregate")));
     });
+    group.finish();
+}
+
+/// Growing an aggregate of 150 spheres, another one each time.
+fn growth(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("grow an aggregate of 150 spheres");
+    for (name, method, d_f) in [("clusters", Method::Clusters, 1.8), ("spheres", Method::Spheres, 2.2)] {
+        let recipe = Recipe { number: 150, d_f, k_f: 1.4, radii: Radii::Equal(14.0), method };
+        let mut seed = 0;
+        group.bench_function(name, |b| {
+            b.iter(|| {
+                seed += 1;
+                aggregate::aggregate(&recipe, seed).expect("an aggregate that obeys the law")
+            });
+        });
+    }
     group.finish();
 }
 
@@ -66,6 +83,6 @@ fn list(criterion: &mut Criterion) {
 criterion_group! {
     name = all;
     config = Criterion::default().sample_size(20).warm_up_time(Duration::from_secs(1)).measurement_time(Duration::from_secs(3));
-    targets = step, aggregate, list
+    targets = step, restructuring, growth, list
 }
 criterion_main!(all);

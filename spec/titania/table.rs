@@ -133,7 +133,7 @@ impl Table {
         Self { piece, lists: Lists::new(cells, &energies), error }
     }
 
-    /// A bound of the difference between the table and the function it was made of.
+    /// Twice the largest difference, at the middles of the cells, between the table and the function it was made of from `start` on: more than what was found anywhere between.
     pub fn error(&self) -> f64 {
         self.error
     }

@@ -53,7 +53,8 @@ impl Tabulated {
         &self.law
     }
 
-    /// A bound of the difference between any table and the force.
+    /// The largest [error](super::table::Table::error) of any table. Nearer than its kink the attraction is a line, which is farther from
+    /// the law: by 0.4 pN 0.05 nm nearer, by 24 pN 0.4 nm nearer, where two particles of 3 nm press each other with 10 to 20 nN.
     pub fn error(&self) -> f64 {
         self.error
     }

@@ -6,6 +6,7 @@ use super::{Found, belongs, expect};
 use crate::build::agglomerate::agglomerate;
 use crate::case::units::{decimal, in_unit};
 use crate::case::{Agglomerate, Case, Dragging, Experiment, Titania, TitaniaTest, TwoParticles};
+use crate::spec::wear::def_stable_step::stable_time_step;
 
 /// All that is wrong with a case of the titania paper.
 pub fn problems(case: &Case, found: &mut Found) {
@@ -68,6 +69,11 @@ pub fn problems(case: &Case, found: &mut Found) {
                 expect(found, value > 0.0, &at(key), text, "more than zero");
             }
             expect(found, stretching.drag.value >= 0.0, &at("drag"), &stretching.drag, "zero or more");
+            // What it draws or holds are two particles.
+            let (stiffness, lightest) = (&stretching.stiffness, 2.0 * titania.particle(smallest.value).1);
+            let limit = stable_time_step(lightest, stiffness.value, 0.0);
+            let soft = format!("one that two of the smallest particles bear at the time step, {}", stretching.dt);
+            expect(found, stretching.dt.value < limit, &at("stiffness"), stiffness, &soft);
         }
         TitaniaTest::Spectroscopy(film, test) => {
             film::sample(film, &thick, core_gap, found);
