@@ -53,6 +53,8 @@ const CURVES: [(&str, &[&str], &str, &str); 21] = [
 /// Events that are marked where they happened on curves of one of these quantities, by a word of theirs.
 const MARKED: [&str; 4] = ["sliding", "rolling", "detachment", "breaks"];
 const MARKED_ON: [&str; 3] = ["pulling force [pN]", "force on the tip [pN]", "pull on the tip [pN]"];
+/// More events of a kind would hide the curve.
+const MOST_MARKS: usize = 200;
 /// What the energies of all causes are drawn together as.
 const ENERGIES: &str = "energies";
 
@@ -70,7 +72,7 @@ pub fn report(case: &Case, folder: &RunFolder, findings: &[Finding]) -> Result<(
         let mut curves: Vec<Curve> = curves.filter(|curve| curve.points.len() > 1).collect();
         if let (true, Some(stage)) = (MARKED_ON.contains(&y), stages.last()) {
             let marked = MARKED.map(|word| Curve::new(word, Mark::Points, series.marked(&events, stage, word, x, y)));
-            curves.extend(marked.into_iter().filter(|curve| !curve.points.is_empty()));
+            curves.extend(marked.into_iter().filter(|curve| (1..=MOST_MARKS).contains(&curve.points.len())));
         }
         draw(folder, &mut page, name, Plot { title: name.into(), x: Axis::linear(x), y: Axis::linear(y), curves })?;
     }
