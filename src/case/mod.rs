@@ -9,7 +9,7 @@ pub mod section;
 mod soot;
 mod titania;
 pub mod units;
-mod validation;
+pub(crate) mod validation;
 
 pub use derived::{Critical, OF_WEAR, Scales};
 pub use film::*;

@@ -6,7 +6,7 @@ mod stages;
 pub use sample::*;
 pub use stages::*;
 
-use super::quantity::{Density, Drag, Energy, Force, Length, Quantity, Sharpness, Stiffness, Time};
+use super::quantity::{Density, Drag, Energy, Force, Length, Quantity, Sharpness, Stiffness};
 use super::section::{defaults, section, words};
 use super::units::{in_unit, rounded};
 use super::{Case, Experiment, Model, Sample};
@@ -259,22 +259,6 @@ impl Soot {
     /// one sphere, 0.56 in a row of five, 0.52 with six.
     pub fn step_limit(&self, r: f64) -> f64 {
         self.law().critical_time_step(r, sphere_mass(self.density.value, r))
-    }
-
-    /// What is wrong with a step and the cutoff for spheres of these radii.
-    pub fn trouble(&self, [least, largest]: [f64; 2], dt: &Quantity<Time>, key: &str) -> Vec<(String, String)> {
-        let (limit, touching) = (self.step_limit(least), 2.0 * largest);
-        let mut found = Vec::new();
-        if !(dt.value > 0.0 && dt.value < limit) {
-            let expected =
-                format!("more than zero and less than the stability limit of two spheres, {}", in_unit(limit, "fs"));
-            found.push((format!("{key}.dt"), format!("found `{dt}`, expected {expected}")));
-        }
-        if self.cutoff.value <= touching {
-            let expected = format!("more than the distance of two touching spheres, {}", in_unit(touching, "nm"));
-            found.push(("model.soot.cutoff".into(), format!("found `{}`, expected {expected}", self.cutoff)));
-        }
-        found
     }
 }
 

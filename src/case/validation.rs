@@ -1,6 +1,6 @@
 //! What a case must satisfy beyond its grammar.
 
-mod soot;
+pub(crate) mod soot;
 mod titania;
 
 use super::derived::{Critical, Scales};

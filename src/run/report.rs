@@ -163,12 +163,10 @@ impl Series {
             let points = self.curve("", TIME, column);
             points.iter().map(|point| (point.0, 1e-3 * (point.1 - points[0].1))).collect()
         };
-        let of = |text: &str| self.columns.iter().filter(|column| column.contains(text)).collect::<Vec<_>>();
-        let mut curves: Vec<(&str, Vec<(f64, f64)>)> = of(" energy [zJ]")
-            .iter()
-            .map(|column| (&column[..column.len() - " energy [zJ]".len()], change(column)))
-            .collect();
-        let lost: Vec<_> = of("lost to ").iter().map(|column| change(column)).collect();
+        let held = |column| Some((str::strip_suffix(column, " energy [zJ]")?, change(column)));
+        let mut curves: Vec<(&str, Vec<(f64, f64)>)> = self.columns.iter().filter_map(|column| held(column)).collect();
+        let lost = self.columns.iter().filter(|column| column.starts_with("lost to "));
+        let lost: Vec<_> = lost.map(|column| change(column)).collect();
         let sum = |k: usize| lost.iter().map(|points| points[k].1).sum();
         curves.push(("lost", (0..lost[0].len()).map(|k| (lost[0][k].0, sum(k))).collect()));
         let size = |points: &[(f64, f64)]| points.iter().map(|point| point.1.abs()).fold(0.0, f64::max);
@@ -188,6 +186,7 @@ impl Series {
 
 /// A curve at a place, between its points.
 pub fn between(curve: &[(f64, f64)], x: f64) -> Option<f64> {
-    let ((a, f), (b, g)) = curve.iter().zip(&curve[1..]).find(|(p, q)| p.0 <= x && x <= q.0 && p.0 < q.0)?;
+    let mut ends = curve.windows(2).map(|ends| (ends[0], ends[1]));
+    let ((a, f), (b, g)) = ends.find(|(p, q)| p.0 <= x && x <= q.0 && p.0 < q.0)?;
     Some(f + (g - f) * (x - a) / (b - a))
 }

@@ -8,6 +8,7 @@ use crate::build::aggregate::necks::{Neck, keep_fraction, necks};
 use crate::build::aggregate::{Method, Radii, Recipe, Sphere, aggregate, import};
 use crate::build::protocol::Progress;
 use crate::case::quantity::{Length, Quantity};
+use crate::case::validation::soot::sized;
 use crate::case::{Aggregate, Case, Deposition, Growth, Import, Soot, SootStage};
 use crate::error::Error;
 use crate::forces::Instructions;
@@ -87,9 +88,11 @@ impl Plan {
             let spheres = centred(import::read(file, &options)?.spheres);
             let extreme = |of: fn(f64, f64) -> f64| spheres.iter().map(|sphere| sphere.radius).reduce(of);
             let radii = [extreme(f64::min), extreme(f64::max)].map(|r| r.expect("a file without spheres is refused"));
-            let tests = self.stages.iter().zip(&self.keys);
-            let trouble = tests.flat_map(|(stage, key)| self.soot.trouble(radii, stage.dt(), key)).next();
-            return trouble.map_or(Ok(spheres), |(key, what)| Err(Error::of_key(key, what)));
+            let mut found = Vec::new();
+            for (stage, key) in self.stages.iter().zip(&self.keys) {
+                sized(&self.soot, radii, stage, key, &mut found);
+            }
+            return found.into_iter().next().map_or(Ok(spheres), |(key, what)| Err(Error::of_key(key, what)));
         }
         let median = sample.radius.value;
         let recipe = Recipe {
