@@ -59,6 +59,22 @@ pub trait Flat<R>: Copy + Send + Sync {
     fn at_mut(&mut self, k: usize) -> &mut R;
 }
 
+impl<R: Real> Flat<R> for R {
+    const LEN: usize = 1;
+    #[inline(always)]
+    fn from_fn(mut f: impl FnMut(usize) -> R) -> Self {
+        f(0)
+    }
+    #[inline(always)]
+    fn at(&self, _: usize) -> &R {
+        self
+    }
+    #[inline(always)]
+    fn at_mut(&mut self, _: usize) -> &mut R {
+        self
+    }
+}
+
 impl<R, A: Flat<R>, B: Flat<R>> Flat<R> for (A, B) {
     const LEN: usize = A::LEN + B::LEN;
     #[inline(always)]

@@ -1,7 +1,7 @@
 //! Four springs at work: what holds two spheres together, or rubs them against each other.
 
 use super::def_meeting::Meeting;
-use super::def_spring::{Span, rotated_spring, stretched};
+use super::def_spring::{Span, Twist, rotated_spring, stretched};
 use super::eq12_spring_force::{energy, force, turning_torque};
 use super::eq13_friction::{dynamic_friction, rubbed, static_friction};
 use crate::{Flat, Outcome, Real, Vec3, Wrench, flat_struct};
@@ -72,45 +72,65 @@ flat_struct! {
     }
 }
 
-/// The springs of a contact that must be remembered, m.
+/// What a spring does first in a step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Order {
+    /// It is stretched, then it acts: steps 3 and 4 of Section 2.1.1.
+    StretchFirst,
+    /// It acts, then it is stretched, as in the published program: it lags one step behind the positions, and its dashpot is that of
+    /// $\\eta - k \\Delta t$, which may be negative.
+    ActFirst,
+}
+
+/// The springs of a contact that must be remembered, m; `O` is the torsion spring.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Memory<R> {
+pub struct Memory<R, O = R> {
     /// Tangential spring: reversed, seen from the other sphere.
     pub tangential: Vec3<R>,
     /// Rolling spring: the same, seen from the other sphere.
     pub rolling: Vec3<R>,
-    /// Torsion spring along the normal: the same, seen from the other sphere.
-    pub torsion: R,
+    /// Torsion spring: along the normal the same, seen from the other sphere.
+    pub torsion: O,
 }
 
-impl<R: Real> Memory<R> {
+impl<R: Real, O: Twist<R>> Memory<R, O> {
     /// The springs of a contact that has just been made.
     #[inline(always)]
     pub fn zero() -> Self {
-        Self { tangential: Vec3::zero(), rolling: Vec3::zero(), torsion: R::zero() }
+        Self { tangential: Vec3::zero(), rolling: Vec3::zero(), torsion: O::none() }
     }
 }
 
-impl<R: Copy + Send + Sync> Flat<R> for Memory<R> {
-    const LEN: usize = 7;
+impl<R: Copy + Send + Sync, O: Flat<R>> Flat<R> for Memory<R, O> {
+    const LEN: usize = 6 + O::LEN;
     #[inline(always)]
     fn from_fn(mut f: impl FnMut(usize) -> R) -> Self {
-        Self { tangential: Vec3([f(0), f(1), f(2)]), rolling: Vec3([f(3), f(4), f(5)]), torsion: f(6) }
+        Self {
+            tangential: Vec3([f(0), f(1), f(2)]),
+            rolling: Vec3([f(3), f(4), f(5)]),
+            torsion: O::from_fn(|k| f(6 + k)),
+        }
     }
     #[inline(always)]
     fn at(&self, k: usize) -> &R {
-        let ([a, b, c], [d, e, f]) = (&self.tangential.0, &self.rolling.0);
-        [a, b, c, d, e, f, &self.torsion][k]
+        match k {
+            0..3 => &self.tangential.0[k],
+            3..6 => &self.rolling.0[k - 3],
+            _ => self.torsion.at(k - 6),
+        }
     }
     #[inline(always)]
     fn at_mut(&mut self, k: usize) -> &mut R {
-        let ([a, b, c], [d, e, f]) = (&mut self.tangential.0, &mut self.rolling.0);
-        [a, b, c, d, e, f, &mut self.torsion].into_iter().nth(k).expect("a place below LEN")
+        match k {
+            0..3 => &mut self.tangential.0[k],
+            3..6 => &mut self.rolling.0[k - 3],
+            _ => self.torsion.at_mut(k - 6),
+        }
     }
 }
 
 /// A contact after one evaluation.
-pub type Grip<R> = Outcome<R, Memory<R>, Losses<R>>;
+pub type Grip<R, O = R> = Outcome<R, Memory<R, O>, Losses<R>>;
 
 /// One spring after a step: its force, its next length, and what dashpot and slip took.
 struct Pull<R, S> {
@@ -124,7 +144,15 @@ impl<R: Real> Springs<R> {
     /// The springs of a meeting, advanced by `dt`, and what they do. Where `bonded` is true they are those of a neck, which holds at any gap and in any direction; elsewhere they are those of
     /// a contact, which only acts while the spheres overlap, never pulls along the normal, and rubs as Eqs. 13 to 17 say.
     #[inline(always)]
-    pub fn grip(&self, friction: &Friction<R>, bonded: R::Mask, at: &Meeting<R>, memory: Memory<R>, dt: R) -> Grip<R> {
+    pub fn grip<O: Twist<R>>(
+        &self,
+        friction: &Friction<R>,
+        bonded: R::Mask,
+        order: Order,
+        at: &Meeting<R>,
+        memory: Memory<R, O>,
+        dt: R,
+    ) -> Grip<R, O> {
         let zero = R::zero();
         let acts = bonded | at.delta.lt(zero);
         let rate = |v: Vec3<R>| Vec3::select(acts, v, Vec3::zero());
@@ -144,6 +172,7 @@ impl<R: Real> Springs<R> {
             dt,
             acts,
             bonded,
+            order,
             friction.static_t,
             friction.dynamic_t,
             f_n,
@@ -156,6 +185,7 @@ impl<R: Real> Springs<R> {
             dt,
             acts,
             bonded,
+            order,
             friction.static_r,
             friction.dynamic_r,
             f_n,
@@ -163,11 +193,12 @@ impl<R: Real> Springs<R> {
         let o = Self::pull(
             self.k_o,
             self.eta_o,
-            memory.torsion,
-            v_o,
+            memory.torsion.rotated(at.n),
+            O::of(v_o, at.n),
             dt,
             acts,
             bonded,
+            order,
             friction.static_o,
             friction.dynamic_o,
             f_n,
@@ -201,14 +232,20 @@ impl<R: Real> Springs<R> {
         dt: R,
         acts: R::Mask,
         bonded: R::Mask,
+        order: Order,
         mu_s: R,
         mu_d: R,
         f_n: R,
     ) -> Pull<R, S> {
         let xi = stretched(before, xi_dot, dt);
-        let holds = bonded | force(k, xi, eta, xi_dot).size().le(static_friction(mu_s, f_n));
-        let (force, next) = rubbed(k, eta, xi, xi_dot, holds, dynamic_friction(mu_d, f_n));
+        let lagged = order == Order::ActFirst;
+        let acting = if lagged { before } else { xi };
+        let holds = bonded | force(k, acting, eta, xi_dot).size().le(static_friction(mu_s, f_n));
+        let (force, next) = rubbed(k, eta, acting, xi_dot, holds, dynamic_friction(mu_d, f_n));
+        let next = if lagged { S::select(holds, xi, next) } else { next };
         let next = S::select(acts, next, S::none());
+        // A spring that lags acts like one that does not, with less of a dashpot.
+        let eta = if lagged { eta - k * dt } else { eta };
         let dashpot = eta * xi_dot.square() * dt;
         // What friction works, less what the dashpot takes and the spring keeps; stretched by a whole step before it slips, the spring never held more.
         let slip = force.inner(xi_dot) * dt - dashpot + energy(k, before) - energy(k, next);
@@ -217,7 +254,7 @@ impl<R: Real> Springs<R> {
 
     /// What the four springs hold, J: normal, tangential, rolling, torsion.
     #[inline(always)]
-    pub fn stored(&self, bonded: R::Mask, delta: R, memory: &Memory<R>) -> [R; 4] {
+    pub fn stored<O: Twist<R>>(&self, bonded: R::Mask, delta: R, memory: &Memory<R, O>) -> [R; 4] {
         let pressed = R::select(bonded, delta, delta.min(R::zero()));
         [
             energy(self.k_n, pressed),

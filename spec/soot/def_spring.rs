@@ -1,7 +1,7 @@
 //! A spring of a contact: it follows the pair as it turns, and stretches.
 
 use crate::equation::Equation;
-use crate::{Real, Vec3, equation};
+use crate::{Flat, Real, Vec3, equation};
 use std::ops::{Add, Mul, Sub};
 
 /// The length of a spring: a vector of the contact plane, or a number along the normal.
@@ -62,6 +62,45 @@ impl<R: Real> Span<R> for Vec3<R> {
     }
 }
 
+/// The torsion spring of a pair: a number along the normal, which goes wherever the normal goes ([`rotated_torsion`]), or, following the text of the paper, a vector that every step
+/// turns into the contact plane.
+pub trait Twist<R: Real>: Span<R> + Flat<R> {
+    /// The spring after the normal has turned.
+    fn rotated(self, n: Vec3<R>) -> Self;
+    /// What is `along` the normal.
+    fn of(along: R, n: Vec3<R>) -> Self;
+    /// Its torque on i, at an arm `r`, as a quasi-force.
+    fn torque(self, n: Vec3<R>, r: R) -> Vec3<R>;
+}
+impl<R: Real> Twist<R> for R {
+    #[inline(always)]
+    fn rotated(self, _: Vec3<R>) -> Self {
+        self
+    }
+    #[inline(always)]
+    fn of(along: R, _: Vec3<R>) -> Self {
+        along
+    }
+    #[inline(always)]
+    fn torque(self, n: Vec3<R>, r: R) -> Vec3<R> {
+        n * (r * self)
+    }
+}
+impl<R: Real> Twist<R> for Vec3<R> {
+    #[inline(always)]
+    fn rotated(self, n: Vec3<R>) -> Self {
+        rotated_spring(self, n)
+    }
+    #[inline(always)]
+    fn of(along: R, n: Vec3<R>) -> Self {
+        n * along
+    }
+    #[inline(always)]
+    fn torque(self, _: Vec3<R>, r: R) -> Vec3<R> {
+        self * r
+    }
+}
+
 /// **Section 2.1.1**, step 2, unnumbered: a tangential or rolling spring after the contact plane has turned.
 ///
 /// ```math
@@ -103,8 +142,8 @@ pub fn rotated_spring<R: Real>(xi: Vec3<R>, n: Vec3<R>) -> Vec3<R> {
 /// # Reading
 ///
 /// Erratum: the text rotates all three springs to be orthogonal to the normal. The torsion spring lies along the normal; its projection
-/// onto the contact plane is nothing but rounding, and rescaling that to the full length makes a spring in an arbitrary direction, or none: the twist is
-/// forgotten and never resisted, see [`Torsion::AsPublished`](super::law::Torsion). It must stay parallel.
+/// onto the contact plane is nothing but rounding, or the way the normal turned in one step, and rescaling that to the full length makes a spring in an arbitrary direction, or none: the twist is
+/// forgotten and never resisted, and what it leaves behind bends the pair, see [`IntoPlane`](super::law::IntoPlane). It must stay parallel.
 /// Then only its signed length needs to be remembered, $\xi_\mathrm{o} = \boldsymbol{\xi} \cdot \mathbf{n}$, which turning leaves alone; the models do that.
 ///
 /// | name | symbol | unit | domain | meaning |

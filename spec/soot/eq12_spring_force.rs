@@ -1,6 +1,6 @@
 //! The force of a spring and its dashpot, and what four of them do to two spheres.
 
-use super::def_spring::Span;
+use super::def_spring::{Span, Twist};
 use super::eq03_geometry::{arm, gap, mean_arm, normal};
 use crate::equation::Equation;
 use crate::{Real, Vec3, equation};
@@ -119,8 +119,8 @@ pub fn contact_torques<R: Real>(
 
 /// The torque on i of rolling and torsion, for given arms.
 #[inline(always)]
-pub fn turning_torque<R: Real>(n: Vec3<R>, a: R, f_r: Vec3<R>, r: R, f_o: R) -> Vec3<R> {
-    n.cross(f_r) * a + n * (r * f_o)
+pub fn turning_torque<R: Real>(n: Vec3<R>, a: R, f_r: Vec3<R>, r: R, f_o: impl Twist<R>) -> Vec3<R> {
+    n.cross(f_r) * a + f_o.torque(n, r)
 }
 
 pub(super) fn equations() -> Vec<Equation> {

@@ -2,22 +2,33 @@
 
 use super::def_body_forces::Attraction;
 use super::def_frequency::neck_frequencies;
-use super::def_grip::{Friction, Grip, Losses, Memory, Springs};
+use super::def_grip::{Friction, Grip, Losses, Memory, Order, Springs};
 use super::def_meeting::Meeting;
 use super::def_sphere::solid_inertia;
+use super::def_spring::Twist;
 use crate::{Contact, Flat, PairModel, Real, Touch, Vec3, flat_struct};
 
 pub use wall::Wall;
 
-/// How a twist of a contact is resisted.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Torsion {
-    /// By a spring and a dashpot, like every other motion.
-    Spring,
-    /// By the dashpot alone: the published simulations turn the torsion spring into the contact plane, where nothing but
-    /// its last increment is left of it along the normal, and a twist meets no lasting resistance. What becomes of it in the plane, a spring that bends in a direction that rounding
-    /// decides, is left out. See [`rotated_torsion`](super::def_spring::rotated_torsion).
-    AsPublished,
+/// Where the torsion springs of contacts and necks lie.
+pub trait Torsion: Copy + Send + Sync {
+    /// What is remembered of a twist.
+    type Spring<R: Real>: Twist<R>;
+}
+
+/// Along the normal: a twist is resisted by a spring and a dashpot, like every other motion. See [`rotated_torsion`](super::def_spring::rotated_torsion).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Along;
+impl Torsion for Along {
+    type Spring<R: Real> = R;
+}
+
+/// In the contact plane, into which the text and the program of the paper turn them before every step: nothing but the last increment is left along the normal, and a twist meets no lasting
+/// resistance. The spring in the plane only grows, and bends the pair in the directions in which the normal went, with work that no spring gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct IntoPlane;
+impl Torsion for IntoPlane {
+    type Spring<R: Real> = Vec3<R>;
 }
 
 flat_struct! {
@@ -55,7 +66,7 @@ pub const TIP: usize = 1;
 
 /// Soot: necks, frictional contacts, van der Waals and capillary attraction.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Soot {
+pub struct Soot<T = Along> {
     /// The four springs of a neck.
     pub neck: Springs<f64>,
     /// The four springs of a frictional contact.
@@ -64,8 +75,10 @@ pub struct Soot {
     pub friction: Friction<f64>,
     /// The attractions that act at a distance.
     pub attraction: Attraction<f64>,
-    /// How a twist is resisted.
-    pub torsion: Torsion,
+    /// Where torsion springs lie.
+    pub torsion: T,
+    /// What springs do first in a step.
+    pub order: Order,
     /// The [substrate](SUBSTRATE) and the [tip](TIP).
     pub walls: [Wall; 2],
 }
@@ -76,9 +89,9 @@ fn lifted<R: Real, A: Flat<f64>, B: Flat<R>>(numbers: &A) -> B {
     B::from_fn(|k| R::lit(*numbers.at(k)))
 }
 
-impl PairModel for Soot {
+impl<T: Torsion> PairModel for Soot<T> {
     type Coefficients<R: Real> = Coefficients<R>;
-    type Memory<R: Real> = Memory<R>;
+    type Memory<R: Real> = Memory<R, T::Spring<R>>;
     type Losses<R: Real> = Losses<R>;
     type Stored<R: Real> = Stored<R>;
 
@@ -93,10 +106,16 @@ impl PairModel for Soot {
 
     /// Two spheres at one instant: advances their springs by `dt` and says what they do. A neck acts at any distance; all else ends at the cutoff.
     #[inline(always)]
-    fn pair<R: Real>(&self, c: &Contact<R>, k: &Coefficients<R>, memory: Memory<R>, dt: R) -> Grip<R> {
+    fn pair<R: Real>(
+        &self,
+        c: &Contact<R>,
+        k: &Coefficients<R>,
+        memory: Self::Memory<R>,
+        dt: R,
+    ) -> Grip<R, T::Spring<R>> {
         let bonded = is_bonded(k);
         let at = Meeting::of_spheres(c);
-        let mut grip = self.springs(bonded).grip(&lifted(&self.friction), bonded, &at, memory, dt);
+        let mut grip = self.springs(bonded).grip(&lifted(&self.friction), bonded, self.order, &at, memory, dt);
         grip.wrench.force = grip.wrench.force + self.far(c);
         grip
     }
@@ -115,7 +134,7 @@ impl PairModel for Soot {
     }
 
     #[inline(always)]
-    fn stored<R: Real>(&self, c: &Contact<R>, k: &Coefficients<R>, memory: &Memory<R>) -> Stored<R> {
+    fn stored<R: Real>(&self, c: &Contact<R>, k: &Coefficients<R>, memory: &Self::Memory<R>) -> Stored<R> {
         let bonded = is_bonded(k);
         let attraction: Attraction<R> = lifted(&self.attraction);
         let held = self.springs(bonded).stored(bonded, c.gap, memory);
@@ -141,7 +160,13 @@ impl PairModel for Soot {
         if hamaker > 0.0 { cutoff.max(r) } else { r }
     }
 
-    fn surface_contact(&self, material: usize, touch: &Touch<f64>, memory: Memory<f64>, dt: f64) -> Grip<f64> {
+    fn surface_contact(
+        &self,
+        material: usize,
+        touch: &Touch<f64>,
+        memory: Self::Memory<f64>,
+        dt: f64,
+    ) -> Grip<f64, T::Spring<f64>> {
         self.walls[material].grip(touch, memory, dt)
     }
 
@@ -149,7 +174,13 @@ impl PairModel for Soot {
         self.walls[material].pull(touch.gap, touch.r)
     }
 
-    fn surface_stored(&self, material: usize, touch: &Touch<f64>, memory: &Memory<f64>, nearest: bool) -> Stored<f64> {
+    fn surface_stored(
+        &self,
+        material: usize,
+        touch: &Touch<f64>,
+        memory: &Self::Memory<f64>,
+        nearest: bool,
+    ) -> Stored<f64> {
         let (wall, &Touch { gap, r, .. }) = (&self.walls[material], touch);
         let van_der_waals = if nearest { wall.energy(gap, r) } else { 0.0 };
         let [normal, tangential, rolling, torsion] = wall.stored(gap, memory);
@@ -179,16 +210,11 @@ impl Springs<f64> {
     }
 }
 
-impl Soot {
+impl<T> Soot<T> {
     /// The springs of a neck where `bonded` is true, those of a contact elsewhere.
     #[inline(always)]
     fn springs<R: Real>(&self, bonded: R::Mask) -> Springs<R> {
-        let mut springs =
-            Springs::from_fn(|k| R::select(bonded, R::lit(*self.neck.at(k)), R::lit(*self.contact.at(k))));
-        if self.torsion == Torsion::AsPublished {
-            springs.k_o = R::zero();
-        }
-        springs
+        Springs::from_fn(|k| R::select(bonded, R::lit(*self.neck.at(k)), R::lit(*self.contact.at(k))))
     }
 }
 

@@ -49,8 +49,8 @@ pub mod law;
 mod samples;
 
 pub use def_body_forces::Attraction;
-pub use def_grip::{Friction, Losses, Memory, Springs};
-pub use law::{Coefficients, SUBSTRATE, Soot, Stored, TIP, Torsion, Wall};
+pub use def_grip::{Friction, Losses, Memory, Order, Springs};
+pub use law::{Along, Coefficients, IntoPlane, SUBSTRATE, Soot, Stored, TIP, Torsion, Wall};
 
 use crate::equation::{Equation, Paper};
 

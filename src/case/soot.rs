@@ -10,10 +10,11 @@ use super::quantity::{Density, Drag, Energy, Force, Length, Quantity, Sharpness,
 use super::section::{defaults, section, words};
 use super::units::{in_unit, rounded};
 use super::{Case, Experiment, Model, Sample};
+use crate::spec::PairModel;
 use crate::spec::soot::def_sphere::solid_inertia;
 use crate::spec::soot::eq24_fractal::gyration_radius;
+use crate::spec::soot::{self, Along};
 use crate::spec::wear::def_sphere::sphere_mass;
-use crate::spec::{PairModel, soot};
 use serde_yaml::{Mapping, Value};
 use std::path::PathBuf;
 
@@ -55,6 +56,8 @@ section! {
         cutoff: Quantity<Length> = quantity("70 nm"),
         /// How a twist of a contact or neck is resisted.
         torsion: Torsion = Torsion::Spring,
+        /// What springs do first in a step.
+        spring_order: SpringOrder = SpringOrder::StretchFirst,
     }
 }
 
@@ -73,8 +76,18 @@ words! {
     pub enum Torsion {
         /// By a spring and a dashpot.
         Spring = "spring",
-        /// By the dashpot alone: in the published program no more is left of the spring along the normal.
+        /// By a dashpot; the spring is turned into the contact plane, as the paper says, and bends the pair.
         AsPublished = "as-published",
+    }
+}
+
+words! {
+    /// What springs do first in a step.
+    pub enum SpringOrder {
+        /// They are stretched, then they act: the order of the paper.
+        StretchFirst = "stretch-first",
+        /// They act, then they are stretched: the order of the authors' program, which takes their stiffness times the step from their dashpots.
+        ActFirst = "act-first",
     }
 }
 
@@ -158,17 +171,17 @@ impl FourSprings {
 }
 
 impl Soot {
-    /// The contact law in engine units.
-    pub fn law(&self) -> soot::Soot {
+    /// The contact law in engine units, with torsion springs as the caller has them.
+    pub fn law<T: soot::Torsion>(&self, torsion: T) -> soot::Soot<T> {
         let ([static_t, static_r, static_o], [dynamic_t, dynamic_r, dynamic_o]) =
             (self.friction.at_rest, self.friction.in_motion);
-        let torsion = match self.torsion {
-            Torsion::Spring => soot::Torsion::Spring,
-            Torsion::AsPublished => soot::Torsion::AsPublished,
+        let order = match self.spring_order {
+            SpringOrder::StretchFirst => soot::Order::StretchFirst,
+            SpringOrder::ActFirst => soot::Order::ActFirst,
         };
         let friction = soot::Friction { static_t, static_r, static_o, dynamic_t, dynamic_r, dynamic_o };
         let (contact, delta_0, cutoff) = (self.contact.spec(), self.saturation.value, self.cutoff.value);
-        let wall = |hamaker: f64| soot::Wall { contact, friction, hamaker, delta_0, cutoff, torsion };
+        let wall = |hamaker: f64| soot::Wall { contact, friction, hamaker, delta_0, cutoff, order };
         soot::Soot {
             neck: self.neck_springs.clone().unwrap_or_else(|| self.necks.unwrap_or(NeckSet::P).springs()).spec(),
             contact,
@@ -182,6 +195,7 @@ impl Soot {
                 cutoff,
             },
             torsion,
+            order,
             walls: [&self.substrate_hamaker_constant, &self.tip_hamaker_constant].map(|a| wall(a.value)),
         }
     }
@@ -247,7 +261,7 @@ impl Case {
                 let text = format!("{} = {} of the largest stable step", in_unit(dt, "fs"), rounded(dt / limit));
                 (format!("{}.dt", self.soot_key(number, stage)), text)
             }));
-            let left = soot.law().attraction.force(soot.cutoff.value, soot.cutoff.value - 2.0 * r, r, r);
+            let left = soot.law(Along).attraction.force(soot.cutoff.value, soot.cutoff.value - 2.0 * r, r, r);
             rows.push(("attraction at the cutoff, where it ends".into(), in_unit(left, "N")));
         }
         rows.into_iter().map(|(key, value)| (Value::String(key), Value::String(value))).collect()
@@ -258,7 +272,7 @@ impl Soot {
     /// The largest stable time step of two spheres of this radius that nothing else touches, ns. Where spheres have more necks it is smaller: 0.69 of it with three on
     /// one sphere, 0.56 in a row of five, 0.52 with six.
     pub fn step_limit(&self, r: f64) -> f64 {
-        self.law().critical_time_step(r, sphere_mass(self.density.value, r))
+        self.law(Along).critical_time_step(r, sphere_mass(self.density.value, r))
     }
 }
 

@@ -1,10 +1,11 @@
 //! From a case to the run of its paper.
 
 use super::{Control, Glance, Run, Study, soot, titania, wear};
-use crate::case::{Amorphous, Case, Model, Sample, located};
+use crate::case::{Amorphous, Case, Model, Sample, Torsion, located};
 use crate::error::{AtPath, Error};
 use crate::output::{Finding, Manifest, RunFolder, Status, sha256_file, write_atomically};
 use crate::spec::Necked;
+use crate::spec::soot::{Along, IntoPlane};
 use crate::spec::titania::Tabulated;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -17,8 +18,12 @@ macro_rules! with_plan {
                 let $plan = wear::Plan::of(&$case);
                 $done
             }
+            Model::Soot(model) if model.torsion == Torsion::AsPublished => {
+                let $plan = soot::Plan::of(&$case, IntoPlane);
+                $done
+            }
             Model::Soot(_) => {
-                let $plan = soot::Plan::of(&$case);
+                let $plan = soot::Plan::of(&$case, Along);
                 $done
             }
             Model::Titania(model) if $case.is_about_a_film() && model.neck_springs.is_some() => {

@@ -8,7 +8,7 @@ use veridem::case::Case;
 use veridem::forces::Instructions;
 use veridem::simulation::{Integrator, Settings, Simulation};
 use veridem::spec::Vec3;
-use veridem::spec::soot::{SUBSTRATE, Soot, TIP};
+use veridem::spec::soot::{Along, SUBSTRATE, Soot, TIP};
 use veridem::system::{Course, Domain, Particles, Shape, Surface, System};
 
 /// Spheres of the aggregate.
@@ -23,7 +23,7 @@ pub const DT: f64 = 20e-6;
 /// The published interactions with the softer necks.
 pub fn law() -> Soot {
     let text = "title: t\nmodel: {soot: {necks: S}}\nsample: {aggregate: {}}\nexperiment: {restructuring: {}}\n";
-    Case::parse(Path::new("published"), text).expect("a case of defaults").soot().expect("a case of soot").0.law()
+    Case::parse(Path::new("published"), text).expect("a case of defaults").soot().expect("a case of soot").0.law(Along)
 }
 
 /// The same without a coating.

@@ -19,9 +19,13 @@ const NONE: Attraction<f64> = Attraction { a: 0.0, delta_0: 0.1, psi: 0.0, kappa
 const ATTRACTION: Attraction<f64> = Attraction { a: 0.5, psi: 0.2, ..NONE };
 
 fn law(springs: Springs<f64>, attraction: Attraction<f64>) -> Soot {
-    let torsion = Torsion::Spring;
-    let wall = Wall { contact: springs, friction: ROUGH, hamaker: 2.0, delta_0: 0.1, cutoff: 4.0, torsion };
-    Soot { neck: springs, contact: springs, friction: ROUGH, attraction, torsion, walls: [wall; 2] }
+    let order = Order::StretchFirst;
+    let wall = Wall { contact: springs, friction: ROUGH, hamaker: 2.0, delta_0: 0.1, cutoff: 4.0, order };
+    Soot { neck: springs, contact: springs, friction: ROUGH, attraction, torsion: Along, order, walls: [wall; 2] }
+}
+/// The same with torsion springs elsewhere, and springs in another order.
+fn read<T>(Soot { neck, contact, friction, attraction, walls, .. }: Soot, torsion: T, order: Order) -> Soot<T> {
+    Soot { neck, contact, friction, attraction, torsion, order, walls }
 }
 fn memory() -> impl Strategy<Value = Memory<f64>> {
     (vector(), vector(), -1.0..1.0).prop_map(|(tangential, rolling, torsion)| Memory { tangential, rolling, torsion })
@@ -29,8 +33,20 @@ fn memory() -> impl Strategy<Value = Memory<f64>> {
 fn along(x: f64) -> Vec3<f64> {
     Vec3::new(x, 0.0, 0.0)
 }
-fn dimer(law: Soot, bonded: f64, gap: f64) -> Spheres<2> {
+fn dimer<T: Torsion>(law: Soot<T>, bonded: f64, gap: f64) -> Spheres<2, T> {
     Spheres::new(law, bonded, [along(0.0), along(2.0 + gap)])
+}
+
+fn only_numbers<T: Torsion>(law: Soot<T>, c: &Contact<f64>, memory: Memory<f64, T::Spring<f64>>, dt: f64) {
+    for bonded in [0.0, 1.0] {
+        let k = Coefficients { bonded };
+        let Grip { wrench, memory, losses } = law.pair(c, &k, memory, dt);
+        let stored = law.stored(c, &k, &memory);
+        let vectors = [wrench.force, wrench.torque_i, wrench.torque_j].into_iter().flat_map(|v| v.0);
+        let remembered = (0..<Soot<T> as PairModel>::Memory::<f64>::LEN).map(|k| *memory.at(k));
+        let energies = (0..5).map(|k| *losses.at(k)).chain((0..7).map(|k| *stored.at(k)));
+        assert!(vectors.chain(remembered).chain(energies).all(f64::is_finite));
+    }
 }
 
 proptest! {
@@ -41,17 +57,13 @@ proptest! {
         gap in prop_oneof![-0.5..5.0f64, Just(0.0), Just(1e6)], v in vector(), omega in vector(), memory in memory(), dt in 0.0..1.0,
     ) {
         let nothing = Springs::from_fn(|_| 0.0);
-        for springs in [UNDAMPED, DAMPED, nothing] {
-            for (torsion, bonded) in [(Torsion::Spring, 0.0), (Torsion::Spring, 1.0), (Torsion::AsPublished, 0.0), (Torsion::AsPublished, 1.0)] {
-                let law = Soot { torsion, ..law(springs, ATTRACTION) };
+        let c = Contact::new(along(2.0 + gap), v, omega, -omega, 1.0, 1.0);
+        for law in [UNDAMPED, DAMPED, nothing].map(|springs| law(springs, ATTRACTION)) {
+            for order in [Order::StretchFirst, Order::ActFirst] {
                 for memory in [memory, Memory::zero()] {
-                    let c = Contact::new(along(2.0 + gap), v, omega, -omega, 1.0, 1.0);
-                    let k = Coefficients { bonded };
-                    let grip = law.pair(&c, &k, memory, dt);
-                    let stored = law.stored(&c, &k, &grip.memory);
-                    let vectors = [grip.wrench.force, grip.wrench.torque_i, grip.wrench.torque_j];
-                    let numbers = (0..7).map(|k| *grip.memory.at(k)).chain((0..5).map(|k| *grip.losses.at(k))).chain((0..7).map(|k| *stored.at(k)));
-                    prop_assert!(vectors.iter().flat_map(|v| v.0).chain(numbers).all(f64::is_finite));
+                    only_numbers(read(law, Along, order), &c, memory, dt);
+                    let Memory { tangential, rolling, torsion } = memory;
+                    only_numbers(read(law, IntoPlane, order), &c, Memory { tangential, rolling, torsion: c.n * torsion + rolling }, dt);
                 }
             }
         }
@@ -154,13 +166,13 @@ proptest! {
     }
 
     #[test]
-    fn a_wall_attracts_with_the_slope_of_what_it_stores(gap in -0.2..2.0f64, torsion in prop_oneof![Just(Torsion::Spring), Just(Torsion::AsPublished)]) {
-        let wall = Wall { torsion, ..law(UNDAMPED, NONE).walls[SUBSTRATE] };
+    fn a_wall_attracts_with_the_slope_of_what_it_stores(gap in -0.2..2.0f64) {
+        let wall = law(UNDAMPED, NONE).walls[SUBSTRATE];
         let (n, none) = (Vec3::new(0.0, 0.0, 1.0), Vec3::zero());
         let touch = Touch { n, gap, v: none, omega: none, r: 1.0 };
-        let force = wall.grip(&touch, Memory::zero(), 0.1).wrench.force.0[2] - wall.pull(gap, 1.0);
+        let force = wall.grip(&touch, Memory::<f64>::zero(), 0.1).wrench.force.0[2] - wall.pull(gap, 1.0);
         let (gap, r) = (Dual::variable(gap), Dual::constant(1.0));
-        let slope = wall.stored(gap, &Memory::zero())[0].slope + wall.energy(gap, r).slope;
+        let slope = wall.stored(gap, &Memory::<_>::zero())[0].slope + wall.energy(gap, r).slope;
         prop_assert!((force + slope).abs() < 1e-10 * (1.0 + force.abs()));
         prop_assert_eq!(wall.energy(3.0, 1.0), 0.0);
     }
@@ -207,17 +219,54 @@ fn a_kicked_neck_oscillates_with_the_frequency_of_its_spring() {
     near(frequency(start(none, along(kick), along(-kick)), |pair| pair.springs[2].torsion), o);
 }
 
-#[test]
-fn a_twist_as_published_meets_no_lasting_resistance() {
-    for (torsion, returns) in [(Torsion::Spring, true), (Torsion::AsPublished, false)] {
-        let mut pair = dimer(Soot { torsion, ..law(UNDAMPED, NONE) }, 1.0, 0.0);
-        pair.omega = [along(1e-3), along(-1e-3)];
-        for _ in 0..10_000 {
-            pair.step(1e-4);
-        }
-        let twisting = (pair.omega[0] - pair.omega[1]).0[0];
-        assert_eq!((twisting - 2e-3).abs() > 1e-6, returns);
+/// Relative spin after a twist, along the normal and across: the pair lies along `n` and turns about `turning`.
+fn after_a_twist<T: Torsion>(law: Soot<T>, n: Vec3<f64>, turning: Vec3<f64>) -> (f64, f64) {
+    let mut pair: Spheres<2, T> = Spheres::new(law, 1.0, [-n, n]);
+    (pair.v, pair.omega) = ([turning.cross(-n), turning.cross(n)], [n * 1e-3 + turning, n * -1e-3 + turning]);
+    for _ in 0..10_000 {
+        pair.step(1e-4);
     }
+    let n = pair.contact(1, 0).n;
+    let spin = pair.omega[0] - pair.omega[1];
+    (spin.dot(n), spin.perpendicular_to(n).norm())
+}
+
+#[test]
+fn a_twist_meets_no_lasting_resistance_as_published_and_bends_a_pair_that_turns() {
+    let law = law(UNDAMPED, NONE);
+    let (sprung, limp) = (read(law, Along, Order::StretchFirst), read(law, IntoPlane, Order::ActFirst));
+    let (still, slow, quick) = (Vec3::zero(), Vec3::new(0.0, 1e-4, 0.0), Vec3::new(0.0, 1e-3, 0.0));
+    assert!((after_a_twist(sprung, along(1.0), still).0 - 2e-3).abs() > 1e-6);
+    assert!((after_a_twist(limp, along(1.0), still).0 - 2e-3).abs() < 1e-12);
+    // How fast the pair turns decides where it is bent, not how much.
+    let [bent, more] = [slow, quick].map(|turning| after_a_twist(limp, along(1.0), turning).1);
+    assert!((more / bent - 1.0).abs() < 0.01);
+    assert!(after_a_twist(sprung, along(1.0), quick).1 < 0.02 * bent);
+}
+
+#[test]
+fn a_neck_that_acts_before_it_is_stretched_gains_what_a_negative_dashpot_gives() {
+    let (dt, omega_r) = (1e-3, (2.0 * UNDAMPED.k_r / spheres::INERTIA).sqrt());
+    let largest = |order: Order| {
+        let mut pair = dimer(read(law(UNDAMPED, NONE), Along, order), 1.0, 0.0);
+        pair.omega = [Vec3::new(0.0, 1e-6, 0.0), Vec3::new(0.0, -1e-6, 0.0)];
+        let energy = pair.energy();
+        for _ in 0..2000 {
+            pair.step(dt);
+        }
+        // Over the last period.
+        let mut spin: f64 = 0.0;
+        for _ in 0..(std::f64::consts::TAU / omega_r / dt) as usize {
+            pair.step(dt);
+            spin = spin.max(pair.omega[0].norm() * 1e6);
+        }
+        (spin, (pair.energy() + pair.lost) / energy)
+    };
+    let time = 2.0 + std::f64::consts::TAU / omega_r;
+    let (spin, energy) = largest(Order::ActFirst);
+    assert!((spin.ln() / (0.5 * omega_r * omega_r * dt * time) - 1.0).abs() < 0.1, "{spin}");
+    assert!((energy - 1.0).abs() < 0.05, "{energy}");
+    assert!((largest(Order::StretchFirst).0 - 1.0).abs() < 0.02);
 }
 
 #[test]

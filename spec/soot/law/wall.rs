@@ -1,9 +1,10 @@
 //! What a surface does to a sphere.
 
-use super::super::def_grip::{Friction, Grip, Memory, Springs, never};
+use super::super::def_grip::{Friction, Grip, Memory, Order, Springs, never};
 use super::super::def_meeting::Meeting;
+use super::super::def_spring::Twist;
 use super::super::eq21_hamaker_plane::{plane_force, saturated_plane};
-use super::{Torsion, lifted};
+use super::lifted;
 use crate::{Real, Touch};
 
 /// A wall: the substrate, or the tip. It has a motion of its own that no force changes.
@@ -26,16 +27,16 @@ pub struct Wall {
     pub delta_0: f64,
     /// Distance of a centre from the wall beyond which nothing acts, m.
     pub cutoff: f64,
-    /// How a twist is resisted.
-    pub torsion: Torsion,
+    /// What its springs do first in a step.
+    pub order: Order,
 }
 
 impl Wall {
     /// A contact: advances its springs by `dt` and says what they do to the sphere.
     #[inline(always)]
-    pub fn grip<R: Real>(&self, touch: &Touch<R>, memory: Memory<R>, dt: R) -> Grip<R> {
+    pub fn grip<R: Real, O: Twist<R>>(&self, touch: &Touch<R>, memory: Memory<R, O>, dt: R) -> Grip<R, O> {
         let at = Meeting::of_wall(touch.n, touch.gap, touch.v, touch.omega, touch.r);
-        self.springs().grip(&lifted(&self.friction), never::<R>(), &at, memory, dt)
+        self.springs().grip(&lifted(&self.friction), never::<R>(), self.order, &at, memory, dt)
     }
 
     /// The attraction of the nearest point, N.
@@ -54,7 +55,7 @@ impl Wall {
 
     /// What the springs of a contact hold, J: normal, tangential, rolling, torsion.
     #[inline(always)]
-    pub fn stored<R: Real>(&self, gap: R, memory: &Memory<R>) -> [R; 4] {
+    pub fn stored<R: Real, O: Twist<R>>(&self, gap: R, memory: &Memory<R, O>) -> [R; 4] {
         self.springs().stored(never::<R>(), gap, memory)
     }
 
@@ -65,10 +66,6 @@ impl Wall {
 
     #[inline(always)]
     fn springs<R: Real>(&self) -> Springs<R> {
-        let springs: Springs<R> = lifted(&self.contact);
-        match self.torsion {
-            Torsion::Spring => springs,
-            Torsion::AsPublished => Springs { k_o: R::zero(), ..springs },
-        }
+        lifted(&self.contact)
     }
 }

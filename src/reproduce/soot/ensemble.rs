@@ -1,6 +1,5 @@
 //! Aggregates that differ only in their seed, under one coating.
 
-use crate::case::Torsion;
 use crate::error::Error;
 use crate::observe::statistics::Mean;
 use crate::output::RunFolder;
@@ -31,17 +30,28 @@ pub const LOOK: f64 = 0.5;
 pub struct Kind {
     /// Part of the contacts that are necks.
     pub neck_fraction: f64,
-    /// How a twist is resisted.
-    pub torsion: Torsion,
+    /// How their springs work.
+    pub springs: Springs,
 }
 
-impl Kind {
-    fn keys(&self) -> [(&'static str, String); 2] {
-        let torsion = match self.torsion {
-            Torsion::Spring => "spring",
-            Torsion::AsPublished => "as-published",
-        };
-        [("sample.aggregate.neck_fraction", self.neck_fraction.to_string()), ("model.soot.torsion", torsion.into())]
+/// How springs work.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Springs {
+    /// As the specification reads the paper.
+    Read,
+    /// As printed: torsion springs are turned into the contact plane.
+    Printed,
+    /// As in the authors' program: all springs act before they are stretched, too.
+    Programmed,
+}
+
+impl Springs {
+    fn keys(self) -> &'static [(&'static str, &'static str)] {
+        match self {
+            Self::Read => &[("model.soot.torsion", "spring")],
+            Self::Printed => &[("model.soot.torsion", "as-published")],
+            Self::Programmed => &[("model.soot.torsion", "as-published"), ("model.soot.spring_order", "act-first")],
+        }
     }
 }
 
@@ -81,10 +91,13 @@ fn points(protocol: &Protocol, kinds: &[Kind]) -> Result<Vec<Point>, Error> {
         set(&mut base, key, value)?;
     }
     let seeds = (1..=protocol.aggregates).map(|seed| seed.to_string());
-    let members = seeds.flat_map(|seed| kinds.iter().map(move |kind| (seed.clone(), kind.keys())));
+    let members = seeds.flat_map(|seed| kinds.iter().map(move |kind| (seed.clone(), kind)));
     members
-        .map(|(seed, [(fraction, necks), (torsion, how)])| {
-            Point::new(Path::new(FILE), &base, &[("seed", &seed), (fraction, &necks), (torsion, &how)])
+        .map(|(seed, kind)| {
+            let fraction = kind.neck_fraction.to_string();
+            let mut keys = vec![("seed", &*seed), ("sample.aggregate.neck_fraction", &*fraction)];
+            keys.extend(kind.springs.keys());
+            Point::new(Path::new(FILE), &base, &keys)
         })
         .collect()
 }
@@ -146,7 +159,7 @@ mod tests {
         let protocol = Protocol { aggregates: 2, keys: &keys };
         let place = tempfile::tempdir().expect("a place");
         let setting = Setting { extent: Extent::Reduced, runs: place.path().join("runs"), tell: &|_| {} };
-        let kind = |neck_fraction| Kind { neck_fraction, torsion: Torsion::Spring };
+        let kind = |neck_fraction| Kind { neck_fraction, springs: Springs::Read };
         let found = || ensembles(&protocol, &[kind(0.0), kind(1.0)], &setting).expect("a stable step");
         let (found, again) = (found(), found());
         let first = |k: usize| found[k].coordination[0];

@@ -7,6 +7,7 @@ use crate::case::{NeckSet, Soot};
 use crate::observe::morphology::{Extent, gyration_radius};
 use crate::reproduce::{Chapter, Claim};
 use crate::spec::PairModel;
+use crate::spec::soot::Along;
 use crate::spec::soot::def_sphere::solid_inertia;
 use crate::spec::soot::eq19_equal_hamaker::{equal_hamaker_energy, saturated_hamaker};
 use crate::spec::soot::eq21_hamaker_plane::plane_energy;
@@ -119,7 +120,7 @@ const NECKS: [(NeckSet, f64, &str); 2] = [(NeckSet::S, 50e-6, "S"), (NeckSet::P,
 
 /// Section 3: the softer necks are stable at the longer of the published steps, the stiffer ones only at the shorter.
 fn time_step(m: f64, necks: NeckSet, step: f64, name: &str) -> Claim {
-    let limit = Soot { necks: Some(necks), ..defaults() }.law().critical_time_step(RADIUS, m);
+    let limit = Soot { necks: Some(necks), ..defaults() }.law(Along).critical_time_step(RADIUS, m);
     Claim::new(
         "Section 3",
         format!("necks of set {name} are stable at {:.0} fs but not at ten times that", step * 1e6),

@@ -12,8 +12,8 @@ use crate::run::Study;
 use crate::run::soot::Plan;
 use crate::run::soot::watch::{Deposit, Watch, height};
 use crate::simulation::Simulation;
-use crate::spec::soot;
 use crate::spec::soot::eq21_hamaker_plane::plane_force;
+use crate::spec::soot::{self, Along};
 use crate::system::System;
 use rayon::prelude::*;
 
@@ -61,12 +61,13 @@ fn quantity<K: Kind>(text: &str) -> Quantity<K> {
     Quantity::parse(text).expect("a quantity of the right kind")
 }
 
-fn plan(protocol: &Protocol, seed: u64) -> Plan {
+fn plan(protocol: &Protocol, seed: u64) -> Plan<Along> {
     let duration = |text: &str| Scaled::Absolute(quantity(text));
     Plan {
         seed,
         max_overlap: defaults::<Limits>().overlap,
         soot: Soot { necks: Some(NeckSet::S), cutoff: quantity("42 nm"), ..defaults() },
+        torsion: Along,
         sample: Aggregate { spheres: protocol.spheres, neck_fraction: 1.0, ..defaults() },
         stages: vec![
             SootStage::Deposition(defaults()),
@@ -81,7 +82,7 @@ fn plan(protocol: &Protocol, seed: u64) -> Plan {
 }
 
 /// One aggregate, deposited and indented.
-fn member(plan: &Plan) -> Result<Member, Error> {
+fn member(plan: &Plan<Along>) -> Result<Member, Error> {
     let system = plan.set_up(0, plan.initial()?)?;
     let first = height(&system);
     let (watch, deposited) = play(plan, 0, system, |watch, simulation| watch.deposit(simulation).rests)?;
@@ -93,7 +94,7 @@ fn member(plan: &Plan) -> Result<Member, Error> {
 
 /// A stage from its beginning to its end, or until all is done.
 fn play(
-    plan: &Plan,
+    plan: &Plan<Along>,
     stage: usize,
     system: System,
     done: impl Fn(&Watch, &Simulation<soot::Soot>) -> bool,

@@ -1,7 +1,6 @@
 //! Section 3.2: aggregates collapse under their coating.
 
-use super::ensemble::{Ensemble, Kind, LOOK, Protocol, ensembles, settled, terminal};
-use crate::case::Torsion;
+use super::ensemble::{Ensemble, Kind, LOOK, Protocol, Springs, ensembles, settled, terminal};
 use crate::error::Error;
 use crate::figures::{Axis, Curve, Mark, Plot};
 use crate::observe::statistics::Mean;
@@ -23,9 +22,9 @@ const FULL: Protocol = Protocol { aggregates: 50, keys: &[] };
 pub fn chapter(setting: &Setting) -> Result<Chapter, Error> {
     let protocol = setting.extent.of(REDUCED, FULL);
     let fractions: &[f64] = setting.extent.of(&[0.0, 0.5, 0.9, 1.0], &[0.0, 0.25, 0.5, 0.75, 0.9, 1.0]);
-    let sprung = fractions.iter().map(|&neck_fraction| Kind { neck_fraction, torsion: Torsion::Spring });
-    let limp = Kind { neck_fraction: 1.0, torsion: Torsion::AsPublished };
-    let found = ensembles(&protocol, &sprung.chain([limp]).collect::<Vec<_>>(), setting)?;
+    let read = fractions.iter().map(|&neck_fraction| Kind { neck_fraction, springs: Springs::Read });
+    let others = [Springs::Printed, Springs::Programmed].map(|springs| Kind { neck_fraction: 1.0, springs });
+    let found = ensembles(&protocol, &read.chain(others).collect::<Vec<_>>(), setting)?;
     let members = found[0].members;
     let note = match setting.extent {
         Extent::Reduced => {
@@ -43,15 +42,16 @@ pub fn chapter(setting: &Setting) -> Result<Chapter, Error> {
 
 /// What an ensemble is called.
 fn name(kind: Kind) -> String {
-    let twist = match kind.torsion {
-        Torsion::Spring => "",
-        Torsion::AsPublished => ", limp torsion",
+    let springs = match kind.springs {
+        Springs::Read => "",
+        Springs::Printed => ", torsion as printed",
+        Springs::Programmed => ", springs as in the program",
     };
-    format!("{:.0} % necks{twist}", 100.0 * kind.neck_fraction)
+    format!("{:.0} % necks{springs}", 100.0 * kind.neck_fraction)
 }
 
 fn claims(found: &[Ensemble]) -> Vec<Claim> {
-    let sprung: Vec<&Ensemble> = found.iter().filter(|ensemble| ensemble.kind.torsion == Torsion::Spring).collect();
+    let sprung: Vec<&Ensemble> = found.iter().filter(|ensemble| ensemble.kind.springs == Springs::Read).collect();
     let breaking: Vec<&Ensemble> =
         sprung.iter().copied().filter(|ensemble| ensemble.kind.neck_fraction < 1.0).collect();
     let listed = |ensembles: &[&Ensemble], of: &dyn Fn(&Ensemble) -> String| {
@@ -116,13 +116,16 @@ fn claims(found: &[Ensemble]) -> Vec<Claim> {
     ];
     for ensemble in found.iter().filter(|ensemble| ensemble.kind.neck_fraction == 1.0) {
         let rise = end(ensemble).value / ensemble.coordination[0].value - 1.0;
-        let twist = match ensemble.kind.torsion {
-            Torsion::Spring => "a torsion spring resists a twist",
-            Torsion::AsPublished => "nothing but a dashpot resists a twist, as in the authors' program",
+        let springs = match ensemble.kind.springs {
+            Springs::Read => "a torsion spring resists a twist",
+            Springs::Printed => "torsion springs are turned into the contact plane, as printed",
+            Springs::Programmed => {
+                "torsion springs as printed, and all act before they are stretched, as in the authors' program"
+            }
         };
         claims.push(Claim::new(
             "Section 3.2",
-            format!("the coordination number rises by less than 10 % if all contacts are necks; {twist}"),
+            format!("the coordination number rises by less than 10 % if all contacts are necks; {springs}"),
             "below 10 %",
             format!("{:+.1} % to {}", 100.0 * rise, end(ensemble)),
             (0.0..0.1).contains(&rise),
@@ -155,17 +158,21 @@ fn figures(found: &[Ensemble]) -> Vec<Figure> {
         let caption = format!("{label} of restructuring aggregates ({course})");
         figures.push(draw(format!("soot-{file}"), caption, "time [ns]", label, curves.collect()));
 
-        let by_torsion = |torsion, label: &str| {
+        let of = |springs, label: &str| {
             let points: Vec<_> = found
                 .iter()
-                .filter(|ensemble| ensemble.kind.torsion == torsion)
+                .filter(|ensemble| ensemble.kind.springs == springs)
                 .map(|ensemble| (ensemble.kind.neck_fraction, terminal(measure(ensemble))))
                 .map(|(fraction, mean)| (fraction, mean.value, mean.margin))
                 .collect();
             banded(label.into(), Mark::Dots, &points)
         };
-        let mut curves = by_torsion(Torsion::Spring, "torsion springs");
-        curves.extend(by_torsion(Torsion::AsPublished, "limp torsion"));
+        let curves = [
+            (Springs::Read, "torsion springs along the normal"),
+            (Springs::Printed, "as printed"),
+            (Springs::Programmed, "as in the program"),
+        ];
+        let curves = curves.into_iter().flat_map(|(springs, label)| of(springs, label)).collect();
         let caption = format!("terminal {label} against the fraction of necks ({ends})");
         figures.push(draw(format!("soot-terminal-{file}"), caption, "neck fraction", label, curves));
     }

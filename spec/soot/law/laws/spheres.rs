@@ -6,27 +6,27 @@ use crate::soot::def_integrators::{half_step, half_step_start};
 use crate::soot::def_sphere::solid_inertia;
 
 /// Equal solid spheres of unit mass and radius, every pair with the same law.
-pub struct Spheres<const N: usize> {
-    pub law: Soot,
+pub struct Spheres<const N: usize, T: Torsion = Along> {
+    pub law: Soot<T>,
     pub bonded: f64,
     pub x: [Vec3<f64>; N],
     pub v: [Vec3<f64>; N],
     pub omega: [Vec3<f64>; N],
-    pub springs: Vec<Memory<f64>>,
+    pub springs: Vec<Memory<f64, T::Spring<f64>>>,
     pub lost: f64,
 }
 
 pub const INERTIA: f64 = 0.4;
 
-impl<const N: usize> Spheres<N> {
-    pub fn new(law: Soot, bonded: f64, x: [Vec3<f64>; N]) -> Self {
+impl<const N: usize, T: Torsion> Spheres<N, T> {
+    pub fn new(law: Soot<T>, bonded: f64, x: [Vec3<f64>; N]) -> Self {
         let none = [Vec3::zero(); N];
         Self { law, bonded, x, v: none, omega: none, springs: vec![Memory::zero(); N * N], lost: 0.0 }
     }
     fn pairs() -> impl Iterator<Item = (usize, usize)> {
         (0..N).flat_map(|i| (0..i).map(move |j| (i, j)))
     }
-    fn contact(&self, i: usize, j: usize) -> Contact<f64> {
+    pub fn contact(&self, i: usize, j: usize) -> Contact<f64> {
         Contact::new(self.x[i] - self.x[j], self.v[i] - self.v[j], self.omega[i], self.omega[j], 1.0, 1.0)
     }
     pub fn gap(&self) -> f64 {
