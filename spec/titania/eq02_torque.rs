@@ -1,7 +1,27 @@
 //! The torques of a contact.
 
 use crate::equation::Equation;
-use crate::{Real, Vec3, equation};
+use crate::{Contact, Real, Vec3, equation};
+
+/// Where the contact point of a pair is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Arms {
+    /// Half-way between the bare surfaces: the arms add up to the distance of the centres.
+    HalfGap,
+    /// Half a compressed layer above each bare surface, at any distance: a tangential force creates angular momentum.
+    HalfLayer,
+}
+
+impl Arms {
+    /// The moment arms of the particles of a contact, whose radii contain the compressed layer `h_n`.
+    #[inline(always)]
+    pub fn of<R: Real>(self, c: &Contact<R>, h_n: f64) -> [R; 2] {
+        match self {
+            Self::HalfGap => [moment_arm(c.r_i, c.r_j, c.distance), moment_arm(c.r_j, c.r_i, c.distance)],
+            Self::HalfLayer => [c.r_i, c.r_j].map(|r| layered_arm(r - R::lit(h_n), R::lit(h_n))),
+        }
+    }
+}
 
 /// **Section 2**, unnumbered: distance of the contact point from the centre of a particle.
 ///
@@ -31,6 +51,33 @@ use crate::{Real, Vec3, equation};
 #[inline(always)]
 pub fn moment_arm<R: Real>(r_i: R, r_j: R, d: R) -> R {
     r_i + R::lit(0.5) * (d - r_i - r_j)
+}
+
+/// **Section 2**, unnumbered: the same, taken by the letter.
+///
+/// ```math
+/// R_i^{aug} = R_i + \frac{h_n}{2}
+/// ```
+///
+/// # Reading
+///
+/// "Augmented by half the thickness of the compressed water layer", whatever the distance. At rest it is 0.1 nm shorter than
+/// [`moment_arm`], which a case takes if it does not ask for this one: here a tangential force creates angular momentum.
+///
+/// | name | symbol | unit | domain | meaning |
+/// |---|---|---|---|---|
+/// | `r_i` | $R_i$ | m | > 0 | bare radius of the particle |
+/// | `h_n` | $h_n$ | m | >= 0 | thickness of the compressed layer |
+/// | → `arm` | $R_i^{aug}$ | m | | moment arm |
+///
+/// Rounding: at most 0.5 ULP.
+///
+/// # Laws
+///
+/// * `arms_add_up_to_the_distance_which_constant_layers_do_not`
+#[inline(always)]
+pub fn layered_arm<R: Real>(r_i: R, h_n: R) -> R {
+    r_i + R::lit(0.5) * h_n
 }
 
 /// **Eq. 2**, Section 2: torques of a contact on its particles.
@@ -108,6 +155,7 @@ pub(super) fn contact_torques<R: Real>(l_i: R, l_j: R, f_t: Vec3<R>, n: Vec3<R>,
 pub(super) fn equations() -> Vec<Equation> {
     vec![
         equation!("titania/eq02_torque.rs", "titania-arm", [], moment_arm),
+        equation!("titania/eq02_torque.rs", "titania-arm-layer", [], layered_arm),
         equation!("titania/eq02_torque.rs", "titania-2", ["2"], torques),
     ]
 }
@@ -127,7 +175,7 @@ mod laws {
             let h_n = 0.36f64;
             let d = r_i + r_j + 2.0 * h_n - delta_n;
             prop_assert!((moment_arm(r_i, r_j, d) + moment_arm(r_j, r_i, d) - d).abs() < 1e-14);
-            prop_assert!(((r_i + h_n) + (r_j + h_n) - d - delta_n).abs() < 1e-14);
+            prop_assert!((layered_arm(r_i, h_n) + layered_arm(r_j, h_n) - d - (delta_n - h_n)).abs() < 1e-14);
         }
 
         #[test]

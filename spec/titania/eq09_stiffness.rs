@@ -4,6 +4,15 @@ use super::def_radius::effective_radius;
 use crate::equation::Equation;
 use crate::{Real, equation};
 
+/// Whose equilibrium gives the contact stiffness of a pair.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stiffness {
+    /// Its own: every pair rests at the same overlap.
+    PerPair,
+    /// Those of pairs of equal particles of either size, [mixed](mixed_stiffness).
+    PerSize,
+}
+
 /// **Eq. 9**, Section 2.3: contact stiffness that keeps a pair in equilibrium at a given overlap.
 ///
 /// ```math
@@ -38,8 +47,39 @@ pub fn stiffness<R: Real>(f_na_0: R, delta_n_0: R, r_i: R, r_j: R, h_n: R) -> R 
     -f_na_0 / (delta_n_0 * (delta_n_0 * r_eff).sqrt())
 }
 
+/// **Section 2.3**, unnumbered: contact stiffness of unlike particles, from those of either size.
+///
+/// ```math
+/// \frac{1}{k_n} = \frac{1}{2} \left(\frac{1}{k_i} + \frac{1}{k_j}\right)
+/// ```
+///
+/// # Reading
+///
+/// Ambiguous: the paper speaks of the stiffness of a particle size, for which the star that Eq. 9 lacks makes no difference, and does not say how two sizes meet. Hertz adds the
+/// compliances of two bodies. Unlike particles then rest a little beside their nominal distance, and a case takes the stiffness of the pair if
+/// it does not ask for this one.
+///
+/// | name | symbol | unit | domain | meaning |
+/// |---|---|---|---|---|
+/// | `k_i` | $k_i$ | Pa | > 0 | stiffness of two particles like i |
+/// | `k_j` | $k_j$ | Pa | > 0 | stiffness of two particles like j |
+/// | → `k_n` | $k_n$ | Pa | | contact stiffness |
+///
+/// Rounding: at most 0.5 ULP.
+///
+/// # Laws
+///
+/// * `unlike_particles_are_as_stiff_as_half_the_sum_of_their_compliances`
+#[inline(always)]
+pub fn mixed_stiffness<R: Real>(k_i: R, k_j: R) -> R {
+    R::lit(2.0) * k_i * k_j / (k_i + k_j)
+}
+
 pub(super) fn equations() -> Vec<Equation> {
-    vec![equation!("titania/eq09_stiffness.rs", "titania-9", ["9"], stiffness)]
+    vec![
+        equation!("titania/eq09_stiffness.rs", "titania-9", ["9"], stiffness),
+        equation!("titania/eq09_stiffness.rs", "titania-9-mixed", [], mixed_stiffness),
+    ]
 }
 
 #[cfg(test)]
@@ -62,6 +102,13 @@ mod laws {
                 let off = repulsion(printed, delta, r_i, r_j, 0.36).1 / f - 1.0;
                 prop_assert!(off.abs() > 0.03);
             }
+        }
+
+        #[test]
+        fn unlike_particles_are_as_stiff_as_half_the_sum_of_their_compliances(k_i in 20.0..45.0, k_j in 20.0..45.0) {
+            let k_n = mixed_stiffness(k_i, k_j);
+            prop_assert!(relative_eq!(1.0 / k_n, 0.5 * (1.0 / k_i + 1.0 / k_j), max_relative = 1e-15));
+            prop_assert!(relative_eq!(mixed_stiffness(k_i, k_i), k_i, max_relative = 1e-15));
         }
 
         #[test]

@@ -4,6 +4,15 @@ use super::def_radius::effective_radius;
 use crate::equation::Equation;
 use crate::{Real, Vec3, equation};
 
+/// What rolling resistance does in a step that would turn a rolling particle back.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rolling {
+    /// It stops the particle.
+    Stopping,
+    /// It turns it back, as in the authors' program: a particle that should rest changes its spin every step.
+    Unlimited,
+}
+
 /// **Eq. 13**, Section 2.4: magnitude of the rolling torque.
 ///
 /// ```math
@@ -45,7 +54,7 @@ pub fn rolling_resistance<R: Real>(r_i: R, r_j: R, h_n: R, tau_r: R, a: R) -> R 
 ///
 /// Ambiguous: a "pure slider" has no value at rest. The torque opposes the relative rolling velocity, which excludes the spin about the normal,
 /// and is zero at rest. A step of constant torque may stop the rolling but not reverse it: without the limit the
-/// spin would change its sign every step. The authors' program has no limit and divides by the length of the whole
+/// spin would change its sign every step ([`Rolling::Unlimited`]: an infinite moment of inertia). The authors' program has no limit and divides by the length of the whole
 /// relative angular velocity, so that twisting weakens its resistance to rolling.
 ///
 /// | name | symbol | unit | domain | meaning |

@@ -4,22 +4,39 @@ use super::attraction::Attraction;
 use super::def_radius::{effective_radius, radii};
 use super::def_water::{kelvin, surface_tension, water_layer};
 use super::eq01_total_force::total_force;
-use super::eq02_torque::{contact_torques, moment_arm};
+use super::eq02_torque::{Arms, contact_torques};
 use super::eq03_attraction::Solvation;
 use super::eq05_amplitude::amplitude;
 use super::eq06_normal_damping::dashpot;
 use super::eq07_damping_coefficient::{GAMMA_0, damping_coefficient};
 use super::eq08_repulsion::hertz;
-use super::eq09_stiffness::stiffness;
+use super::eq09_stiffness::{Stiffness, mixed_stiffness, stiffness};
 use super::eq11_contact_area::section;
 use super::eq12_sliding::{Slip, sliding_spring, spring_energy};
-use super::eq13_rolling::rolling_torque;
+use super::eq13_rolling::{Rolling, rolling_torque};
 use super::table::Table;
 use crate::wear::def_sphere::moment_of_inertia;
 use crate::wear::def_spring::stretched_spring;
 use crate::wear::def_stable_step::stable_time_step;
 use crate::wear::eq17_effective_mass::effective_mass;
 use crate::{Contact, Outcome, PairModel, Real, Vec3, Wrench, flat_struct};
+
+/// What wets the particles.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Liquid {
+    /// Water: its layer and surface tension follow the humidity, and the size of the particles.
+    Water {
+        /// Surface tension relative to the tables of TIP3P water.
+        scale: f64,
+    },
+    /// Another one, of which they are given.
+    Other {
+        /// Surface tension, N/m.
+        gamma: f64,
+        /// Thickness of the layer, m.
+        h_w: f64,
+    },
+}
 
 /// The contact law and its parameters. The radius of a particle is that of its contact sphere, $R + h_n$.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,8 +51,8 @@ pub struct Titania {
     pub thermal_pressure: f64,
     /// Contact angle $\theta$ of the meniscus, rad.
     pub contact_angle: f64,
-    /// Surface tension relative to the tables of TIP3P water.
-    pub tension_scale: f64,
+    /// The liquid of the layer and the menisci.
+    pub liquid: Liquid,
     /// A nanometre in the units of the caller.
     pub nanometre: f64,
     /// A newton per metre in the units of the caller.
@@ -58,6 +75,12 @@ pub struct Titania {
     pub lambda_t: f64,
     /// What a slip leaves of the tangential spring.
     pub slip: Slip,
+    /// Whose equilibrium gives the contact stiffness of a pair.
+    pub stiffness: Stiffness,
+    /// Where the contact point of a pair is.
+    pub arms: Arms,
+    /// What rolling resistance does to a particle that hardly rolls.
+    pub rolling: Rolling,
 }
 
 flat_struct! {
@@ -120,7 +143,7 @@ impl Titania {
             humidity: 0.5,
             thermal_pressure: Self::thermal_pressure_of_water(300.0) * 1e-9 * gigapascal,
             contact_angle: 0.0,
-            tension_scale: 0.072 / 0.04729279,
+            liquid: Liquid::Water { scale: 0.072 / 0.04729279 },
             nanometre,
             newton_per_metre,
             solvation: Solvation::Israelachvili,
@@ -132,6 +155,9 @@ impl Titania {
             tau_r: 0.25 * gigapascal,
             lambda_t: 0.5 * nanometre,
             slip: Slip::Reset,
+            stiffness: Stiffness::PerPair,
+            arms: Arms::HalfGap,
+            rolling: Rolling::Stopping,
         }
     }
 
@@ -155,14 +181,19 @@ impl Titania {
         let (core_i, core_j, one, rh) = (self.core(r_i), self.core(r_j), R::one(), R::lit(self.humidity));
         let (nanometre, sigma) = (R::lit(self.nanometre), R::lit(self.sigma));
         let d_core = R::lit(2.0) * core_i.min(core_j);
-        let gamma = surface_tension(d_core, rh, R::lit(self.tension_scale), nanometre, R::lit(self.newton_per_metre));
+        let (gamma, h_w) = match self.liquid {
+            Liquid::Water { scale } => {
+                let gamma = surface_tension(d_core, rh, R::lit(scale), nanometre, R::lit(self.newton_per_metre));
+                (gamma, water_layer(rh, nanometre))
+            }
+            Liquid::Other { gamma, h_w } => (R::lit(gamma), R::lit(h_w)),
+        };
         let r_k = kelvin(gamma, R::lit(self.thermal_pressure), one, rh).1;
         let printed = amplitude(effective_radius(core_i, core_j).0, R::lit(self.f_00), R::lit(self.f_01));
         let (f_0, least) = match self.solvation {
             Solvation::Printed => (printed, -(core_i + core_j)),
             Solvation::Israelachvili => (-printed, R::lit(0.25) * sigma),
         };
-        let h_w = water_layer(rh, nanometre);
         Attraction::new(core_i, core_j, h_w, gamma, r_k, R::lit(self.contact_angle), f_0, sigma, least)
     }
 
@@ -191,8 +222,23 @@ impl Titania {
 
     /// Contact stiffness of two particles, Pa.
     pub(super) fn stiffness<R: Real>(&self, r_i: R, r_j: R) -> R {
+        match self.stiffness {
+            Stiffness::PerPair => self.balanced_stiffness(r_i, r_j),
+            Stiffness::PerSize => mixed_stiffness(self.balanced_stiffness(r_i, r_i), self.balanced_stiffness(r_j, r_j)),
+        }
+    }
+
+    fn balanced_stiffness<R: Real>(&self, r_i: R, r_j: R) -> R {
         let (core_i, core_j, d) = (self.core(r_i), self.core(r_j), self.equilibrium(r_i, r_j));
         stiffness(self.attraction(r_i, r_j).force(d), r_i + r_j - d, core_i, core_j, R::lit(self.h_n))
+    }
+
+    /// The reduced moment of inertia that rolling resistance must not turn back in a step.
+    pub(super) fn stoppable<R: Real>(&self, inertia: R) -> R {
+        match self.rolling {
+            Rolling::Stopping => inertia,
+            Rolling::Unlimited => R::lit(f64::INFINITY),
+        }
     }
 
     /// The constants of the contact of a pair of known stiffness.
@@ -210,7 +256,7 @@ impl Titania {
                 Slip::Reset => R::zero(),
                 Slip::Remainder => R::one(),
             },
-            inertia: effective_mass(moment_of_inertia(m_i, r_i), moment_of_inertia(m_j, r_j)),
+            inertia: self.stoppable(effective_mass(moment_of_inertia(m_i, r_i), moment_of_inertia(m_j, r_j))),
         }
     }
 }
@@ -226,7 +272,7 @@ impl PairModel for Titania {
     }
 
     fn turning<R: Real>(&self, (contact, attraction): Coefficients<R>, inertia: R) -> Coefficients<R> {
-        (Parameters { inertia, ..contact }, attraction)
+        (Parameters { inertia: self.stoppable(inertia), ..contact }, attraction)
     }
 
     fn range(&self, r_i: f64, r_j: f64) -> f64 {
@@ -234,7 +280,7 @@ impl PairModel for Titania {
     }
 
     fn pair<R: Real>(&self, c: &Contact<R>, (contact, attraction): &Coefficients<R>, spring: Vec3<R>, dt: R) -> Act<R> {
-        contact.act(c, attraction.force(c.distance), spring, dt)
+        contact.act(self.arms.of(c, self.h_n), c, attraction.force(c.distance), spring, dt)
     }
 
     fn stored<R: Real>(&self, c: &Contact<R>, (contact, attraction): &Coefficients<R>, spring: &Vec3<R>) -> Held<R> {
@@ -257,11 +303,9 @@ impl<R: Real> Parameters<R> {
     /// Eqs. 1 to 13 composed: what a pair does that attracts with `f_na` along the normal (negative), its spring advanced by `dt`.
     /// Out of contact the attraction alone acts, and the spring is forgotten.
     #[inline(always)]
-    pub fn act(&self, c: &Contact<R>, f_na: R, spring: Vec3<R>, dt: R) -> Act<R> {
+    pub fn act(&self, [arm_i, arm_j]: [R; 2], c: &Contact<R>, f_na: R, spring: Vec3<R>, dt: R) -> Act<R> {
         let (zero, delta_n) = (R::zero(), -c.gap);
         let touches = delta_n.gt(zero);
-        let arm_i = moment_arm(c.r_i, c.r_j, c.distance);
-        let arm_j = moment_arm(c.r_j, c.r_i, c.distance);
         let a = section(c.r_i, c.r_j, c.distance, delta_n);
 
         let stretched = stretched_spring(spring, c.n, c.sliding_velocity(arm_i, arm_j), dt);

@@ -57,7 +57,7 @@ pub mod table;
 pub mod tabulated;
 
 pub use attraction::Attraction;
-pub use law::{Act, Coefficients, Held, Lost, Parameters, Titania};
+pub use law::{Act, Coefficients, Held, Liquid, Lost, Parameters, Titania};
 pub use table::Table;
 pub use tabulated::Tabulated;
 

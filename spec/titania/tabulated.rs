@@ -84,7 +84,7 @@ impl PairModel for Tabulated {
     }
 
     fn turning<R: Real>(&self, (contact, piece): Self::Coefficients<R>, inertia: R) -> Self::Coefficients<R> {
-        (Parameters { inertia, ..contact }, piece)
+        (Parameters { inertia: self.law.stoppable(inertia), ..contact }, piece)
     }
 
     fn range(&self, r_i: f64, r_j: f64) -> f64 {
@@ -99,7 +99,7 @@ impl PairModel for Tabulated {
         spring: Vec3<R>,
         dt: R,
     ) -> Act<R> {
-        contact.act(c, piece.force(&self.lists, c.distance), spring, dt)
+        contact.act(self.law.arms.of(c, self.law.h_n), c, piece.force(&self.lists, c.distance), spring, dt)
     }
 
     fn stored<R: Real>(&self, c: &Contact<R>, (contact, piece): &Self::Coefficients<R>, spring: &Vec3<R>) -> Held<R> {

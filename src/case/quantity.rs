@@ -36,6 +36,7 @@ macro_rules! kinds {
 }
 kinds! {
     Length: "a length" [0, 1, 0, 0] "14 nm";
+    Volume: "a volume" [0, 3, 0, 0] "0.03 nm^3";
     Time: "a time" [0, 0, 1, 0] "10 ns";
     Rate: "a frequency" [0, 0, -1, 0] "0.1 1/ns";
     Velocity: "a velocity" [0, 1, -1, 0] "10 m/s";

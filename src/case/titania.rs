@@ -2,18 +2,18 @@
 //! is silent.
 
 use super::quantity::{
-    DampingPerArea, Density, Drag, Energy, Force, Length, Pressure, Quantity, Scaled, Stiffness, Temperature, Time,
-    Velocity,
+    DampingPerArea, Density, Drag, Energy, Force, Length, Pressure, Quantity, Scaled, Stiffness, SurfaceEnergy,
+    Temperature, Time, Velocity, Volume,
 };
 use super::schema::InSteps;
 use super::section::{section, words};
 use super::soot::{FourSprings, quantity};
-use super::units::{in_unit, rounded};
+use super::units::{BOLTZMANN, in_unit, rounded};
 use super::{Case, Experiment, Film, Model, Sample, Spectroscopy};
 use crate::build::agglomerate::Recipe;
 use crate::spec::PairModel;
 use crate::spec::titania::def_radius::radii;
-use crate::spec::titania::{self, eq03_attraction, eq12_sliding};
+use crate::spec::titania::{self, eq02_torque, eq03_attraction, eq09_stiffness, eq12_sliding, eq13_rolling};
 use crate::spec::wear::def_sphere::sphere_mass;
 use serde_yaml::{Mapping, Value};
 
@@ -28,6 +28,8 @@ section! {
         temperature: Quantity<Temperature> = quantity("300 K"),
         /// Surface tension of the water.
         surface_tension: Tension = Tension::Experimental,
+        /// Another liquid than water.
+        liquid: Option<Liquid> = None,
         /// Contact angle of the meniscus, in radians.
         contact_angle: f64 = 0.0,
         /// Distance of the bare surfaces of two particles at rest.
@@ -52,6 +54,12 @@ section! {
         slip_period: Quantity<Length> = quantity("0.5 nm"),
         /// What a slip leaves of the tangential spring.
         slip: Slip = Slip::Reset,
+        /// Whose equilibrium gives the contact stiffness of a pair, Eq. 9.
+        contact_stiffness: ContactStiffness = ContactStiffness::Pair,
+        /// Where the contact point of a pair is.
+        moment_arms: MomentArms = MomentArms::HalfGap,
+        /// What rolling resistance does to a particle that hardly rolls.
+        rolling: Rolling = Rolling::Stopping,
         /// The springs of the necks between the particles of an aggregate, as the soot paper has them; without them aggregates are rigid.
         neck_springs: Option<FourSprings> = None,
         /// Energy of its four springs at which a neck breaks; without it necks never do.
@@ -66,6 +74,48 @@ words! {
         Experimental = "experimental",
         /// That of the water model TIP3P.
         Tip3p = "tip3p",
+    }
+}
+
+section! {
+    /// A liquid whose surface tension and layer depend neither on the humidity nor on the size of the particles.
+    pub struct Liquid {
+        /// Its surface tension.
+        surface_tension: Quantity<SurfaceEnergy>,
+        /// Volume of a molecule of it.
+        molecule: Quantity<Volume>,
+        /// Thickness of the layer on the particles.
+        layer: Quantity<Length>,
+    }
+}
+
+words! {
+    /// Whose equilibrium gives the contact stiffness of a pair.
+    pub enum ContactStiffness {
+        /// Its own, as in the authors' program.
+        Pair = "pair",
+        /// Those of equal pairs of either size, whose compliances are averaged.
+        Size = "size",
+    }
+}
+
+words! {
+    /// Where the contact point of a pair is.
+    pub enum MomentArms {
+        /// Half-way between the bare surfaces, as in the authors' program.
+        HalfGap = "half-gap",
+        /// Half a compressed layer above each, at any distance, as Section 2 may be read; angular momentum is not kept.
+        HalfLayer = "half-layer",
+    }
+}
+
+words! {
+    /// What rolling resistance does in a step that would turn a rolling particle back.
+    pub enum Rolling {
+        /// It stops the particle.
+        Stopping = "stopping",
+        /// It turns it back, as in the authors' program.
+        Unlimited = "unlimited",
     }
 }
 
@@ -221,11 +271,17 @@ impl Titania {
             core_gap: self.core_gap.value,
             h_n: self.layer.value,
             humidity: self.humidity,
-            thermal_pressure: titania::Titania::thermal_pressure_of_water(self.temperature.value) * megapascal,
+            thermal_pressure: match &self.liquid {
+                None => titania::Titania::thermal_pressure_of_water(self.temperature.value) * megapascal,
+                Some(Liquid { molecule, .. }) => BOLTZMANN * self.temperature.value / molecule.value,
+            },
             contact_angle: self.contact_angle,
-            tension_scale: match self.surface_tension {
-                Tension::Experimental => paper.tension_scale,
-                Tension::Tip3p => 1.0,
+            liquid: match (&self.liquid, self.surface_tension) {
+                (Some(Liquid { surface_tension, layer, .. }), _) => {
+                    titania::Liquid::Other { gamma: surface_tension.value, h_w: layer.value }
+                }
+                (None, Tension::Experimental) => paper.liquid,
+                (None, Tension::Tip3p) => titania::Liquid::Water { scale: 1.0 },
             },
             solvation: match self.solvation {
                 Convention::Israelachvili => eq03_attraction::Solvation::Israelachvili,
@@ -241,6 +297,18 @@ impl Titania {
             slip: match self.slip {
                 Slip::Reset => eq12_sliding::Slip::Reset,
                 Slip::Remainder => eq12_sliding::Slip::Remainder,
+            },
+            stiffness: match self.contact_stiffness {
+                ContactStiffness::Pair => eq09_stiffness::Stiffness::PerPair,
+                ContactStiffness::Size => eq09_stiffness::Stiffness::PerSize,
+            },
+            arms: match self.moment_arms {
+                MomentArms::HalfGap => eq02_torque::Arms::HalfGap,
+                MomentArms::HalfLayer => eq02_torque::Arms::HalfLayer,
+            },
+            rolling: match self.rolling {
+                Rolling::Stopping => eq13_rolling::Rolling::Stopping,
+                Rolling::Unlimited => eq13_rolling::Rolling::Unlimited,
             },
             ..paper
         }

@@ -15,6 +15,9 @@ impl Dimension {
     }
 }
 
+/// Boltzmann's constant, zJ/K.
+pub const BOLTZMANN: f64 = 1.380649e-2;
+
 /// Units that may carry a prefix: symbol, dimension, power of ten of the coherent SI unit.
 const UNITS: [(&str, Dimension, i32); 7] = [
     ("m", Dimension([0, 1, 0, 0]), 0),

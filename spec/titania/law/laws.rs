@@ -19,6 +19,7 @@ fn mass(r: f64) -> f64 {
 
 /// Two particles of nominal diameters of 8 and 14 nm.
 struct Pair {
+    law: Titania,
     k: Parameters<f64>,
     attraction: Attraction<f64>,
     r: [f64; 2],
@@ -28,13 +29,14 @@ impl Pair {
     fn new(law: Titania, d_nom: [f64; 2]) -> Self {
         let [r_i, r_j] = d_nom.map(|d| law.contact_radius(d));
         let k = law.parameters(r_i, r_j, mass(r_i), mass(r_j));
-        Self { k, attraction: law.attraction(r_i, r_j), r: [r_i, r_j] }
+        Self { law, k, attraction: law.attraction(r_i, r_j), r: [r_i, r_j] }
     }
     fn contact(&self, x: Vec3<f64>, v: Vec3<f64>, omega: [Vec3<f64>; 2]) -> Contact<f64> {
         Contact::new(x, v, omega[0], omega[1], self.r[0], self.r[1])
     }
     fn act(&self, c: &Contact<f64>, spring: Vec3<f64>) -> (Wrench<f64>, Vec3<f64>, Lost<f64>) {
-        let Outcome { wrench, memory, losses } = self.k.act(c, self.attraction.force(c.distance), spring, DT);
+        let Outcome { wrench, memory, losses } =
+            self.k.act(self.law.arms.of(c, self.law.h_n), c, self.attraction.force(c.distance), spring, DT);
         (wrench, memory, losses)
     }
 }
@@ -139,7 +141,7 @@ fn the_stiffnesses_are_those_of_the_authors_program() {
             stiffness_of(law(), d_i, d_j)
         );
     }
-    let model = Titania { tension_scale: 1.0, ..law() };
+    let model = Titania { liquid: Liquid::Water { scale: 1.0 }, ..law() };
     for (d, k_n) in [(8.0, 19.54), (16.0, 25.49), (20.0, 28.97)] {
         assert!((stiffness_of(model, d, d) / k_n - 1.0).abs() < 4e-4, "{d}: {}", stiffness_of(model, d, d));
     }
@@ -162,6 +164,36 @@ fn every_pair_rests_where_its_nominal_spheres_touch() {
 }
 
 #[test]
+fn stiffnesses_of_sizes_leave_equal_particles_where_they_rest_and_unlike_ones_within_a_hundredth_of_a_nanometre() {
+    let law = Titania { stiffness: Stiffness::PerSize, ..law() };
+    let force = |d_i, d_j, beyond| {
+        let (pair, none) = (Pair::new(law, [d_i, d_j]), Vec3::zero());
+        pair.act(&pair.contact(Vec3::new(0.5 * (d_i + d_j) + beyond, 0.0, 0.0), none, [none; 2]), none).0.force.0[0]
+    };
+    assert!(force(8.0, 8.0, 0.0).abs() < 1e-12);
+    assert!(force(3.0, 23.0, 0.0).abs() > 0.01);
+    assert!(force(3.0, 23.0, -0.01) * force(3.0, 23.0, 0.01) < 0.0);
+}
+
+#[test]
+fn a_constant_layer_shortens_the_arms_of_particles_at_rest() {
+    let c = PAIR.contact(Vec3::new(11.0, 0.0, 0.0), Vec3::zero(), [Vec3::zero(); 2]);
+    let ([a, b], [c, d]) = (Arms::HalfGap.of(&c, 0.36), Arms::HalfLayer.of(&c, 0.36));
+    assert!((a + b - 11.0).abs() < 1e-14 && (a - c - 0.105).abs() < 1e-14 && (b - d - 0.105).abs() < 1e-14);
+}
+
+#[test]
+fn another_liquid_with_the_tension_and_the_layer_of_water_attracts_like_water() {
+    let (d_i, d_j) = (8.0, 14.0);
+    let gamma = surface_tension(7.43, 0.5, 0.072 / 0.04729279, 1.0, 1.0);
+    let like = Titania { liquid: Liquid::Other { gamma, h_w: water_layer(0.5, 1.0) }, ..law() };
+    let weaker = Titania { liquid: Liquid::Other { gamma: 0.5 * gamma, h_w: water_layer(0.5, 1.0) }, ..law() };
+    let force = |law| Pair::new(law, [d_i, d_j]).attraction.force(11.5);
+    assert_eq!(force(like), force(law()));
+    assert!(force(weaker) > force(law()));
+}
+
+#[test]
 fn the_stiffness_at_rest_is_more_than_that_of_the_repulsion() {
     for (d_i, d_j, all, repulsion) in [(8.0, 8.0, 60.7, 23.4), (16.0, 16.0, 97.1, 42.2), (8.0, 20.0, 79.1, 34.4)] {
         let pair = Pair::new(law(), [d_i, d_j]);
@@ -178,7 +210,10 @@ fn approach(gamma_0: f64, start: f64, duration: f64, dt: f64) -> (Vec<f64>, f64)
     let pair = Pair::new(Titania { gamma_0, ..law() }, [8.0, 8.0]);
     let (m_eff, none) = (0.5 * mass(pair.r[0]), Vec3::zero());
     let at = |d: f64, v: f64| pair.contact(Vec3::new(d, 0.0, 0.0), Vec3::new(v, 0.0, 0.0), [none; 2]);
-    let act = |d: f64, v: f64| pair.k.act(&at(d, v), pair.attraction.force(d), none, dt);
+    let act = |d: f64, v: f64| {
+        let c = at(d, v);
+        pair.k.act(pair.law.arms.of(&c, pair.law.h_n), &c, pair.attraction.force(d), none, dt)
+    };
     let energy = |d: f64, v: f64| {
         let held = pair.k.stored(&at(d, v), pair.attraction.potential(d), &none);
         held.repulsion + held.attraction + 0.5 * m_eff * v * v

@@ -4,6 +4,7 @@ use super::{Diameters, Failure, FilmPlan, Numbers};
 use crate::build::aggregate::law::{Form, Law};
 use crate::build::aggregate::{Sphere, grown};
 use crate::build::random::Stream;
+use crate::case::units::BOLTZMANN;
 use crate::observe::capacity::capacity;
 use crate::observe::projection::mean_projected_area;
 use crate::spec::Real;
@@ -12,8 +13,6 @@ use crate::spec::titania::def_lognormal::lognormal_share;
 use crate::spec::titania::eq14_friction_factor::friction_factor;
 use rayon::prelude::*;
 
-/// Boltzmann's constant, zJ/K.
-const BOLTZMANN: f64 = 1.380649e-2;
 /// Walks that measure the hydrodynamic radius: its standard error is 3 % where half of them hit.
 const WALKS: usize = 1000;
 /// How often the spheres of an aggregate are drawn anew if they cannot meet the law: a large one among small ones.

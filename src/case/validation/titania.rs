@@ -5,7 +5,7 @@ mod film;
 use super::{Found, belongs, expect};
 use crate::build::agglomerate::agglomerate;
 use crate::case::units::{decimal, in_unit};
-use crate::case::{Agglomerate, Case, Dragging, Experiment, Titania, TitaniaTest, TwoParticles};
+use crate::case::{Agglomerate, Case, Dragging, Experiment, Tension, Titania, TitaniaTest, TwoParticles};
 use crate::spec::wear::def_stable_step::stable_time_step;
 
 /// All that is wrong with a case of the titania paper.
@@ -146,6 +146,17 @@ fn interactions(titania: &Titania, found: &mut Found) {
         ("slip_period", titania.slip_period.value, titania.slip_period.to_string()),
     ] {
         expect(found, value > 0.0, &at(key), text, "more than zero");
+    }
+    if let Some(liquid) = &titania.liquid {
+        for (key, value, text) in [
+            ("surface_tension", liquid.surface_tension.value, liquid.surface_tension.to_string()),
+            ("molecule", liquid.molecule.value, liquid.molecule.to_string()),
+            ("layer", liquid.layer.value, liquid.layer.to_string()),
+        ] {
+            expect(found, value > 0.0, &at(&format!("liquid.{key}")), text, "more than zero");
+        }
+        let beside = "nothing beside `liquid`: it is the tension of water";
+        expect(found, titania.surface_tension == Tension::Experimental, &at("surface_tension"), "tip3p", beside);
     }
     let (layer, core_gap) = (&titania.layer, &titania.core_gap);
     let overlap = format!("more than half the gap of the bare surfaces, {}", in_unit(0.5 * core_gap.value, "nm"));
