@@ -50,7 +50,11 @@ fn a_kept_film_gives_the_same_curve_and_another_is_refused() {
     let kept = run(place, "kept", 3, "save: one.film");
     assert!(kept.status.success(), "{}", String::from_utf8_lossy(&kept.stderr));
     let results = std::fs::read_to_string(place.join("run/kept/results.yaml")).unwrap();
-    for name in ["porosity of the relaxed film", "contacts of an aggregate with others", "median pore diameter"] {
+    for name in [
+        "porosity of the relaxed film",
+        "contacts of an aggregate with others",
+        "pore diameters that 10, 50 and 90 % do not reach [nm]",
+    ] {
         assert!(results.contains(name), "{results}");
     }
     let loaded = run(place, "loaded", 3, "load: one.film");

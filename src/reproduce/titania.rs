@@ -55,11 +55,10 @@ fn pull(d: f64) -> Vec<(f64, f64)> {
 }
 
 fn constants(chapter: &mut Chapter) {
-    let sizes: Vec<u32> = (4..=23).collect();
-    let table: Vec<f64> = sizes.iter().map(|&d| stiffness(f64::from(d))).collect();
-    let (least, most) = table.iter().fold((f64::INFINITY, 0.0f64), |(a, b), &k| (a.min(k), b.max(k)));
-    let listed: Vec<String> =
-        [3.0, 4.0, 8.0, 12.0, 16.0, 20.0, 23.0].map(|d| format!("{d} nm: {:.1}", stiffness(d))).into();
+    let table: Vec<(f64, f64)> = (3..=23).map(f64::from).map(|d| (d, stiffness(d))).collect();
+    let stated = table.iter().filter(|size| size.0 >= 4.0);
+    let (least, most) = stated.fold((f64::INFINITY, 0.0f64), |(a, b), &(_, k)| (a.min(k), b.max(k)));
+    let listed: Vec<String> = table.iter().map(|(d, k)| format!("{d} nm: {k:.2}")).collect();
     chapter.claims.push(Claim::new(
         "Section 2.3",
         "contact stiffness of equal particles of 4 to 23 nm",
@@ -67,6 +66,14 @@ fn constants(chapter: &mut Chapter) {
         format!("{least:.1} to {most:.1} GPa ({})", listed.join(", ")),
         least >= 20.0 && most <= 45.0,
     ));
+    let plot = Plot {
+        title: "stiffness".into(),
+        x: Axis::linear("nominal diameter [nm]"),
+        y: Axis::linear("contact stiffness [GPa]"),
+        curves: vec![Curve::new("", Mark::Dots, table)],
+    };
+    let caption = "Section 2.3: contact stiffness of two equal particles".into();
+    chapter.figures.push(Figure { name: "stiffness".into(), caption, svg: plot.svg() });
     for (d, figure) in SIZES.into_iter().zip([24.5, 33.7]) {
         let k_n = stiffness(d);
         let claim = format!("contact stiffness of particles with a nominal radius of {} nm, within a tenth", 0.5 * d);
@@ -99,7 +106,7 @@ fn constants(chapter: &mut Chapter) {
     chapter.figures.push(Figure { name: "pull".into(), caption, svg: plot.svg() });
 }
 
-/// Fig. 4: what is left of the force on a particle pressed on the slab when the attraction is taken away.
+/// Fig. 4: what is left of the force on a particle on the slab when the attraction is taken away.
 fn repulsion(chapter: &mut Chapter) {
     let (titania, none) = (paper(), Vec3::zero());
     let (law, [(r, m), (big, heavy)]) = (titania.law(), [SIZES[0], SLAB].map(|d| titania.particle(d)));
@@ -109,16 +116,33 @@ fn repulsion(chapter: &mut Chapter) {
         let whole = law.pair(&contact, &constants, Flat::from_fn(|_| 0.0), 1e-4).wrench.force.0[0];
         (whole - law.attraction(r, big).force(contact.distance)) * 1e-3
     };
-    let ends = [0.1, 0.4];
-    let [least, most] = ends.map(force);
-    let order = (most / least).ln() / (ends[1] / ends[0]).ln();
+    let rest = r + big - law.equilibrium(r, big);
+    let curve: Vec<(f64, f64)> = (-150..=300).map(|k| f64::from(k) * 1e-3).map(|z| (-z, force(rest + z))).collect();
+    // The forces to which the paper fits its law.
+    let fitted = 5.0;
+    let pressed = curve.iter().find(|point| point.1 > fitted).map_or(f64::INFINITY, |point| -point.0);
+    let order = (force(4.0 * rest) / force(rest)).log(4.0);
     chapter.claims.push(Claim::new(
         "Fig. 4",
-        "order in the overlap of the repulsion of a particle with a radius of 4 nm from a slab, here a sphere of 1 µm",
-        "3/2",
-        format!("{order:.4}, from {least:.2} nN at {} nm to {most:.2} nN at {} nm", ends[0], ends[1]),
-        near(order, 1.5, 1e-3),
+        "repulsion of a particle with a radius of 4 nm from a slab, here a sphere of 1 µm, in the few Å around rest where it is below 5 nN: 2 to 5 Å",
+        "a few Å",
+        format!(
+            "{:.1} Å, from {:.1} Å above to {:.1} Å below rest, where it is {:.2} nN; of order {order:.2} in the overlap",
+            10.0 * (rest + pressed),
+            10.0 * rest,
+            10.0 * pressed,
+            force(rest)
+        ),
+        (0.2..0.5).contains(&(rest + pressed)),
     ));
+    let plot = Plot {
+        title: "repulsion".into(),
+        x: Axis::linear("distance from rest [nm]"),
+        y: Axis::linear("repulsion [nN]"),
+        curves: vec![Curve::new("", Mark::Line, curve)],
+    };
+    let caption = "Fig. 4: repulsion of a particle with a radius of 4 nm from a slab".into();
+    chapter.figures.push(Figure { name: "repulsion".into(), caption, svg: plot.svg() });
 }
 
 fn settings(dt: f64) -> Settings {

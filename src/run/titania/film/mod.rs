@@ -273,7 +273,18 @@ impl<M: Law> Study for Plan<M> {
                 Finding::number("porosity of the relaxed film", structure.porosity, "", Some(0.98)),
                 Finding::number("thickness of the relaxed film", structure.thickness, "nm", None),
                 Finding::number("contacts of an aggregate with others", structure.contacts_between, "", None),
-                Finding::number("median pore diameter", structure.pores[1], "nm", None),
+                Finding::number("contacts of a sphere in its aggregate", structure.contacts_within, "", None),
+            ]);
+            let listed = |values: &[f64], scale: f64| {
+                values.iter().map(|value| format!("{:.1}", scale * value)).collect::<Vec<_>>().join(", ")
+            };
+            let layer = structure.thickness / structure.profile.len() as f64;
+            found.extend([
+                Finding::words("pore diameters that 10, 50 and 90 % do not reach [nm]", listed(&structure.pores, 1.0)),
+                Finding::words(
+                    &format!("density profile: solid in layers of {layer:.0} nm from the floor up [%]"),
+                    listed(&structure.profile, 100.0),
+                ),
             ]);
         }
         Ok(found)
