@@ -66,6 +66,8 @@ pub struct Ensemble {
     pub coordination: Vec<Mean>,
     /// Convexity.
     pub convexity: Vec<Mean>,
+    /// Rise of the coordination number from beginning to end, over its beginning.
+    pub rise: Mean,
 }
 
 /// One ensemble of each kind; the aggregates of all are the same, and each runs on one core. Whoever stops it gets the ensembles of those
@@ -119,7 +121,9 @@ impl Ensemble {
             let at = |look: usize| Mean::of(&courses.iter().map(|course| course[of][look]).collect::<Vec<_>>());
             (0..looks).map(at).collect()
         };
-        Self { kind, members: courses.len(), coordination: mean(0), convexity: mean(1) }
+        let rises = courses.iter().map(|[coordination, _]| coordination[looks - 1] / coordination[0] - 1.0);
+        let rise = Mean::of(&rises.collect::<Vec<_>>());
+        Self { kind, members: courses.len(), coordination: mean(0), convexity: mean(1), rise }
     }
 }
 
