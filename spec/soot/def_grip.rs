@@ -78,7 +78,7 @@ pub enum Order {
     /// It is stretched, then it acts: steps 3 and 4 of Section 2.1.1.
     StretchFirst,
     /// It acts, then it is stretched, as in the published program: it lags one step behind the positions, and its dashpot is that of
-    /// $\\eta - k \\Delta t$, which may be negative.
+    /// $\eta - k \Delta t$, which may be negative.
     ActFirst,
 }
 
