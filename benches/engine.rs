@@ -12,6 +12,7 @@ use veridem::forces::Instructions;
 use veridem::run::Study;
 use veridem::run::soot::Plan;
 use veridem::simulation::Simulation;
+use veridem::spec::soot::Along;
 
 const CRYSTALS: [[usize; 3]; 2] = [[18, 12, 7], [29, 17, 26]];
 
@@ -37,7 +38,7 @@ fn step(criterion: &mut Criterion) {
 /// The initial state of the published soot simulation, on one core.
 fn restructuring(criterion: &mut Criterion) {
     let (case, _) = Case::read(Path::new("cases/soot/restructuring.yaml")).expect("a case of the repository");
-    let plan = Plan::of(&case);
+    let plan = Plan::of(&case, Along);
     let system = plan.initial().expect("an aggregate");
     let settings = plan.settings(0, &system);
     let particles = system.particles.len() as u64;
