@@ -143,7 +143,7 @@ pub fn rotated_spring<R: Real>(xi: Vec3<R>, n: Vec3<R>) -> Vec3<R> {
 ///
 /// Erratum: the text rotates all three springs to be orthogonal to the normal. The torsion spring lies along the normal; its projection
 /// onto the contact plane is nothing but rounding, or the way the normal turned in one step, and rescaling that to the full length makes a spring in an arbitrary direction, or none: the twist is
-/// forgotten and never resisted, and what it leaves behind bends the pair, see [`IntoPlane`](super::law::IntoPlane). It must stay parallel.
+/// forgotten and never resisted, and what it leaves behind bends the pair, see [`Printed`](super::law::Printed). It must stay parallel.
 /// Then only its signed length needs to be remembered, $\xi_\mathrm{o} = \boldsymbol{\xi} \cdot \mathbf{n}$, which turning leaves alone; the models do that.
 ///
 /// | name | symbol | unit | domain | meaning |

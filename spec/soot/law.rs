@@ -10,25 +10,37 @@ use crate::{Contact, Flat, PairModel, Real, Touch, Vec3, flat_struct};
 
 pub use wall::Wall;
 
-/// Where the torsion springs of contacts and necks lie.
-pub trait Torsion: Copy + Send + Sync {
+/// How the springs of contacts and necks are read.
+pub trait Reading: Copy + Send + Sync {
     /// What is remembered of a twist.
-    type Spring<R: Real>: Twist<R>;
+    type Torsion<R: Real>: Twist<R>;
+    /// What springs do first in a step.
+    const ORDER: Order;
 }
 
-/// Along the normal: a twist is resisted by a spring and a dashpot, like every other motion. See [`rotated_torsion`](super::def_spring::rotated_torsion).
+/// Torsion springs lie along the normal: a twist is resisted by a spring and a dashpot, like every other motion. See [`rotated_torsion`](super::def_spring::rotated_torsion).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Along;
-impl Torsion for Along {
-    type Spring<R: Real> = R;
+impl Reading for Along {
+    type Torsion<R: Real> = R;
+    const ORDER: Order = Order::StretchFirst;
 }
 
-/// In the contact plane, into which the text and the program of the paper turn them before every step: nothing but the last increment is left along the normal, and a twist meets no lasting
+/// As printed: torsion springs are turned into the contact plane before every step. Nothing but the last increment is left along the normal, and a twist meets no lasting
 /// resistance. The spring in the plane only grows, and bends the pair in the directions in which the normal went, with work that no spring gives.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct IntoPlane;
-impl Torsion for IntoPlane {
-    type Spring<R: Real> = Vec3<R>;
+pub struct Printed;
+impl Reading for Printed {
+    type Torsion<R: Real> = Vec3<R>;
+    const ORDER: Order = Order::StretchFirst;
+}
+
+/// As in the authors' program: as printed, and all springs act before they are stretched.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Programmed;
+impl Reading for Programmed {
+    type Torsion<R: Real> = Vec3<R>;
+    const ORDER: Order = Order::ActFirst;
 }
 
 flat_struct! {
@@ -66,7 +78,7 @@ pub const TIP: usize = 1;
 
 /// Soot: necks, frictional contacts, van der Waals and capillary attraction.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Soot<T = Along> {
+pub struct Soot<S = Along> {
     /// The four springs of a neck.
     pub neck: Springs<f64>,
     /// The four springs of a frictional contact.
@@ -75,10 +87,8 @@ pub struct Soot<T = Along> {
     pub friction: Friction<f64>,
     /// The attractions that act at a distance.
     pub attraction: Attraction<f64>,
-    /// Where torsion springs lie.
-    pub torsion: T,
-    /// What springs do first in a step.
-    pub order: Order,
+    /// How all these springs are read.
+    pub reading: S,
     /// The [substrate](SUBSTRATE) and the [tip](TIP).
     pub walls: [Wall; 2],
 }
@@ -89,9 +99,9 @@ fn lifted<R: Real, A: Flat<f64>, B: Flat<R>>(numbers: &A) -> B {
     B::from_fn(|k| R::lit(*numbers.at(k)))
 }
 
-impl<T: Torsion> PairModel for Soot<T> {
+impl<S: Reading> PairModel for Soot<S> {
     type Coefficients<R: Real> = Coefficients<R>;
-    type Memory<R: Real> = Memory<R, T::Spring<R>>;
+    type Memory<R: Real> = Memory<R, S::Torsion<R>>;
     type Losses<R: Real> = Losses<R>;
     type Stored<R: Real> = Stored<R>;
 
@@ -112,10 +122,10 @@ impl<T: Torsion> PairModel for Soot<T> {
         k: &Coefficients<R>,
         memory: Self::Memory<R>,
         dt: R,
-    ) -> Grip<R, T::Spring<R>> {
+    ) -> Grip<R, S::Torsion<R>> {
         let bonded = is_bonded(k);
         let at = Meeting::of_spheres(c);
-        let mut grip = self.springs(bonded).grip(&lifted(&self.friction), bonded, self.order, &at, memory, dt);
+        let mut grip = self.springs(bonded).grip(&lifted(&self.friction), bonded, S::ORDER, &at, memory, dt);
         grip.wrench.force = grip.wrench.force + self.far(c);
         grip
     }
@@ -166,8 +176,8 @@ impl<T: Torsion> PairModel for Soot<T> {
         touch: &Touch<f64>,
         memory: Self::Memory<f64>,
         dt: f64,
-    ) -> Grip<f64, T::Spring<f64>> {
-        self.walls[material].grip(touch, memory, dt)
+    ) -> Grip<f64, S::Torsion<f64>> {
+        self.walls[material].grip(S::ORDER, touch, memory, dt)
     }
 
     fn surface_pull(&self, material: usize, touch: &Touch<f64>) -> f64 {
@@ -210,7 +220,7 @@ impl Springs<f64> {
     }
 }
 
-impl<T> Soot<T> {
+impl<S> Soot<S> {
     /// The springs of a neck where `bonded` is true, those of a contact elsewhere.
     #[inline(always)]
     fn springs<R: Real>(&self, bonded: R::Mask) -> Springs<R> {

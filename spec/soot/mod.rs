@@ -50,7 +50,7 @@ mod samples;
 
 pub use def_body_forces::Attraction;
 pub use def_grip::{Friction, Losses, Memory, Order, Springs};
-pub use law::{Along, Coefficients, IntoPlane, SUBSTRATE, Soot, Stored, TIP, Torsion, Wall};
+pub use law::{Along, Coefficients, Printed, Programmed, Reading, SUBSTRATE, Soot, Stored, TIP, Wall};
 
 use crate::equation::{Equation, Paper};
 

@@ -56,8 +56,6 @@ section! {
         cutoff: Quantity<Length> = quantity("70 nm"),
         /// How a twist of a contact or neck is resisted.
         torsion: Torsion = Torsion::Spring,
-        /// What springs do first in a step.
-        spring_order: SpringOrder = SpringOrder::StretchFirst,
     }
 }
 
@@ -77,17 +75,9 @@ words! {
         /// By a spring and a dashpot.
         Spring = "spring",
         /// By a dashpot; the spring is turned into the contact plane, as the paper says, and bends the pair.
+        AsPrinted = "as-printed",
+        /// The same, and all springs act before they are stretched, as in the authors' program: their stiffness times the step is taken from their dashpots.
         AsPublished = "as-published",
-    }
-}
-
-words! {
-    /// What springs do first in a step.
-    pub enum SpringOrder {
-        /// They are stretched, then they act: the order of the paper.
-        StretchFirst = "stretch-first",
-        /// They act, then they are stretched: the order of the authors' program, which takes their stiffness times the step from their dashpots.
-        ActFirst = "act-first",
     }
 }
 
@@ -171,17 +161,13 @@ impl FourSprings {
 }
 
 impl Soot {
-    /// The contact law in engine units, with torsion springs as the caller has them.
-    pub fn law<T: soot::Torsion>(&self, torsion: T) -> soot::Soot<T> {
+    /// The contact law in engine units, its springs read as the caller does.
+    pub fn law<S>(&self, reading: S) -> soot::Soot<S> {
         let ([static_t, static_r, static_o], [dynamic_t, dynamic_r, dynamic_o]) =
             (self.friction.at_rest, self.friction.in_motion);
-        let order = match self.spring_order {
-            SpringOrder::StretchFirst => soot::Order::StretchFirst,
-            SpringOrder::ActFirst => soot::Order::ActFirst,
-        };
         let friction = soot::Friction { static_t, static_r, static_o, dynamic_t, dynamic_r, dynamic_o };
         let (contact, delta_0, cutoff) = (self.contact.spec(), self.saturation.value, self.cutoff.value);
-        let wall = |hamaker: f64| soot::Wall { contact, friction, hamaker, delta_0, cutoff, order };
+        let wall = |hamaker: f64| soot::Wall { contact, friction, hamaker, delta_0, cutoff };
         soot::Soot {
             neck: self.neck_springs.clone().unwrap_or_else(|| self.necks.unwrap_or(NeckSet::P).springs()).spec(),
             contact,
@@ -194,8 +180,7 @@ impl Soot {
                 d_cutoff: self.capillary_reach.value,
                 cutoff,
             },
-            torsion,
-            order,
+            reading,
             walls: [&self.substrate_hamaker_constant, &self.tip_hamaker_constant].map(|a| wall(a.value)),
         }
     }

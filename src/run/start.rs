@@ -5,7 +5,7 @@ use crate::case::{Amorphous, Case, Model, Sample, Torsion, located};
 use crate::error::{AtPath, Error};
 use crate::output::{Finding, Manifest, RunFolder, Status, sha256_file, write_atomically};
 use crate::spec::Necked;
-use crate::spec::soot::{Along, IntoPlane};
+use crate::spec::soot::{Along, Printed, Programmed};
 use crate::spec::titania::Tabulated;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -18,14 +18,20 @@ macro_rules! with_plan {
                 let $plan = wear::Plan::of(&$case);
                 $done
             }
-            Model::Soot(model) if model.torsion == Torsion::AsPublished => {
-                let $plan = soot::Plan::of(&$case, IntoPlane);
-                $done
-            }
-            Model::Soot(_) => {
-                let $plan = soot::Plan::of(&$case, Along);
-                $done
-            }
+            Model::Soot(model) => match model.torsion {
+                Torsion::Spring => {
+                    let $plan = soot::Plan::of(&$case, Along);
+                    $done
+                }
+                Torsion::AsPrinted => {
+                    let $plan = soot::Plan::of(&$case, Printed);
+                    $done
+                }
+                Torsion::AsPublished => {
+                    let $plan = soot::Plan::of(&$case, Programmed);
+                    $done
+                }
+            },
             Model::Titania(model) if $case.is_about_a_film() && model.neck_springs.is_some() => {
                 let $plan = titania::Film::<Necked<Tabulated>>::of(&$case);
                 $done

@@ -27,16 +27,20 @@ pub struct Wall {
     pub delta_0: f64,
     /// Distance of a centre from the wall beyond which nothing acts, m.
     pub cutoff: f64,
-    /// What its springs do first in a step.
-    pub order: Order,
 }
 
 impl Wall {
     /// A contact: advances its springs by `dt` and says what they do to the sphere.
     #[inline(always)]
-    pub fn grip<R: Real, O: Twist<R>>(&self, touch: &Touch<R>, memory: Memory<R, O>, dt: R) -> Grip<R, O> {
+    pub fn grip<R: Real, O: Twist<R>>(
+        &self,
+        order: Order,
+        touch: &Touch<R>,
+        memory: Memory<R, O>,
+        dt: R,
+    ) -> Grip<R, O> {
         let at = Meeting::of_wall(touch.n, touch.gap, touch.v, touch.omega, touch.r);
-        self.springs().grip(&lifted(&self.friction), never::<R>(), self.order, &at, memory, dt)
+        self.springs().grip(&lifted(&self.friction), never::<R>(), order, &at, memory, dt)
     }
 
     /// The attraction of the nearest point, N.

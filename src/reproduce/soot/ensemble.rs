@@ -1,5 +1,6 @@
 //! Aggregates that differ only in their seed, under one coating.
 
+use crate::case::Torsion;
 use crate::error::Error;
 use crate::observe::statistics::Mean;
 use crate::output::RunFolder;
@@ -30,29 +31,8 @@ pub const LOOK: f64 = 0.5;
 pub struct Kind {
     /// Part of the contacts that are necks.
     pub neck_fraction: f64,
-    /// How their springs work.
-    pub springs: Springs,
-}
-
-/// How springs work.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Springs {
-    /// As the specification reads the paper.
-    Read,
-    /// As printed: torsion springs are turned into the contact plane.
-    Printed,
-    /// As in the authors' program: all springs act before they are stretched, too.
-    Programmed,
-}
-
-impl Springs {
-    fn keys(self) -> &'static [(&'static str, &'static str)] {
-        match self {
-            Self::Read => &[("model.soot.torsion", "spring")],
-            Self::Printed => &[("model.soot.torsion", "as-published")],
-            Self::Programmed => &[("model.soot.torsion", "as-published"), ("model.soot.spring_order", "act-first")],
-        }
-    }
+    /// How a twist is resisted.
+    pub torsion: Torsion,
 }
 
 /// What became of the members on average: at the beginning, and after every [`LOOK`].
@@ -96,12 +76,17 @@ fn points(protocol: &Protocol, kinds: &[Kind]) -> Result<Vec<Point>, Error> {
     let members = seeds.flat_map(|seed| kinds.iter().map(move |kind| (seed.clone(), kind)));
     members
         .map(|(seed, kind)| {
-            let fraction = kind.neck_fraction.to_string();
-            let mut keys = vec![("seed", &*seed), ("sample.aggregate.neck_fraction", &*fraction)];
-            keys.extend(kind.springs.keys());
+            let (fraction, torsion) = (kind.neck_fraction.to_string(), word(kind.torsion));
+            let keys =
+                [("seed", &*seed), ("sample.aggregate.neck_fraction", &*fraction), ("model.soot.torsion", &*torsion)];
             Point::new(Path::new(FILE), &base, &keys)
         })
         .collect()
+}
+
+/// A word of a case.
+fn word(torsion: Torsion) -> String {
+    serde_yaml::to_string(&torsion).expect("a word is plain data").trim().into()
 }
 
 /// Coordination number and convexity of one aggregate.
@@ -163,7 +148,7 @@ mod tests {
         let protocol = Protocol { aggregates: 2, keys: &keys };
         let place = tempfile::tempdir().expect("a place");
         let setting = Setting { extent: Extent::Reduced, runs: place.path().join("runs"), tell: &|_| {} };
-        let kind = |neck_fraction| Kind { neck_fraction, springs: Springs::Read };
+        let kind = |neck_fraction| Kind { neck_fraction, torsion: Torsion::Spring };
         let found = || ensembles(&protocol, &[kind(0.0), kind(1.0)], &setting).expect("a stable step");
         let (found, again) = (found(), found());
         let first = |k: usize| found[k].coordination[0];

@@ -67,7 +67,7 @@ fn plan(protocol: &Protocol, seed: u64) -> Plan<Along> {
         seed,
         max_overlap: defaults::<Limits>().overlap,
         soot: Soot { necks: Some(NeckSet::S), cutoff: quantity("42 nm"), ..defaults() },
-        torsion: Along,
+        reading: Along,
         sample: Aggregate { spheres: protocol.spheres, neck_fraction: 1.0, ..defaults() },
         stages: vec![
             SootStage::Deposition(defaults()),

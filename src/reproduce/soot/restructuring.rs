@@ -1,6 +1,7 @@
 //! Section 3.2: aggregates collapse under their coating.
 
-use super::ensemble::{Ensemble, Kind, LOOK, Protocol, Springs, ensembles, settled, terminal};
+use super::ensemble::{Ensemble, Kind, LOOK, Protocol, ensembles, settled, terminal};
+use crate::case::Torsion;
 use crate::error::Error;
 use crate::figures::{Axis, Curve, Mark, Plot};
 use crate::observe::statistics::Mean;
@@ -22,9 +23,9 @@ const FULL: Protocol = Protocol { aggregates: 50, keys: &[] };
 pub fn chapter(setting: &Setting) -> Result<Chapter, Error> {
     let protocol = setting.extent.of(REDUCED, FULL);
     let fractions: &[f64] = setting.extent.of(&[0.0, 0.5, 0.9, 1.0], &[0.0, 0.25, 0.5, 0.75, 0.9, 1.0]);
-    let read = fractions.iter().map(|&neck_fraction| Kind { neck_fraction, springs: Springs::Read });
-    let others = [Springs::Printed, Springs::Programmed].map(|springs| Kind { neck_fraction: 1.0, springs });
-    let found = ensembles(&protocol, &read.chain(others).collect::<Vec<_>>(), setting)?;
+    let sprung = fractions.iter().map(|&neck_fraction| Kind { neck_fraction, torsion: Torsion::Spring });
+    let others = [Torsion::AsPrinted, Torsion::AsPublished].map(|torsion| Kind { neck_fraction: 1.0, torsion });
+    let found = ensembles(&protocol, &sprung.chain(others).collect::<Vec<_>>(), setting)?;
     let members = found[0].members;
     let note = match setting.extent {
         Extent::Reduced => {
@@ -42,16 +43,16 @@ pub fn chapter(setting: &Setting) -> Result<Chapter, Error> {
 
 /// What an ensemble is called.
 fn name(kind: Kind) -> String {
-    let springs = match kind.springs {
-        Springs::Read => "",
-        Springs::Printed => ", torsion as printed",
-        Springs::Programmed => ", springs as in the program",
+    let torsion = match kind.torsion {
+        Torsion::Spring => "",
+        Torsion::AsPrinted => ", torsion as printed",
+        Torsion::AsPublished => ", as in the program",
     };
-    format!("{:.0} % necks{springs}", 100.0 * kind.neck_fraction)
+    format!("{:.0} % necks{torsion}", 100.0 * kind.neck_fraction)
 }
 
 fn claims(found: &[Ensemble]) -> Vec<Claim> {
-    let sprung: Vec<&Ensemble> = found.iter().filter(|ensemble| ensemble.kind.springs == Springs::Read).collect();
+    let sprung: Vec<&Ensemble> = found.iter().filter(|ensemble| ensemble.kind.torsion == Torsion::Spring).collect();
     let breaking: Vec<&Ensemble> =
         sprung.iter().copied().filter(|ensemble| ensemble.kind.neck_fraction < 1.0).collect();
     let listed = |ensembles: &[&Ensemble], of: &dyn Fn(&Ensemble) -> String| {
@@ -119,16 +120,16 @@ fn claims(found: &[Ensemble]) -> Vec<Claim> {
     ];
     for ensemble in found.iter().filter(|ensemble| ensemble.kind.neck_fraction == 1.0) {
         let Mean { value, margin } = ensemble.rise;
-        let springs = match ensemble.kind.springs {
-            Springs::Read => "a torsion spring resists a twist",
-            Springs::Printed => "torsion springs are turned into the contact plane, as printed",
-            Springs::Programmed => {
+        let torsion = match ensemble.kind.torsion {
+            Torsion::Spring => "a torsion spring resists a twist",
+            Torsion::AsPrinted => "torsion springs are turned into the contact plane, as printed",
+            Torsion::AsPublished => {
                 "torsion springs as printed, and all act before they are stretched, as in the authors' program"
             }
         };
         claims.push(Claim::new(
             "Section 3.2",
-            format!("the coordination number rises, by less than 10 %, if all contacts are necks: the whole confidence interval; {springs}"),
+            format!("the coordination number rises, by less than 10 %, if all contacts are necks: the whole confidence interval; {torsion}"),
             "below 10 %",
             format!("{:.1} ± {:.1} % to {}", 100.0 * value, 100.0 * margin, end(ensemble)),
             value - margin > 0.0 && value + margin < 0.1,
@@ -161,21 +162,21 @@ fn figures(found: &[Ensemble]) -> Vec<Figure> {
         let caption = format!("{label} of restructuring aggregates ({course})");
         figures.push(draw(format!("soot-{file}"), caption, "time [ns]", label, curves.collect()));
 
-        let of = |springs, label: &str| {
+        let of = |torsion, label: &str| {
             let points: Vec<_> = found
                 .iter()
-                .filter(|ensemble| ensemble.kind.springs == springs)
+                .filter(|ensemble| ensemble.kind.torsion == torsion)
                 .map(|ensemble| (ensemble.kind.neck_fraction, terminal(measure(ensemble))))
                 .map(|(fraction, mean)| (fraction, mean.value, mean.margin))
                 .collect();
             banded(label.into(), Mark::Dots, &points)
         };
         let curves = [
-            (Springs::Read, "torsion springs along the normal"),
-            (Springs::Printed, "as printed"),
-            (Springs::Programmed, "as in the program"),
+            (Torsion::Spring, "torsion springs along the normal"),
+            (Torsion::AsPrinted, "as printed"),
+            (Torsion::AsPublished, "as in the program"),
         ];
-        let curves = curves.into_iter().flat_map(|(springs, label)| of(springs, label)).collect();
+        let curves = curves.into_iter().flat_map(|(torsion, label)| of(torsion, label)).collect();
         let caption = format!("terminal {label} against the fraction of necks ({ends})");
         figures.push(draw(format!("soot-terminal-{file}"), caption, "neck fraction", label, curves));
     }

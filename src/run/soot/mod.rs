@@ -16,7 +16,7 @@ use crate::observe::morphology::centre_of_mass;
 use crate::output::{Cell, Finding, Kept, keep, kept};
 use crate::simulation::{Settings, Simulation};
 use crate::spec::Vec3;
-use crate::spec::soot::{self, Torsion};
+use crate::spec::soot::{self, Reading};
 use crate::spec::wear::def_sphere::sphere_mass;
 use crate::system::{Domain, Halt, Particles, System};
 use serde::{Deserialize, Serialize};
@@ -24,15 +24,15 @@ use stage::Ground;
 use watch::Watch;
 
 /// The plan of a case.
-pub struct Plan<T> {
+pub struct Plan<S> {
     /// Seed of every random stream.
     pub seed: u64,
     /// Largest overlap allowed, as a part of the sum of the radii.
     pub max_overlap: f64,
     /// The interactions.
     pub soot: Soot,
-    /// Where torsion springs lie.
-    pub torsion: T,
+    /// How springs are read.
+    pub reading: S,
     /// The aggregate.
     pub sample: Aggregate,
     /// What is done to it, one after the other.
@@ -47,13 +47,13 @@ const SKIN: f64 = 0.1;
 /// Steps from one look at the strength of necks to the next: a small part of the period of their springs at any published time step.
 pub const EXAMINED: u64 = 5;
 
-impl<T: Torsion> Plan<T> {
+impl<S: Reading> Plan<S> {
     /// The plan of a case of the soot paper.
-    pub fn of(case: &Case, torsion: T) -> Self {
+    pub fn of(case: &Case, reading: S) -> Self {
         let (soot, sample, stages) = case.soot().expect("a checked case of the soot paper is complete");
         let (soot, sample) = (soot.clone(), sample.clone());
         let keys = stages.iter().enumerate().map(|(number, stage)| case.soot_key(number, stage)).collect();
-        Self { seed: case.seed, max_overlap: case.limits.overlap, soot, torsion, sample, stages, keys }
+        Self { seed: case.seed, max_overlap: case.limits.overlap, soot, reading, sample, stages, keys }
     }
 }
 
@@ -64,7 +64,7 @@ struct Deposited {
     system: System,
 }
 
-impl<T: Torsion> Plan<T> {
+impl<S: Reading> Plan<S> {
     /// What a deposited aggregate must agree in. Not the seed: another one indents the same aggregate elsewhere.
     fn origin(&self) -> String {
         let sample = Aggregate { deposited: None, ..self.sample.clone() };
@@ -131,8 +131,8 @@ fn centred(mut spheres: Vec<Sphere>) -> Vec<Sphere> {
     spheres
 }
 
-impl<T: Torsion> Study for Plan<T> {
-    type Model = soot::Soot<T>;
+impl<S: Reading> Study for Plan<S> {
+    type Model = soot::Soot<S>;
     type Watch = Watch;
 
     fn stages(&self) -> Vec<&'static str> {
@@ -178,8 +178,8 @@ impl<T: Torsion> Study for Plan<T> {
     }
 
     /// The coating acts only in a restructuring.
-    fn model(&self, stage: usize) -> soot::Soot<T> {
-        let mut law = self.soot.law(self.torsion);
+    fn model(&self, stage: usize) -> soot::Soot<S> {
+        let mut law = self.soot.law(self.reading);
         if !matches!(self.stages[stage], SootStage::Restructuring(_)) {
             law.attraction.psi = 0.0;
         }
@@ -203,13 +203,13 @@ impl<T: Torsion> Study for Plan<T> {
         (self.stages[stage].duration().value(dt) / dt).round() as u64
     }
 
-    fn progress(&self, stage: usize, _: &Watch, simulation: &Simulation<soot::Soot<T>>) -> Progress {
+    fn progress(&self, stage: usize, _: &Watch, simulation: &Simulation<soot::Soot<S>>) -> Progress {
         let last = self.steps(stage, simulation.settings().dt);
         if simulation.system().step >= last { Progress::Done } else { Progress::Going }
     }
 
     /// The next stage goes on from here, with the springs of all contacts.
-    fn end(&self, stage: usize, simulation: Simulation<soot::Soot<T>>) -> Result<System, Error> {
+    fn end(&self, stage: usize, simulation: Simulation<soot::Soot<S>>) -> Result<System, Error> {
         let system = simulation.into_system_with_springs();
         if let SootStage::Deposition(Deposition { save: Some(path), .. }) = &self.stages[stage] {
             keep(path, Kept::Sample, &Deposited { origin: self.origin(), system: system.clone() })?;
@@ -225,11 +225,11 @@ impl<T: Torsion> Study for Plan<T> {
         watch::COLUMNS.into()
     }
 
-    fn watch(&self, stage: usize, simulation: &Simulation<soot::Soot<T>>) -> Watch {
+    fn watch(&self, stage: usize, simulation: &Simulation<soot::Soot<S>>) -> Watch {
         Watch::begin(&self.stages[stage], simulation)
     }
 
-    fn intervene(&self, _: usize, simulation: &mut Simulation<soot::Soot<T>>) -> Result<Vec<String>, Halt> {
+    fn intervene(&self, _: usize, simulation: &mut Simulation<soot::Soot<S>>) -> Result<Vec<String>, Halt> {
         let Some(strength) = &self.soot.break_energy else { return Ok(Vec::new()) };
         if !simulation.system().step.is_multiple_of(EXAMINED) {
             return Ok(Vec::new());
@@ -238,12 +238,12 @@ impl<T: Torsion> Study for Plan<T> {
         Ok(broken.iter().map(|(i, j)| format!("the neck of {i} and {j} breaks")).collect())
     }
 
-    fn follow(&self, _: usize, watch: &mut Watch, simulation: &Simulation<soot::Soot<T>>) -> Vec<String> {
+    fn follow(&self, _: usize, watch: &mut Watch, simulation: &Simulation<soot::Soot<S>>) -> Vec<String> {
         watch.follow(simulation);
         Vec::new()
     }
 
-    fn look(&self, watch: &mut Watch, simulation: &Simulation<soot::Soot<T>>) -> Vec<Cell> {
+    fn look(&self, watch: &mut Watch, simulation: &Simulation<soot::Soot<S>>) -> Vec<Cell> {
         watch.look(simulation)
     }
 
@@ -251,7 +251,7 @@ impl<T: Torsion> Study for Plan<T> {
         &self,
         stage: usize,
         watch: &Watch,
-        simulation: &Simulation<soot::Soot<T>>,
+        simulation: &Simulation<soot::Soot<S>>,
     ) -> Result<Vec<Finding>, Error> {
         let mut findings = watch.findings(&self.stages[stage], simulation);
         if self.stages.len() > 1 {

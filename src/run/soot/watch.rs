@@ -7,8 +7,8 @@ use crate::observe::morphology::{Extent, NEIGHBOURLY, convexity, coordination_nu
 use crate::output::{Cell, Finding};
 use crate::simulation::Simulation;
 use crate::spec::Vec3;
+use crate::spec::soot::{Reading, Soot};
 use crate::spec::soot::{SUBSTRATE, TIP};
-use crate::spec::soot::{Soot, Torsion};
 use crate::system::{Forces, Particles, Surface, System};
 use serde::{Deserialize, Serialize};
 
@@ -55,7 +55,7 @@ pub struct Watch {
 
 impl Watch {
     /// Begins to watch a stage.
-    pub fn begin(stage: &SootStage, simulation: &Simulation<Soot<impl Torsion>>) -> Self {
+    pub fn begin(stage: &SootStage, simulation: &Simulation<Soot<impl Reading>>) -> Self {
         let curve = match stage {
             SootStage::Indentation(test) => Some(ForceCurve::new(2.0 * std::f64::consts::PI * test.cantilever.value)),
             _ => None,
@@ -64,14 +64,14 @@ impl Watch {
     }
 
     /// Sees every step.
-    pub fn follow(&mut self, simulation: &Simulation<Soot<impl Torsion>>) {
+    pub fn follow(&mut self, simulation: &Simulation<Soot<impl Reading>>) {
         if let (Some(curve), Some(tip)) = (&mut self.curve, surface(simulation.system(), TIP)) {
             curve.follow(-tip.force.total().0[2], simulation.settings().dt);
         }
     }
 
     /// The cells of a row.
-    pub fn look(&mut self, simulation: &Simulation<Soot<impl Torsion>>) -> Vec<Cell> {
+    pub fn look(&mut self, simulation: &Simulation<Soot<impl Reading>>) -> Vec<Cell> {
         let system = simulation.system();
         let ledger = simulation.ledger();
         let account = ledger.surfaces;
@@ -112,14 +112,14 @@ impl Watch {
     }
 
     /// Keeps the point of the force curve that has been reached.
-    pub fn keep(&mut self, simulation: &Simulation<Soot<impl Torsion>>) {
+    pub fn keep(&mut self, simulation: &Simulation<Soot<impl Reading>>) {
         if let (Some(curve), Some(tip)) = (&mut self.curve, surface(simulation.system(), TIP)) {
             curve.look(tip.way.0[2]);
         }
     }
 
     /// What the stage amounts to.
-    pub fn findings(&self, stage: &SootStage, simulation: &Simulation<Soot<impl Torsion>>) -> Vec<Finding> {
+    pub fn findings(&self, stage: &SootStage, simulation: &Simulation<Soot<impl Reading>>) -> Vec<Finding> {
         let system = simulation.system();
         let number = |name: &str, value: f64, unit: &str| Finding::number(name, value, unit, None);
         let mut findings = match stage {
@@ -183,7 +183,7 @@ impl Watch {
     }
 
     /// What became of a deposition.
-    pub fn deposit(&self, simulation: &Simulation<Soot<impl Torsion>>) -> Deposit {
+    pub fn deposit(&self, simulation: &Simulation<Soot<impl Reading>>) -> Deposit {
         let ledger = simulation.ledger();
         let system = simulation.system();
         let spheres = surface(system, SUBSTRATE).map_or(0, |substrate| spheres_on(&system.particles, substrate));

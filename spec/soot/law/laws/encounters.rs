@@ -72,7 +72,7 @@ impl Encounter {
                 let gap = facing * (a.x.0[2] - height) - a.r;
                 let touch = Touch { n: UP * facing, gap, v: a.v, omega: a.omega, r: a.r };
                 let memory = memory.next().unwrap();
-                let grip = self.law.walls[SUBSTRATE].grip(&touch, *memory, dt);
+                let grip = self.law.walls[SUBSTRATE].grip(Order::StretchFirst, &touch, *memory, dt);
                 *memory = grip.memory;
                 add(i, grip.wrench.force, grip.wrench.torque_i);
             }

@@ -6,20 +6,20 @@ use crate::soot::def_integrators::{half_step, half_step_start};
 use crate::soot::def_sphere::solid_inertia;
 
 /// Equal solid spheres of unit mass and radius, every pair with the same law.
-pub struct Spheres<const N: usize, T: Torsion = Along> {
-    pub law: Soot<T>,
+pub struct Spheres<const N: usize, S: Reading = Along> {
+    pub law: Soot<S>,
     pub bonded: f64,
     pub x: [Vec3<f64>; N],
     pub v: [Vec3<f64>; N],
     pub omega: [Vec3<f64>; N],
-    pub springs: Vec<Memory<f64, T::Spring<f64>>>,
+    pub springs: Vec<Memory<f64, S::Torsion<f64>>>,
     pub lost: f64,
 }
 
 pub const INERTIA: f64 = 0.4;
 
-impl<const N: usize, T: Torsion> Spheres<N, T> {
-    pub fn new(law: Soot<T>, bonded: f64, x: [Vec3<f64>; N]) -> Self {
+impl<const N: usize, S: Reading> Spheres<N, S> {
+    pub fn new(law: Soot<S>, bonded: f64, x: [Vec3<f64>; N]) -> Self {
         let none = [Vec3::zero(); N];
         Self { law, bonded, x, v: none, omega: none, springs: vec![Memory::zero(); N * N], lost: 0.0 }
     }
