@@ -35,7 +35,9 @@ impl Axis {
         }
         let digits = (2.0 - libm::log10(value.abs()).floor()).clamp(0.0, 12.0) as usize;
         let text = format!("{value:.digits$}");
-        if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').into() } else { text }
+        let short = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+        // What should be zero may be rounding.
+        if short == "-0" { "0" } else { short }.into()
     }
 }
 
@@ -206,7 +208,7 @@ mod tests {
         let axis = Axis::log("x");
         assert_eq!(axis.tick(2.0), "100");
         assert_eq!(axis.tick(-2.0), "0.01");
-        assert_eq!(Axis::linear("x").tick(0.0), "0");
+        assert_eq!([0.0, -3e-17].map(|place| Axis::linear("x").tick(place)), ["0", "0"]);
         assert_eq!(Axis::linear("x").tick(2500.0), "2500");
     }
 }
