@@ -10,7 +10,7 @@ use veridem_spec::soot::def_sphere::solid_inertia;
 use veridem_spec::soot::eq18_hamaker::{hamaker_energy, hamaker_force};
 use veridem_spec::soot::eq21_hamaker_plane::{plane_energy, plane_force};
 use veridem_spec::soot::eq25_tip::{tip_velocity, tip_way};
-use veridem_spec::soot::{Friction, Memory, Order, Springs};
+use veridem_spec::soot::{Friction, Memory, Springs};
 use veridem_spec::{Contact, Flat, Vec3};
 
 fn runs(name: &str) -> Vec<Value> {
@@ -93,7 +93,7 @@ impl Pair {
     }
     fn act(&self, dt: f64) -> Grip<f64> {
         let c = Contact::new(self.x[0] - self.x[1], self.v[0] - self.v[1], self.omega[0], self.omega[1], 1.0, 1.0);
-        self.springs.grip(&self.friction, self.bonded, Order::StretchFirst, &Meeting::of_spheres(&c), self.memory, dt)
+        self.springs.grip(&self.friction, self.bonded, &Meeting::of_spheres(&c), self.memory, dt)
     }
     fn start(&mut self, dt: f64) {
         let w = self.act(0.0).wrench;

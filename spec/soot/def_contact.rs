@@ -1,6 +1,6 @@
 //! The two contacts of the paper: the neck and the frictional contact.
 
-use super::def_grip::{Friction, Grip, Memory, Order, Springs, never};
+use super::def_grip::{Friction, Grip, Memory, Springs, never};
 use super::def_meeting::Meeting;
 use crate::equation::Equation;
 use crate::{Contact, Real, Vec3, equation};
@@ -84,14 +84,7 @@ pub fn neck<R: Real>(
     let at = Meeting::of_spheres(&Contact::new(x_i - x_j, v_i - v_j, omega_i, omega_j, r_i, r_j));
     let springs = Springs { k_n, k_t, k_r, k_o, eta_n, eta_t, eta_r, eta_o };
     let memory = Memory { tangential: xi_t, rolling: xi_r, torsion: xi_o };
-    laid(springs.grip(
-        &Friction::from_ratio([R::zero(); 3], R::zero()),
-        !never::<R>(),
-        Order::StretchFirst,
-        &at,
-        memory,
-        dt,
-    ))
+    laid(springs.grip(&Friction::from_ratio([R::zero(); 3], R::zero()), !never::<R>(), &at, memory, dt))
 }
 
 /// **Section 2.1.3**, Eqs. 3 to 17 together, unnumbered: a frictional contact, from two particles and their springs to forces and springs.
@@ -179,14 +172,7 @@ pub fn frictional_contact<R: Real>(
     let at = Meeting::of_spheres(&Contact::new(x_i - x_j, v_i - v_j, omega_i, omega_j, r_i, r_j));
     let springs = Springs { k_n, k_t, k_r, k_o, eta_n, eta_t, eta_r, eta_o };
     let memory = Memory { tangential: xi_t, rolling: xi_r, torsion: xi_o };
-    laid(springs.grip(
-        &Friction::from_ratio([mu_t, mu_r, mu_o], phi),
-        never::<R>(),
-        Order::StretchFirst,
-        &at,
-        memory,
-        dt,
-    ))
+    laid(springs.grip(&Friction::from_ratio([mu_t, mu_r, mu_o], phi), never::<R>(), &at, memory, dt))
 }
 
 fn laid<R: Real>(grip: Grip<R>) -> Effect<R> {
@@ -227,7 +213,7 @@ mod laws {
         })
     }
     fn act(c: &Contact<f64>, bonded: bool, memory: Memory<f64>) -> Grip<f64> {
-        SPRINGS.grip(&FRICTION, bonded, Order::StretchFirst, &Meeting::of_spheres(c), memory, DT)
+        SPRINGS.grip(&FRICTION, bonded, &Meeting::of_spheres(c), memory, DT)
     }
     fn distance(a: &Grip<f64>, b: &Grip<f64>) -> f64 {
         let (v, w) = (a.wrench, b.wrench);
@@ -292,7 +278,7 @@ mod laws {
         fn dashpots_never_deliver_power(c in pair()) {
             let dashpots = Springs { k_n: 0.0, k_t: 0.0, k_r: 0.0, k_o: 0.0, ..SPRINGS };
             for bonded in BOTH {
-                let grip = dashpots.grip(&FRICTION, bonded, Order::StretchFirst, &Meeting::of_spheres(&c), Memory::<f64>::zero(), DT);
+                let grip = dashpots.grip(&FRICTION, bonded, &Meeting::of_spheres(&c), Memory::zero(), DT);
                 let (power, l) = (grip.wrench.power(&c), grip.losses);
                 prop_assert!(power <= 1e-15);
                 prop_assert!(!bonded || (l.normal + l.tangential + l.rolling + l.torsion + power * DT).abs() < 1e-14);
@@ -324,7 +310,7 @@ mod laws {
             let at = Meeting::of_spheres(&c);
             let f_n = -(SPRINGS.k_n * c.gap + SPRINGS.eta_n * at.v_n);
             prop_assume!(c.gap < 0.0 && f_n > 1e-6);
-            let rough = SPRINGS.grip(&Friction::from_ratio([1e9; 3], 1.0), false, Order::StretchFirst, &at, memory, DT);
+            let rough = SPRINGS.grip(&Friction::from_ratio([1e9; 3], 1.0), false, &at, memory, DT);
             prop_assert!(distance(&rough, &act(&c, true, memory)) < 1e-13);
         }
     }

@@ -144,11 +144,17 @@ impl<R: Real> Springs<R> {
     /// The springs of a meeting, advanced by `dt`, and what they do. Where `bonded` is true they are those of a neck, which holds at any gap and in any direction; elsewhere they are those of
     /// a contact, which only acts while the spheres overlap, never pulls along the normal, and rubs as Eqs. 13 to 17 say.
     #[inline(always)]
-    pub fn grip<O: Twist<R>>(
+    pub fn grip(&self, friction: &Friction<R>, bonded: R::Mask, at: &Meeting<R>, memory: Memory<R>, dt: R) -> Grip<R> {
+        self.grip_in(Order::StretchFirst, friction, bonded, at, memory, dt)
+    }
+
+    /// The same with any torsion springs, in any order.
+    #[inline(always)]
+    pub fn grip_in<O: Twist<R>>(
         &self,
+        order: Order,
         friction: &Friction<R>,
         bonded: R::Mask,
-        order: Order,
         at: &Meeting<R>,
         memory: Memory<R, O>,
         dt: R,

@@ -1,6 +1,6 @@
 //! A sphere against a wall: the substrate, a facet of the tip.
 
-use super::def_grip::{Friction, Grip, Memory, Order, Springs, never};
+use super::def_grip::{Friction, Grip, Memory, Springs, never};
 use super::def_meeting::Meeting;
 use crate::equation::Equation;
 use crate::{Real, Vec3, equation};
@@ -83,14 +83,8 @@ pub fn wall_contact<R: Real>(
     let springs = Springs { k_n, k_t, k_r, k_o, eta_n, eta_t, eta_r, eta_o };
     let memory = Memory { tangential: xi_t, rolling: xi_r, torsion: xi_o };
     let at = Meeting::of_wall(n, delta, v, omega, r);
-    let Grip { wrench, memory, .. } = springs.grip(
-        &Friction::from_ratio([mu_t, mu_r, mu_o], phi),
-        never::<R>(),
-        Order::StretchFirst,
-        &at,
-        memory,
-        dt,
-    );
+    let Grip { wrench, memory, .. } =
+        springs.grip(&Friction::from_ratio([mu_t, mu_r, mu_o], phi), never::<R>(), &at, memory, dt);
     (wrench.force, wrench.torque_i, memory.tangential, memory.rolling, memory.torsion)
 }
 

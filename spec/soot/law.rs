@@ -125,7 +125,7 @@ impl<S: Reading> PairModel for Soot<S> {
     ) -> Grip<R, S::Torsion<R>> {
         let bonded = is_bonded(k);
         let at = Meeting::of_spheres(c);
-        let mut grip = self.springs(bonded).grip(&lifted(&self.friction), bonded, S::ORDER, &at, memory, dt);
+        let mut grip = self.springs(bonded).grip_in(S::ORDER, &lifted(&self.friction), bonded, &at, memory, dt);
         grip.wrench.force = grip.wrench.force + self.far(c);
         grip
     }

@@ -40,7 +40,7 @@ impl Wall {
         dt: R,
     ) -> Grip<R, O> {
         let at = Meeting::of_wall(touch.n, touch.gap, touch.v, touch.omega, touch.r);
-        self.springs().grip(&lifted(&self.friction), never::<R>(), order, &at, memory, dt)
+        self.springs().grip_in(order, &lifted(&self.friction), never::<R>(), &at, memory, dt)
     }
 
     /// The attraction of the nearest point, N.
