@@ -8,6 +8,14 @@ pub use plot::{Axis, Curve, Mark, Plot};
 pub use report::Report;
 pub use snapshot::snapshot;
 
-/// The colours of curves and bodies, told apart by readers with any colour vision (Okabe and Ito).
-pub(crate) const COLOURS: [(u8, u8, u8); 7] =
-    [(0, 114, 178), (213, 94, 0), (0, 158, 115), (204, 121, 167), (230, 159, 0), (86, 180, 233), (80, 80, 80)];
+/// The colours of curves and bodies, told apart by readers with any colour vision (Okabe and Ito, with an olive for their yellow).
+pub(crate) const COLOURS: [(u8, u8, u8); 8] = [
+    (0, 114, 178),
+    (213, 94, 0),
+    (0, 158, 115),
+    (204, 121, 167),
+    (230, 159, 0),
+    (86, 180, 233),
+    (80, 80, 80),
+    (136, 136, 34),
+];
