@@ -7,6 +7,8 @@ pub mod wear;
 
 pub use setting::Setting;
 
+use crate::figures::{Axis, Curve, Plot};
+
 /// How much is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Extent {
@@ -87,6 +89,14 @@ pub struct Figure {
     pub caption: String,
     /// The picture.
     pub svg: String,
+}
+
+impl Figure {
+    /// Curves between linear axes, under the name of the file.
+    pub fn linear(name: &str, caption: impl Into<String>, [x, y]: [&str; 2], curves: Vec<Curve>) -> Self {
+        let svg = Plot { title: name.into(), x: Axis::linear(x), y: Axis::linear(y), curves }.svg();
+        Self { name: name.into(), caption: caption.into(), svg }
+    }
 }
 
 /// The claims about one kind of system.

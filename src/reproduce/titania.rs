@@ -9,7 +9,7 @@ use super::{Chapter, Claim, Figure, near};
 use crate::build::pair::pair;
 use crate::case::Titania;
 use crate::case::section::defaults;
-use crate::figures::{Axis, Curve, Mark, Plot};
+use crate::figures::{Curve, Mark};
 use crate::forces::Instructions;
 use crate::simulation::{Integrator, Settings, Simulation};
 use crate::spec::{Contact, Flat, PairModel, Vec3};
@@ -66,14 +66,9 @@ fn constants(chapter: &mut Chapter) {
         format!("{least:.1} to {most:.1} GPa ({})", listed.join(", ")),
         least >= 20.0 && most <= 45.0,
     ));
-    let plot = Plot {
-        title: "stiffness".into(),
-        x: Axis::linear("nominal diameter [nm]"),
-        y: Axis::linear("contact stiffness [GPa]"),
-        curves: vec![Curve::new("", Mark::Dots, table)],
-    };
-    let caption = "Section 2.3: contact stiffness of two equal particles".into();
-    chapter.figures.push(Figure { name: "stiffness".into(), caption, svg: plot.svg() });
+    let caption = "Section 2.3: contact stiffness of two equal particles";
+    let axes = ["nominal diameter [nm]", "contact stiffness [GPa]"];
+    chapter.figures.push(Figure::linear("stiffness", caption, axes, vec![Curve::new("", Mark::Dots, table)]));
     for (d, figure) in SIZES.into_iter().zip([24.5, 33.7]) {
         let k_n = stiffness(d);
         let claim = format!("contact stiffness of particles with a nominal radius of {} nm, within a tenth", 0.5 * d);
@@ -96,14 +91,9 @@ fn constants(chapter: &mut Chapter) {
         large.1 > small.1,
     ));
     let curves = SIZES.into_iter().zip(pulls);
-    let plot = Plot {
-        title: "pull".into(),
-        x: Axis::linear("stretch from rest [nm]"),
-        y: Axis::linear("force [nN]"),
-        curves: curves.map(|(d, pull)| Curve::new(format!("{d} nm"), Mark::Line, pull)).collect(),
-    };
-    let caption = "Fig. 8: the force that holds two equal particles, at rest relative to each other".into();
-    chapter.figures.push(Figure { name: "pull".into(), caption, svg: plot.svg() });
+    let curves = curves.map(|(d, pull)| Curve::new(format!("{d} nm"), Mark::Line, pull)).collect();
+    let caption = "Fig. 8: the force that holds two equal particles, at rest relative to each other";
+    chapter.figures.push(Figure::linear("pull", caption, ["stretch from rest [nm]", "force [nN]"], curves));
 }
 
 /// Fig. 4: what is left of the force on a particle on the slab when the attraction is taken away.
@@ -135,14 +125,9 @@ fn repulsion(chapter: &mut Chapter) {
         ),
         (0.2..0.5).contains(&(rest + pressed)),
     ));
-    let plot = Plot {
-        title: "repulsion".into(),
-        x: Axis::linear("distance from rest [nm]"),
-        y: Axis::linear("repulsion [nN]"),
-        curves: vec![Curve::new("", Mark::Line, curve)],
-    };
-    let caption = "Fig. 4: repulsion of a particle with a radius of 4 nm from a slab".into();
-    chapter.figures.push(Figure { name: "repulsion".into(), caption, svg: plot.svg() });
+    let caption = "Fig. 4: repulsion of a particle with a radius of 4 nm from a slab";
+    let (axes, curves) = (["distance from rest [nm]", "repulsion [nN]"], vec![Curve::new("", Mark::Line, curve)]);
+    chapter.figures.push(Figure::linear("repulsion", caption, axes, curves));
 }
 
 fn settings(dt: f64) -> Settings {
@@ -189,13 +174,7 @@ fn approach(chapter: &mut Chapter) -> Result<(), Halt> {
             curves.push(Curve::new(format!("{d} nm, {who}"), Mark::Line, points));
         }
     }
-    let plot = Plot {
-        title: "approach".into(),
-        x: Axis::linear("time [ps]"),
-        y: Axis::linear("distance from rest [nm]"),
-        curves,
-    };
-    let caption = "Fig. 3: two particles released 0.5 nm from rest".into();
-    chapter.figures.push(Figure { name: "approach".into(), caption, svg: plot.svg() });
+    let caption = "Fig. 3: two particles released 0.5 nm from rest";
+    chapter.figures.push(Figure::linear("approach", caption, ["time [ps]", "distance from rest [nm]"], curves));
     Ok(())
 }

@@ -2,7 +2,7 @@
 
 use super::{SIZES, SLAB, paper, settings};
 use crate::build::pair::{drag, pair};
-use crate::figures::{Axis, Curve, Mark, Plot};
+use crate::figures::{Curve, Mark};
 use crate::reproduce::{Chapter, Claim, Figure, near};
 use crate::run::rolling_resistance;
 use crate::simulation::Simulation;
@@ -190,8 +190,7 @@ fn rolling(chapter: &mut Chapter, runs: &[Rolled], slid: &Slid) {
 
 fn figures(chapter: &mut Chapter, slid: &[Slid], rolled: &[Rolled]) {
     let mut draw = |name: &str, caption: &str, x: &str, y: &str, curves: Vec<Curve>| {
-        let plot = Plot { title: name.into(), x: Axis::linear(x), y: Axis::linear(y), curves };
-        chapter.figures.push(Figure { name: name.into(), caption: caption.into(), svg: plot.svg() });
+        chapter.figures.push(Figure::linear(name, caption, [x, y], curves));
     };
     let against_load = |label: &str, points: Vec<(f64, f64)>| {
         Curve::new(label, Mark::Dots, points.into_iter().map(|(load, force)| (load * 1e-3, force * 1e-3)).collect())

@@ -1,7 +1,7 @@
 //! Section 5.3 of the titania paper: the film before anything is done to it.
 
 use crate::build::film::{Film, FilmPlan};
-use crate::figures::{Axis, Curve, Mark, Plot};
+use crate::figures::{Curve, Mark};
 use crate::observe::film::Structure;
 use crate::reproduce::{Chapter, Claim, Figure, near};
 use crate::spec::titania::def_lognormal::lognormal;
@@ -57,14 +57,9 @@ pub fn structure(chapter: &mut Chapter) {
         let points = s.profile.iter().enumerate().map(|(k, solid)| ((k as f64 + 0.5) * layer * 1e-3, 100.0 * solid));
         Curve::new(name, Mark::Line, points.collect())
     };
-    let plot = Plot {
-        title: "film".into(),
-        x: Axis::linear("height [µm]"),
-        y: Axis::linear("solid [%]"),
-        curves: vec![curve("0.1 m/s", &drifting.1), curve("straight down", &straight.1)],
-    };
-    let caption = "Section 5.3: density of a film of as many particles over its area as the paper's".into();
-    chapter.figures.push(Figure { name: "film".into(), caption, svg: plot.svg() });
+    let caption = "Section 5.3: density of a film of as many particles over its area as the paper's";
+    let curves = vec![curve("0.1 m/s", &drifting.1), curve("straight down", &straight.1)];
+    chapter.figures.push(Figure::linear("film", caption, ["height [µm]", "solid [%]"], curves));
 }
 
 fn build(plan: &FilmPlan) -> (Film, Structure) {
