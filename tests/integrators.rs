@@ -6,7 +6,7 @@ use common::soot::{DT, MASS, RADIUS, between, dry, momentum, plane, run, setting
 use veridem::motion::inertia;
 use veridem::simulation::{Integrator, Ledger, Settings, Simulation};
 use veridem::spec::Vec3;
-use veridem::spec::soot::{Soot, Stored};
+use veridem::spec::soot::Soot;
 use veridem::system::{Particles, System};
 
 const BOTH: [Integrator; 2] = [Integrator::HalfStep, Integrator::VelocityVerlet];
@@ -109,8 +109,7 @@ fn velocity_verlet_keeps_momentum_and_accounts_for_surfaces_and_necks_that_break
     account(&simulation);
     for _ in 0..10_000 {
         simulation.step().expect("a stable step");
-        let breaks = |held: &Stored<f64>| held.necks > 20.0;
-        broken += simulation.break_necks(breaks).expect("neighbours").len();
+        broken += simulation.break_necks(|_, _, held| held.necks > 20.0).expect("neighbours").len();
     }
     account(&simulation);
     assert!(broken > 0 && !simulation.system().necks.is_empty(), "{broken} broken");

@@ -4,8 +4,10 @@ use super::def_body_forces::Attraction;
 use super::def_frequency::neck_frequencies;
 use super::def_grip::{Friction, Grip, Losses, Memory, Order, Springs};
 use super::def_meeting::Meeting;
+use super::def_neck_stress::neck_stress;
 use super::def_sphere::solid_inertia;
 use super::def_spring::Twist;
+use super::eq12_spring_force::turning_torque;
 use crate::{Contact, Flat, PairModel, Real, Touch, Vec3, flat_struct};
 
 pub use wall::Wall;
@@ -217,6 +219,15 @@ impl Springs<f64> {
             2.0 / ((omega * omega + decay * decay).sqrt() + decay)
         })
         .fold(f64::INFINITY, f64::min)
+    }
+}
+
+impl<S: Reading> Soot<S> {
+    /// Largest tensile and largest shear stress, Pa, that the springs of a neck leave in it where it is thinnest, `r_b` from its axis to its circumference.
+    pub fn neck_stress<R: Real>(&self, c: &Contact<R>, memory: &Memory<R, S::Torsion<R>>, r_b: R) -> (R, R) {
+        let (at, neck) = (Meeting::of_spheres(c), lifted::<R, _, Springs<R>>(&self.neck));
+        let turning = turning_torque(at.n, at.a, memory.rolling * neck.k_r, at.r, memory.torsion * neck.k_o);
+        neck_stress(neck.k_n * at.delta, memory.tangential * neck.k_t, turning, at.n, r_b)
     }
 }
 

@@ -26,6 +26,7 @@ pub mod def_frequency;
 pub mod def_grip;
 pub mod def_integrators;
 pub mod def_meeting;
+pub mod def_neck_stress;
 pub mod def_sphere;
 pub mod def_spring;
 pub mod def_wall;
@@ -70,6 +71,7 @@ fn equations() -> Vec<Equation> {
         eq09_relative_spin::equations(),
         def_spring::equations(),
         eq12_spring_force::equations(),
+        def_neck_stress::equations(),
         def_frequency::equations(),
         eq13_friction::equations(),
         def_contact::equations(),

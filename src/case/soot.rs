@@ -6,7 +6,7 @@ mod stages;
 pub use sample::*;
 pub use stages::*;
 
-use super::quantity::{Density, Drag, Energy, Force, Length, Quantity, Sharpness, Stiffness};
+use super::quantity::{Density, Drag, Energy, Force, Length, Pressure, Quantity, Sharpness, Stiffness};
 use super::section::{defaults, section, words};
 use super::units::{in_unit, rounded};
 use super::{Case, Experiment, Model, Sample};
@@ -32,8 +32,10 @@ section! {
         necks: Option<NeckSet> = None,
         /// Springs of a neck that are neither of the published sets.
         neck_springs: Option<FourSprings> = None,
-        /// Energy of its four springs at which a neck breaks; without it necks never do.
+        /// Energy of its four springs at which a neck breaks.
         break_energy: Option<Quantity<Energy>> = None,
+        /// Stresses at which a neck breaks; without them, and without that energy, it never does.
+        break_stress: Option<NeckStrength> = None,
         /// The springs of a frictional contact.
         contact: FourSprings = published_contact(),
         /// The friction of such a contact.
@@ -100,6 +102,18 @@ section! {
         rolling_damping: Quantity<Drag>,
         /// Torsional damping coefficient.
         torsional_damping: Quantity<Drag>,
+    }
+}
+
+section! {
+    /// The strength of a neck, an elastic beam with a circular section.
+    pub struct NeckStrength {
+        /// Largest tensile stress, of pulling and bending together.
+        tension: Quantity<Pressure>,
+        /// Largest shear stress, of shearing and twisting together.
+        shear: Quantity<Pressure>,
+        /// Radius of its section.
+        neck_radius: Quantity<Length>,
     }
 }
 

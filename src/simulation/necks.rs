@@ -2,13 +2,16 @@
 
 use super::{Integrator, Simulation};
 use crate::forces::bond;
-use crate::spec::{Flat, PairModel};
+use crate::spec::{Contact, Flat, PairModel};
 use crate::system::Halt;
 
 impl<M: PairModel> Simulation<M> {
-    /// Breaks every neck of which `breaks` holds, given what the pair holds. The contacts that take
+    /// Breaks every neck of which `breaks` holds, given the pair, its springs, and what it holds. The contacts that take
     /// their place begin with relaxed springs. Returns the ids of the spheres.
-    pub fn break_necks(&mut self, breaks: impl Fn(&M::Stored<f64>) -> bool) -> Result<Vec<(u32, u32)>, Halt> {
+    pub fn break_necks(
+        &mut self,
+        breaks: impl Fn(&Contact<f64>, &M::Memory<f64>, &M::Stored<f64>) -> bool,
+    ) -> Result<Vec<(u32, u32)>, Halt> {
         let broken = self.necks_that(breaks);
         if broken.is_empty() {
             return Ok(broken);
@@ -25,7 +28,7 @@ impl<M: PairModel> Simulation<M> {
         Ok(broken)
     }
 
-    fn necks_that(&self, breaks: impl Fn(&M::Stored<f64>) -> bool) -> Vec<(u32, u32)> {
+    fn necks_that(&self, breaks: impl Fn(&Contact<f64>, &M::Memory<f64>, &M::Stored<f64>) -> bool) -> Vec<(u32, u32)> {
         let mut found = Vec::new();
         for block in &self.blocks {
             for (i, j, row, lane) in block.each_pair() {
@@ -38,7 +41,7 @@ impl<M: PairModel> Simulation<M> {
                 let contact = self.contact(p, q);
                 let coefficients = Flat::from_fn(|k| block.pairs.constants(row).at(k).0[lane]);
                 let memory = Flat::from_fn(|k| block.pairs.memory[row].at(k).0[lane]);
-                if breaks(&self.model.stored(&contact, &coefficients, &memory)) {
+                if breaks(&contact, &memory, &self.model.stored(&contact, &coefficients, &memory)) {
                     found.push((a, b));
                 }
             }

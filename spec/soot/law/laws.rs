@@ -132,6 +132,25 @@ proptest! {
     }
 
     #[test]
+    fn a_neck_is_stressed_by_what_it_does_to_its_spheres(n in unit(), gap in -0.3..0.3, spring in vector(), rolling in vector(), torsion in -1.0..1.0) {
+        let (law, still) = (law(UNDAMPED, NONE), Vec3::zero());
+        let c = Contact::new(n * (2.0 + gap), still, still, still, 1.0, 1.0);
+        let (tangential, rolling) = (spring.perpendicular_to(n), rolling.perpendicular_to(n));
+        fn differ<S: Reading>(law: Soot<S>, c: &Contact<f64>, memory: Memory<f64, S::Torsion<f64>>) -> f64 {
+            let wrench = law.pair(c, &Coefficients { bonded: 1.0 }, memory, 1e-3).wrench;
+            // What turns equal spheres against each other bends and twists the neck; what turns them alike balances the force across it.
+            let moment = (wrench.torque_i - wrench.torque_j) * 0.5;
+            let (pull, across) = (-wrench.force.dot(c.n), wrench.force.perpendicular_to(c.n));
+            let (expected, found) = (neck_stress(pull, across, moment, c.n, 0.3), law.neck_stress(c, &memory, 0.3));
+            (expected.0 - found.0).abs().max((expected.1 - found.1).abs())
+        }
+        let (along, in_plane) =
+            (Memory { tangential, rolling, torsion }, Memory { tangential, rolling, torsion: rolling * torsion });
+        prop_assert!(differ(law, &c, along) < 1e-9);
+        prop_assert!(differ(read(law, Printed), &c, in_plane) < 1e-9);
+    }
+
+    #[test]
     fn an_oblique_encounter_accounts_for_its_energy(speed in 0.1..0.5f64, aim in -1.0..1.0, spin in vector()) {
         let mut pair = dimer(law(DAMPED, NONE), 0.0, 0.0);
         let velocity = Vec3::new(speed, aim * speed, 0.0);

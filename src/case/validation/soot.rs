@@ -4,7 +4,7 @@ use super::{Found, belongs, expect};
 use crate::case::quantity::{Energy, Quantity};
 use crate::case::units::{decimal, in_unit};
 use crate::case::{
-    Case, Deposition, Experiment, FourSprings, Indentation, Restructuring, Sample, Solid, Soot, SootStage,
+    Case, Deposition, Experiment, FourSprings, Indentation, NeckStrength, Restructuring, Sample, Solid, Soot, SootStage,
 };
 use crate::spec::soot::eq24_fractal::gyration_radius;
 
@@ -57,13 +57,17 @@ pub fn problems(case: &Case, found: &mut Found) {
     }
 }
 
-/// What is wrong with the cutoff and the step of a stage for spheres from the smallest to the largest of these radii.
+/// What is wrong with the cutoff, the necks and the step of a stage for spheres from the smallest to the largest of these radii.
 pub fn sized(soot: &Soot, [least, largest]: [f64; 2], stage: &SootStage, key: &str, found: &mut Found) {
     let (dt, limit) = (stage.dt(), soot.step_limit(least));
     let text = format!("more than zero and less than the stability limit of two spheres, {}", in_unit(limit, "fs"));
     expect(found, dt.value > 0.0 && dt.value < limit, &format!("{key}.dt"), dt, &text);
     let text = format!("more than the distance of two touching spheres, {}", in_unit(2.0 * largest, "nm"));
     expect(found, soot.cutoff.value > 2.0 * largest, "model.soot.cutoff", &soot.cutoff, &text);
+    if let Some(NeckStrength { neck_radius, .. }) = &soot.break_stress {
+        let text = format!("at most the radius of the smallest sphere, {}", in_unit(least, "nm"));
+        expect(found, neck_radius.value <= least, "model.soot.break_stress.neck_radius", neck_radius, &text);
+    }
 }
 
 fn stage(stage: &SootStage, key: &str, found: &mut Found) {
@@ -132,6 +136,15 @@ fn interactions(soot: &Soot, found: &mut Found) {
     }
     springs(&soot.contact, "model.soot.contact", found);
     necks("model.soot", &soot.neck_springs, &soot.break_energy, found);
+    if let Some(NeckStrength { tension, shear, neck_radius }) = &soot.break_stress {
+        for (key, value, text) in [
+            ("tension", tension.value, tension.to_string()),
+            ("shear", shear.value, shear.to_string()),
+            ("neck_radius", neck_radius.value, neck_radius.to_string()),
+        ] {
+            expect(found, value > 0.0, &at(&format!("break_stress.{key}")), text, "more than zero");
+        }
+    }
 }
 
 /// What is wrong with the necks of a model of any paper.

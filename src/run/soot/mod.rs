@@ -230,11 +230,18 @@ impl<S: Reading> Study for Plan<S> {
     }
 
     fn intervene(&self, _: usize, simulation: &mut Simulation<soot::Soot<S>>) -> Result<Vec<String>, Halt> {
-        let Some(strength) = &self.soot.break_energy else { return Ok(Vec::new()) };
-        if !simulation.system().step.is_multiple_of(EXAMINED) {
+        let Soot { break_energy, break_stress, .. } = &self.soot;
+        if break_energy.is_none() && break_stress.is_none() || !simulation.system().step.is_multiple_of(EXAMINED) {
             return Ok(Vec::new());
         }
-        let broken = simulation.break_necks(|held| held.necks > strength.value)?;
+        let law = *simulation.model();
+        let broken = simulation.break_necks(|contact, memory, held| {
+            break_energy.as_ref().is_some_and(|strength| held.necks > strength.value)
+                || break_stress.as_ref().is_some_and(|strength| {
+                    let (tension, shear) = law.neck_stress(contact, memory, strength.neck_radius.value);
+                    tension > strength.tension.value || shear > strength.shear.value
+                })
+        })?;
         Ok(broken.iter().map(|(i, j)| format!("the neck of {i} and {j} breaks")).collect())
     }
 

@@ -253,7 +253,7 @@ impl<M: Law> Study for Plan<M> {
         if !simulation.system().step.is_multiple_of(EXAMINED) {
             return Ok(Vec::new());
         }
-        let broken = simulation.break_necks(|held| M::in_neck(held) > strength.value)?;
+        let broken = simulation.break_necks(|_, _, held| M::in_neck(held) > strength.value)?;
         Ok(broken.iter().map(|(i, j)| format!("the neck of {i} and {j} breaks")).collect())
     }
 
