@@ -132,7 +132,7 @@ impl Watch {
                     (true, _) => "adheres",
                 };
                 let sentence = format!(
-                    "the aggregate {verdict}: {spheres} spheres lie on the substrate, {:.2} % of its kinetic energy are left",
+                    "the aggregate {verdict}, with {:.2} % of its kinetic energy left",
                     100.0 * kinetic / self.kinetic
                 );
                 vec![
@@ -152,7 +152,7 @@ impl Watch {
                     }
                     None => "still pulls at the aggregate".into(),
                 };
-                let sentence = format!("the tip {end}, after {peaks} peaks of at most {:.2} nN", 1e-3 * highest);
+                let sentence = format!("the tip {end}; it was pulled by {:.2} nN at most", 1e-3 * highest);
                 let mut found = vec![
                     Finding::words("end", sentence),
                     number("peaks of the force curve", peaks as f64, ""),

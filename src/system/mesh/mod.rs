@@ -13,8 +13,8 @@ pub use triangle::{Part, nearest};
 use crate::spec::Vec3;
 use serde::{Deserialize, Serialize};
 
-/// Two minima whose points are closer than this part of their distance are one, found twice by rounding.
-const SAME: f64 = 1e-6;
+/// Two minima whose points are closer than this part of their distance are one, found twice by rounding: that of the single precision of STL files bends a flat surface of small triangles by some 1e-5.
+const SAME: f64 = 1e-3;
 
 /// A triangulated surface. A closed one bounds a body, acts on its outside, to which the normals point, and lets nothing in; an open one is a thin
 /// sheet and acts on both sides.

@@ -123,6 +123,20 @@ proptest! {
     }
 
     #[test]
+    fn the_rounding_of_files_makes_no_second_contact(axis in vector(-1.0..1.0), angle in 0.0..6.0, place in (0usize..8, 0usize..8), lift in 0.1..1.0) {
+        prop_assume!(axis.norm() > 0.1);
+        // A box far from the origin, in the single precision of STL files: flat no more.
+        let put = |x: Vec3<f64>| turned(x, axis, angle) + Vec3([300.0, -200.0, 100.0]);
+        let rounded = |x: Vec3<f64>| Vec3(put(x).0.map(|c| f64::from(c as f32)));
+        let cut: Vec<Corners> = cuboid([8.0; 3], 8).into_iter().map(|triangle| triangle.map(rounded)).collect();
+        // Above corners, edges and diagonals of its upper face.
+        for [x, y] in [[0.5, 0.5], [0.5, 0.0], [0.0, 0.5], [0.0, 0.0]] {
+            let p = Vec3([place.0 as f64 + x, place.1 as f64 + y, 8.0 + lift]);
+            prop_assert_eq!(seen(&mesh(&cut), put(p), 1.1 * lift).len(), 1);
+        }
+    }
+
+    #[test]
     fn the_way_from_face_to_edge_to_face_has_no_jump(from in vector(-3.0..6.0), to in vector(-3.0..6.0)) {
         let body = mesh(&cuboid(SIDES, 2));
         let at = |k: usize| from + (to - from) * (k as f64 / 200.0);
