@@ -1,6 +1,7 @@
 //! The moments of inertia of primary particles.
 
 use crate::equation::Equation;
+use crate::wear::def_sphere::moment_of_inertia;
 use crate::{Real, equation};
 
 /// **Section 2.1**, unnumbered: moment of inertia of a solid primary particle.
@@ -22,7 +23,7 @@ use crate::{Real, equation};
 /// * `a_solid_sphere_is_a_pile_of_hollow_ones`
 #[inline(always)]
 pub fn solid_inertia<R: Real>(m: R, r: R) -> R {
-    R::lit(2.0) / R::lit(5.0) * m * r.squared()
+    moment_of_inertia(m, r)
 }
 
 /// **Section 2.1**, unnumbered: moment of inertia of a hollow primary particle, such as soot oxidised from within.

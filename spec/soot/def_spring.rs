@@ -199,11 +199,39 @@ pub fn stretched<R: Real, S: Span<R>>(xi: S, xi_dot: S, dt: R) -> S {
     xi + xi_dot * dt
 }
 
+/// **Section 2.1.1**, steps 3 and 4, unnumbered: largest stable time step of a spring that acts before it is stretched.
+///
+/// ```math
+/// \Delta t_{\max} = \frac{\eta}{k}
+/// ```
+///
+/// # Reading
+///
+/// Of the published program: its springs lag, see [`stretched_spring`], and beyond this step what is left of the dashpot drives the pair. It adds to the limits of the frequency,
+/// and does not depend on masses: where all springs have the same ratio it holds for any number of necks.
+///
+/// | name | symbol | unit | domain | meaning |
+/// |---|---|---|---|---|
+/// | `k` | $k$ | N/m | > 0 | stiffness |
+/// | `eta` | $\eta$ | kg/s | >= 0 | damping coefficient |
+/// | → `dt_max` | $\Delta t_{\max}$ | s | | largest stable time step |
+///
+/// Rounding: at most 0.5 ULP.
+///
+/// # Laws
+///
+/// * `beyond_its_limit_a_spring_that_lags_gains_energy`
+#[inline(always)]
+pub fn lag_limit<R: Real>(k: R, eta: R) -> R {
+    eta / k
+}
+
 pub(super) fn equations() -> Vec<Equation> {
     vec![
         equation!("soot/def_spring.rs", "soot-rotated", [], rotated_spring),
         equation!("soot/def_spring.rs", "soot-rotated-torsion", [], rotated_torsion),
         equation!("soot/def_spring.rs", "soot-spring", [], stretched_spring),
+        equation!("soot/def_spring.rs", "soot-lag-limit", [], lag_limit),
     ]
 }
 
@@ -279,6 +307,26 @@ mod laws {
             let growth = (0.5 * omega * omega * dt * 20.0).exp();
             prop_assert!((end(true) / growth - 1.0).abs() < 4.0 * omega * dt * (1.0 + growth.ln()) + 0.2 * growth.ln());
             prop_assert!(end(true) > 1.0 + 0.5 * growth.ln());
+        }
+
+        #[test]
+        fn beyond_its_limit_a_spring_that_lags_gains_energy(k in 0.5..2.0f64, eta in 0.05..0.2f64) {
+            // A unit mass, velocities half a step behind; its largest speed over the second half of the way and over the first.
+            let gain = |fraction: f64| {
+                let dt = fraction * lag_limit(k, eta);
+                let (mut xi, mut v, mut largest) = (0.0, 1.0, [0.0f64; 2]);
+                // The amplitude changes by half of (1 - fraction) eta dt a step: by e^2 on the whole way.
+                let steps = (4.0 / ((1.0 - fraction).abs() * eta * dt)) as usize;
+                for step in 0..steps {
+                    let f = force(k, xi, eta, v);
+                    xi = stretched(xi, v, dt);
+                    v -= f * dt;
+                    let half = &mut largest[2 * step / steps];
+                    *half = half.max(v.abs());
+                }
+                largest[1] / largest[0]
+            };
+            prop_assert!(gain(0.9) < 0.5 && gain(1.1) > 2.0);
         }
     }
 }

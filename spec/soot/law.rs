@@ -6,8 +6,9 @@ use super::def_grip::{Friction, Grip, Losses, Memory, Order, Springs};
 use super::def_meeting::Meeting;
 use super::def_neck_stress::neck_stress;
 use super::def_sphere::solid_inertia;
-use super::def_spring::Twist;
+use super::def_spring::{Twist, lag_limit};
 use super::eq12_spring_force::turning_torque;
+use crate::wear::def_stable_step::stable_time_step;
 use crate::{Contact, Flat, PairModel, Real, Touch, Vec3, flat_struct};
 
 pub use wall::Wall;
@@ -162,9 +163,10 @@ impl<S: Reading> PairModel for Soot<S> {
         if reaches { self.attraction.cutoff.max(r_i + r_j) } else { r_i + r_j }
     }
 
-    /// Largest stable time step of two equal solid spheres in contact or with a neck, s.
+    /// Largest stable time step of two equal solid spheres in contact or with a neck, s. Springs of a contact may lag by more: they slip before they gain much.
     fn critical_time_step(&self, r: f64, m: f64) -> f64 {
-        self.neck.critical_time_step(r, m).min(self.contact.critical_time_step(r, m))
+        let limit = self.neck.critical_time_step(r, m).min(self.contact.critical_time_step(r, m));
+        if S::ORDER == Order::ActFirst { limit.min(self.neck.lag_limit()) } else { limit }
     }
 
     fn surface_range(&self, material: usize, r: f64) -> f64 {
@@ -205,7 +207,6 @@ impl Springs<f64> {
     pub fn critical_time_step(&self, r: f64, m: f64) -> f64 {
         let (normal, tangential, rolling, torsion) =
             neck_frequencies(self.k_n, self.k_t, self.k_r, self.k_o, m, solid_inertia(m, r), r);
-        // A dashpot that acts with the velocity of the step before lowers the limit: the rate of decay of each motion follows from its frequency.
         [
             (normal, self.k_n, self.eta_n),
             (tangential, self.k_t, self.eta_t),
@@ -214,11 +215,17 @@ impl Springs<f64> {
         ]
         .into_iter()
         .filter(|(_, k, _)| *k > 0.0)
-        .map(|(omega, k, eta)| {
-            let decay = 0.5 * omega * omega * eta / k;
-            2.0 / ((omega * omega + decay * decay).sqrt() + decay)
-        })
+        .map(|(omega, k, eta)| stable_time_step(k / (omega * omega), k, eta))
         .fold(f64::INFINITY, f64::min)
+    }
+
+    /// Largest time step, s, at which none of them gains energy if they act before they are stretched: the normal spring never does.
+    pub fn lag_limit(&self) -> f64 {
+        [(self.k_t, self.eta_t), (self.k_r, self.eta_r), (self.k_o, self.eta_o)]
+            .into_iter()
+            .filter(|(k, _)| *k > 0.0)
+            .map(|(k, eta)| lag_limit(k, eta))
+            .fold(f64::INFINITY, f64::min)
     }
 }
 

@@ -13,7 +13,7 @@ use super::{Case, Experiment, Model, Sample};
 use crate::spec::PairModel;
 use crate::spec::soot::def_sphere::solid_inertia;
 use crate::spec::soot::eq24_fractal::gyration_radius;
-use crate::spec::soot::{self, Along};
+use crate::spec::soot::{self, Along, Printed, Programmed};
 use crate::spec::wear::def_sphere::sphere_mass;
 use serde_yaml::{Mapping, Value};
 use std::path::PathBuf;
@@ -198,6 +198,15 @@ impl Soot {
             walls: [&self.substrate_hamaker_constant, &self.tip_hamaker_constant].map(|a| wall(a.value)),
         }
     }
+
+    /// The contact law of a stage: the coating acts only in a restructuring.
+    pub fn law_of<S>(&self, reading: S, stage: &SootStage) -> soot::Soot<S> {
+        let mut law = self.law(reading);
+        if !matches!(stage, SootStage::Restructuring(_)) {
+            law.attraction.psi = 0.0;
+        }
+        law
+    }
 }
 
 impl Case {
@@ -253,14 +262,22 @@ impl Case {
                 ("moment of inertia of a sphere".into(), in_unit(solid_inertia(mass, r), "kg m^2")),
                 ("gyration radius R_g".into(), in_unit(gyration, "nm")),
                 ("largest stable time step".into(), in_unit(limit, "fs")),
-                ("that of a sphere with six necks, about".into(), in_unit(0.5 * limit, "fs")),
             ]);
+            if soot.torsion == Torsion::AsPublished {
+                let lag = in_unit(soot.law(Programmed).contact.lag_limit(), "fs");
+                rows.push(("that above which contacts gain energy until they slip".into(), lag));
+            } else {
+                rows.push(("that of a sphere with six necks, about".into(), in_unit(SIX_NECKS * limit, "fs")));
+            }
             rows.extend(stages.iter().enumerate().map(|(number, stage)| {
                 let dt = stage.dt().value;
                 let text = format!("{} = {} of the largest stable step", in_unit(dt, "fs"), rounded(dt / limit));
                 (format!("{}.dt", self.soot_key(number, stage)), text)
             }));
-            let left = soot.law(Along).attraction.force(soot.cutoff.value, soot.cutoff.value - 2.0 * r, r, r);
+            let at_the_cutoff = |stage| {
+                soot.law_of(Along, stage).attraction.force(soot.cutoff.value, soot.cutoff.value - 2.0 * r, r, r)
+            };
+            let left = stages.iter().map(at_the_cutoff).fold(0.0, f64::max);
             rows.push(("attraction at the cutoff, where it ends".into(), in_unit(left, "N")));
         }
         rows.into_iter().map(|(key, value)| (Value::String(key), Value::String(value))).collect()
@@ -269,10 +286,17 @@ impl Case {
 
 impl Soot {
     /// The largest stable time step of two spheres of this radius that nothing else touches, ns. Where spheres have more necks it is smaller: 0.69 of it with three on
-    /// one sphere, 0.56 in a row of five, 0.52 with six.
+    /// one sphere, 0.56 in a row of five.
     pub fn step_limit(&self, r: f64) -> f64 {
-        self.law(Along).critical_time_step(r, sphere_mass(self.density.value, r))
+        let m = sphere_mass(self.density.value, r);
+        match self.torsion {
+            Torsion::Spring => self.law(Along).critical_time_step(r, m),
+            Torsion::AsPrinted => self.law(Printed).critical_time_step(r, m),
+            Torsion::AsPublished => self.law(Programmed).critical_time_step(r, m),
+        }
     }
 }
 
+/// The largest stable time step of a sphere with six necks over that of one with one.
+const SIX_NECKS: f64 = 0.52;
 const OF_SOOT: &str = "asked only of cases of the soot paper";

@@ -288,6 +288,23 @@ fn a_neck_that_acts_before_it_is_stretched_gains_what_a_negative_dashpot_gives()
 }
 
 #[test]
+fn a_neck_that_acts_before_it_is_stretched_rolls_ever_faster_above_its_limit() {
+    let law = read(law(Springs { eta_o: 0.4, ..DAMPED }, NONE), Programmed);
+    let limit = law.critical_time_step(1.0, 1.0);
+    let spin = |fraction: f64| {
+        let mut pair = dimer(law, 1.0, 0.0);
+        pair.omega = [Vec3::new(0.0, 1.0, 0.0), Vec3::new(0.0, -1.0, 0.0)].map(|omega| omega * 1e-6);
+        (0..8000).for_each(|_| pair.step(fraction * limit));
+        let last = (0..200).map(|_| {
+            pair.step(fraction * limit);
+            pair.omega[0].norm() * 1e6
+        });
+        last.fold(0.0, f64::max)
+    };
+    assert!(spin(0.5) < 0.5 && spin(1.5) > 10.0);
+}
+
+#[test]
 fn a_neck_is_stable_below_the_critical_time_step_and_not_above() {
     for springs in [UNDAMPED, DAMPED, Springs { eta_t: 20.0, ..UNDAMPED }] {
         let law = law(springs, NONE);

@@ -47,21 +47,30 @@ pub fn problems(case: &Case, found: &mut Found) {
         for (number, stage) in stages.iter().enumerate() {
             let key = case.soot_key(number, stage);
             self::stage(stage, &key, found);
-            if let Some(radii) = sample.radii() {
-                sized(soot, radii, stage, &key, found);
-            }
             let follows = deposited || !matches!(stage, SootStage::Indentation(_));
             expect(found, follows, &key, "an indentation", "a deposition before it");
             deposited |= matches!(stage, SootStage::Deposition(_));
         }
+        if let Some(radii) = sample.radii() {
+            let keys = stages.iter().enumerate().map(|(number, stage)| (stage, case.soot_key(number, stage)));
+            sized(soot, radii, keys, found);
+        }
     }
 }
 
-/// What is wrong with the cutoff, the necks and the step of a stage for spheres from the smallest to the largest of these radii.
-pub fn sized(soot: &Soot, [least, largest]: [f64; 2], stage: &SootStage, key: &str, found: &mut Found) {
-    let (dt, limit) = (stage.dt(), soot.step_limit(least));
+/// What is wrong with the steps of these stages, the cutoff and the necks for spheres from the smallest to the largest of these radii.
+pub fn sized<'a>(
+    soot: &Soot,
+    [least, largest]: [f64; 2],
+    stages: impl Iterator<Item = (&'a SootStage, String)>,
+    found: &mut Found,
+) {
+    let limit = soot.step_limit(least);
     let text = format!("more than zero and less than the stability limit of two spheres, {}", in_unit(limit, "fs"));
-    expect(found, dt.value > 0.0 && dt.value < limit, &format!("{key}.dt"), dt, &text);
+    for (stage, key) in stages {
+        let dt = stage.dt();
+        expect(found, dt.value > 0.0 && dt.value < limit, &format!("{key}.dt"), dt, &text);
+    }
     let text = format!("more than the distance of two touching spheres, {}", in_unit(2.0 * largest, "nm"));
     expect(found, soot.cutoff.value > 2.0 * largest, "model.soot.cutoff", &soot.cutoff, &text);
     if let Some(NeckStrength { neck_radius, .. }) = &soot.break_stress {

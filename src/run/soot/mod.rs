@@ -91,9 +91,7 @@ impl<S: Reading> Plan<S> {
             let extreme = |of: fn(f64, f64) -> f64| spheres.iter().map(|sphere| sphere.radius).reduce(of);
             let radii = [extreme(f64::min), extreme(f64::max)].map(|r| r.expect("a file without spheres is refused"));
             let mut found = Vec::new();
-            for (stage, key) in self.stages.iter().zip(&self.keys) {
-                sized(&self.soot, radii, stage, key, &mut found);
-            }
+            sized(&self.soot, radii, self.stages.iter().zip(self.keys.iter().cloned()), &mut found);
             return found.into_iter().next().map_or(Ok(spheres), |(key, what)| Err(Error::of_key(key, what)));
         }
         let median = sample.radius.value;
@@ -177,13 +175,8 @@ impl<S: Reading> Study for Plan<S> {
         stage::set_up(&self.stages[stage], &ground, system)
     }
 
-    /// The coating acts only in a restructuring.
     fn model(&self, stage: usize) -> soot::Soot<S> {
-        let mut law = self.soot.law(self.reading);
-        if !matches!(self.stages[stage], SootStage::Restructuring(_)) {
-            law.attraction.psi = 0.0;
-        }
-        law
+        self.soot.law_of(self.reading, &self.stages[stage])
     }
 
     fn settings(&self, stage: usize, system: &System) -> Settings {
