@@ -129,7 +129,11 @@ impl<M: PairModel> PairModel for Necked<M> {
     }
 
     fn critical_time_step(&self, r: f64, m: f64) -> f64 {
-        self.law.critical_time_step(r, m).min(self.neck.critical_time_step(r, m))
+        self.critical_time_step_beside(r, m, r)
+    }
+
+    fn critical_time_step_beside(&self, r: f64, m: f64, other: f64) -> f64 {
+        self.law.critical_time_step_beside(r, m, other).min(self.neck.critical_time_step(r, m, other))
     }
 }
 
@@ -238,7 +242,7 @@ mod laws {
         let (r, stiff) = (radii().0, Necked { neck: Springs { k_n: 1e6, ..model().neck }, ..model() });
         assert_eq!(
             model().critical_time_step(r, 1.0),
-            model().neck.critical_time_step(r, 1.0).min(model().law.critical_time_step(r, 1.0))
+            model().neck.critical_time_step(r, 1.0, r).min(model().law.critical_time_step(r, 1.0))
         );
         assert!(stiff.critical_time_step(r, 1.0) < 2.0 / (2.0 * 1e6f64).sqrt());
         let soft = Necked { neck: Springs::from_fn(|_| 1e-6), ..model() };

@@ -14,7 +14,7 @@ fn every_instruction_set_gives_the_same_bits() {
         let settings = veridem::simulation::Settings { instructions, ..settings(DT) };
         run(sheared_crowd(1, 7), settings, 300).snapshot()
     };
-    let baseline = with(Instructions::Baseline);
+    let baseline = with(Instructions::BASELINE);
     for instructions in Instructions::available() {
         assert!(with(instructions) == baseline, "{instructions:?} differs from the baseline");
     }

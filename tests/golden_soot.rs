@@ -11,6 +11,7 @@ use veridem_spec::soot::eq18_hamaker::{hamaker_energy, hamaker_force};
 use veridem_spec::soot::eq21_hamaker_plane::{plane_energy, plane_force};
 use veridem_spec::soot::eq25_tip::{tip_velocity, tip_way};
 use veridem_spec::soot::{Friction, Memory, Springs};
+use veridem_spec::wear::def_sphere::sphere_mass;
 use veridem_spec::{Contact, Flat, Vec3};
 
 fn runs(name: &str) -> Vec<Value> {
@@ -37,7 +38,7 @@ fn two_spheres_and_a_sphere_and_a_plane_fall_onto_each_other() {
     for run in runs("soot_falls.json") {
         let [r, a, rho, start] = ["r", "a", "rho", "delta_start"].map(|key| number(&run[key]));
         let what = run["name"].as_str().unwrap();
-        let mass = 4.0 / 3.0 * std::f64::consts::PI * rho * r * r * r;
+        let mass = sphere_mass(rho, r);
         // the gap closes with the acceleration of both spheres, or of one
         type Law = fn(f64, f64, f64) -> f64;
         let (energy, force, m): (Law, Law, f64) = match run["partner"].as_str() {

@@ -44,7 +44,7 @@ fn neither_threads_nor_instructions_change_a_bit() {
         let settings = Settings { instructions, ..settings(DT) };
         pool.install(|| run(law(), system(third), settings, 3000).snapshot())
     };
-    let plain = with(1, Instructions::Baseline);
+    let plain = with(1, Instructions::BASELINE);
     for instructions in Instructions::available() {
         assert!(with(2, instructions) == plain, "{instructions:?}");
     }

@@ -74,7 +74,7 @@ fn neither_threads_nor_instructions_nor_a_pause_change_a_bit() {
         let settings = Settings { instructions, ..settings(DT) };
         pool.install(|| run(between(sheet()), settings, 6000).snapshot())
     };
-    let plain = with(1, Instructions::Baseline);
+    let plain = with(1, Instructions::BASELINE);
     assert!(with(2, Instructions::best()) == plain);
 
     // The pause is made while a sphere lies on the substrate.

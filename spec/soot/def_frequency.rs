@@ -1,5 +1,7 @@
 //! How fast a necked pair oscillates.
 
+use super::def_sphere::solid_inertia;
+use super::eq03_geometry::mean_arm;
 use crate::equation::Equation;
 use crate::{Real, equation};
 
@@ -41,17 +43,76 @@ pub fn neck_frequencies<R: Real>(k_n: R, k_t: R, k_r: R, k_o: R, m: R, i: R, r: 
     ((k_n * shift).sqrt(), (k_t * (shift + turn)).sqrt(), (k_r * turn).sqrt(), (k_o * turn).sqrt())
 }
 
+/// **Section 2.1.1**, unnumbered: how near a time step comes to what the sliding and the rolling of two spheres bear.
+///
+/// ```math
+/// \lambda = \tfrac{1}{2} \left(a + b + \sqrt{(a - b)^2 + 4c^2}\right), \quad a = s_\mathrm{t} \left(\tfrac{1}{m_i} + \tfrac{1}{m_j} + \tfrac{r_i^2}{I_i} + \tfrac{r_j^2}{I_j}\right), \quad
+/// b = s_\mathrm{r} \bar{a}^2 \left(\tfrac{1}{I_i} + \tfrac{1}{I_j}\right), \quad c^2 = s_\mathrm{t} s_\mathrm{r} \bar{a}^2 \left(\tfrac{r_i}{I_i} - \tfrac{r_j}{I_j}\right)^2, \quad
+/// s = k \Delta t^2 + 2 \eta \Delta t
+/// ```
+///
+/// # Reading
+///
+/// Eqs. 1, 2 and 12 for small motions about rest; dashpots act with the velocity of the step before. The largest eigenvalue of what a step does to the two springs; the step is stable below 4.
+/// Equal spheres slide and roll independently, and each motion has the limit of a mass on a spring. Unequal ones do not: undamped, the limit of a sphere on one of three times
+/// its radius is nine tenths of that on its like, on a wall three quarters.
+///
+/// | name | symbol | unit | domain | meaning |
+/// |---|---|---|---|---|
+/// | `s_t` | $s_\mathrm{t}$ | kg | >= 0 | spring and dashpot of sliding in a step |
+/// | `s_r` | $s_\mathrm{r}$ | kg | >= 0 | spring and dashpot of rolling in a step |
+/// | `r_i` | $r_i$ | m | > 0 | radius of i |
+/// | `r_j` | $r_j$ | m | > 0 | radius of j |
+/// | `m_i` | $m_i$ | kg | > 0 | mass of i |
+/// | `m_j` | $m_j$ | kg | > 0 | mass of j |
+/// | → `lambda` | $\lambda$ | 1 | | stable below 4 |
+///
+/// Rounding: at most 3 ULP.
+///
+/// # Laws
+///
+/// * `equal_spheres_slide_and_roll_independently`
+/// * `a_large_partner_couples_sliding_and_rolling`
+#[inline(always)]
+pub fn slide_and_roll<R: Real>(s_t: R, s_r: R, r_i: R, r_j: R, m_i: R, m_j: R) -> R {
+    let (i_i, i_j, arm) = (solid_inertia(m_i, r_i), solid_inertia(m_j, r_j), mean_arm(r_i, r_j));
+    let slide = s_t * (R::one() / m_i + R::one() / m_j + r_i.squared() / i_i + r_j.squared() / i_j);
+    let roll = s_r * arm.squared() * (R::one() / i_i + R::one() / i_j);
+    let both = s_t * s_r * (arm * (r_i / i_i - r_j / i_j)).squared();
+    R::lit(0.5) * (slide + roll + ((slide - roll).squared() + R::lit(4.0) * both).sqrt())
+}
+
 pub(super) fn equations() -> Vec<Equation> {
-    vec![equation!("soot/def_frequency.rs", "soot-frequencies", [], neck_frequencies)]
+    vec![
+        equation!("soot/def_frequency.rs", "soot-frequencies", [], neck_frequencies),
+        equation!("soot/def_frequency.rs", "soot-slide-and-roll", [], slide_and_roll),
+    ]
 }
 
 #[cfg(test)]
 mod laws {
     use super::*;
-    use crate::soot::def_sphere::{hollow_inertia, solid_inertia};
+    use crate::soot::def_sphere::hollow_inertia;
     use proptest::prelude::*;
 
     proptest! {
+        #[test]
+        fn equal_spheres_slide_and_roll_independently(k_t in 0.1..10.0f64, k_r in 0.1..10.0f64, m in 0.1..10.0, r in 0.1..10.0) {
+            // Without dashpots the step over the limit of each motion, squared, and four times that.
+            let (_, t, r_, _) = neck_frequencies(1.0, k_t, k_r, 1.0, m, solid_inertia(m, r), r);
+            prop_assert!((slide_and_roll(k_t, k_r, r, r, m, m) / t.max(r_).powi(2) - 1.0).abs() < 1e-13);
+        }
+
+        #[test]
+        fn a_large_partner_couples_sliding_and_rolling(k in 0.1..10.0f64, m in 0.1..10.0, r in 0.1..10.0) {
+            // Equal spheres have 7. Beside an endless one the arm of rolling is twice the radius: the matrix of 3.5, 10 and, off its diagonal, 5.
+            let endless = 0.5 * (13.5 + 142.25f64.sqrt());
+            let wall = slide_and_roll(k, k, r, 1e9 * r, m, 1e27 * m) * m / k;
+            prop_assert!((wall - endless).abs() < 1e-6);
+            let three = slide_and_roll(k, k, r, 3.0 * r, m, 27.0 * m) * m / k;
+            prop_assert!(three > 7.0 && three < endless);
+        }
+
         #[test]
         fn solid_and_hollow_spheres_have_the_stated_frequencies(k in 0.1..10.0f64, m in 0.1..10.0, r in 0.1..10.0) {
             let squares = |i: f64| {

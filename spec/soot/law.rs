@@ -1,14 +1,16 @@
 //! The contact law, composed of its equations: what an engine runs.
 
 use super::def_body_forces::Attraction;
-use super::def_frequency::neck_frequencies;
+use super::def_frequency::slide_and_roll;
 use super::def_grip::{Friction, Grip, Losses, Memory, Order, Springs};
 use super::def_meeting::Meeting;
 use super::def_neck_stress::neck_stress;
 use super::def_sphere::solid_inertia;
 use super::def_spring::{Twist, lag_limit};
+use super::eq03_geometry::mean_arm;
 use super::eq12_spring_force::turning_torque;
 use crate::wear::def_stable_step::stable_time_step;
+use crate::wear::eq17_effective_mass::effective_mass;
 use crate::{Contact, Flat, PairModel, Real, Touch, Vec3, flat_struct};
 
 pub use wall::Wall;
@@ -163,9 +165,13 @@ impl<S: Reading> PairModel for Soot<S> {
         if reaches { self.attraction.cutoff.max(r_i + r_j) } else { r_i + r_j }
     }
 
-    /// Largest stable time step of two equal solid spheres in contact or with a neck, s. Springs of a contact may lag by more: they slip before they gain much.
     fn critical_time_step(&self, r: f64, m: f64) -> f64 {
-        let limit = self.neck.critical_time_step(r, m).min(self.contact.critical_time_step(r, m));
+        self.critical_time_step_beside(r, m, r)
+    }
+
+    /// Largest stable time step of two solid spheres in contact or with a neck, s. Springs of a contact may lag by more: they slip before they gain much.
+    fn critical_time_step_beside(&self, r: f64, m: f64, other: f64) -> f64 {
+        let limit = self.neck.critical_time_step(r, m, other).min(self.contact.critical_time_step(r, m, other));
         if S::ORDER == Order::ActFirst { limit.min(self.neck.lag_limit()) } else { limit }
     }
 
@@ -203,20 +209,18 @@ impl<S: Reading> PairModel for Soot<S> {
 }
 
 impl Springs<f64> {
-    /// Largest stable time step of two equal solid spheres that these springs hold, s.
-    pub fn critical_time_step(&self, r: f64, m: f64) -> f64 {
-        let (normal, tangential, rolling, torsion) =
-            neck_frequencies(self.k_n, self.k_t, self.k_r, self.k_o, m, solid_inertia(m, r), r);
-        [
-            (normal, self.k_n, self.eta_n),
-            (tangential, self.k_t, self.eta_t),
-            (rolling, self.k_r, self.eta_r),
-            (torsion, self.k_o, self.eta_o),
-        ]
-        .into_iter()
-        .filter(|(_, k, _)| *k > 0.0)
-        .map(|(omega, k, eta)| stable_time_step(k / (omega * omega), k, eta))
-        .fold(f64::INFINITY, f64::min)
+    /// Largest stable time step of two solid spheres of one density that these springs hold, s.
+    pub fn critical_time_step(&self, r: f64, m: f64, other: f64) -> f64 {
+        let m_j = m * (other / r).powi(3);
+        let twisted = mean_arm(r, other).powi(2) * (1.0 / solid_inertia(m, r) + 1.0 / solid_inertia(m_j, other));
+        let straight = stable_time_step(effective_mass(m, m_j), self.k_n, self.eta_n);
+        let most = straight.min(stable_time_step(1.0 / twisted, self.k_o, self.eta_o));
+        let of_step = |k: f64, eta: f64, dt: f64| k * dt * dt + 2.0 * eta * dt;
+        let is_stable = |dt: f64| {
+            let (slide, roll) = (of_step(self.k_t, self.eta_t, dt), of_step(self.k_r, self.eta_r, dt));
+            slide_and_roll(slide, roll, r, other, m, m_j) <= 4.0
+        };
+        if is_stable(most) { most } else { bisected(most, is_stable) }
     }
 
     /// Largest time step, s, at which none of them gains energy if they act before they are stretched: the normal spring never does.
@@ -226,6 +230,18 @@ impl Springs<f64> {
             .filter(|(k, _)| *k > 0.0)
             .map(|(k, eta)| lag_limit(k, eta))
             .fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// The largest number up to `most` for which something holds that holds for all smaller ones.
+fn bisected(most: f64, holds: impl Fn(f64) -> bool) -> f64 {
+    let (mut least, mut most) = (0.0, most);
+    loop {
+        let middle = 0.5 * (least + most);
+        if middle <= least || middle >= most {
+            return least;
+        }
+        if holds(middle) { least = middle } else { most = middle }
     }
 }
 

@@ -253,8 +253,8 @@ impl Case {
     pub(super) fn derived_of_soot(&self) -> Mapping {
         let (soot, sample, stages) = self.soot().expect(OF_SOOT);
         let mut rows = Vec::new();
-        if let Some([least, _]) = sample.radii() {
-            let (r, limit) = (sample.radius.value, soot.step_limit(least));
+        if let Some(radii) = sample.radii() {
+            let (r, limit) = (sample.radius.value, soot.step_limit(radii));
             let mass = sphere_mass(soot.density.value, r);
             let gyration = gyration_radius(sample.prefactor, sample.spheres as f64, r, sample.fractal_dimension);
             rows.extend([
@@ -285,15 +285,16 @@ impl Case {
 }
 
 impl Soot {
-    /// The largest stable time step of two spheres of this radius that nothing else touches, ns. Where spheres have more necks it is smaller: 0.69 of it with three on
+    /// The largest stable time step of two spheres with radii between these that nothing else touches, ns. Where spheres have more necks it is smaller: 0.69 of it with three on
     /// one sphere, 0.56 in a row of five.
-    pub fn step_limit(&self, r: f64) -> f64 {
-        let m = sphere_mass(self.density.value, r);
-        match self.torsion {
-            Torsion::Spring => self.law(Along).critical_time_step(r, m),
-            Torsion::AsPrinted => self.law(Printed).critical_time_step(r, m),
-            Torsion::AsPublished => self.law(Programmed).critical_time_step(r, m),
-        }
+    pub fn step_limit(&self, [least, largest]: [f64; 2]) -> f64 {
+        let m = sphere_mass(self.density.value, least);
+        let beside = |other: f64| match self.torsion {
+            Torsion::Spring => self.law(Along).critical_time_step_beside(least, m, other),
+            Torsion::AsPrinted => self.law(Printed).critical_time_step_beside(least, m, other),
+            Torsion::AsPublished => self.law(Programmed).critical_time_step_beside(least, m, other),
+        };
+        beside(least).min(beside(largest))
     }
 }
 

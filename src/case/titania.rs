@@ -343,7 +343,7 @@ impl Case {
     pub fn titania_step_limit(&self) -> f64 {
         let (titania, test) = self.titania().expect(OF_TITANIA);
         let (r, mass) = titania.particle(test.smallest());
-        let neck = titania.neck_springs.as_ref().map(|springs| springs.spec().critical_time_step(r, mass));
+        let neck = titania.neck_springs.as_ref().map(|springs| springs.spec().critical_time_step(r, mass, r));
         titania.law().critical_time_step(r, mass).min(neck.unwrap_or(f64::INFINITY))
     }
 

@@ -111,8 +111,13 @@ impl<'a> Grid<'a> {
             std::array::from_fn(|a| if domain.periodic[a] { domain.sides[a] } else { high[a] - low[a] });
         // More cells than that would only cost memory; spheres that fill a part of the space need some that are empty.
         let most = CELLS_PER_SPHERE * members.len() as f64;
-        let finest = (extent.iter().product::<f64>() / most).cbrt().max(size);
-        let count = extent.map(|length| ((length / finest) as i64).max(1));
+        let cells = |size: f64| extent.map(|length| ((length / size) as i64).max(1));
+        let mut finest = (extent.iter().product::<f64>() / most).cbrt().max(size);
+        // Spheres in a plane or a row have no volume.
+        while cells(finest).iter().map(|&count| count as f64).product::<f64>() > most {
+            finest *= 2.0;
+        }
+        let count = cells(finest);
         let cells_per_length = std::array::from_fn(|a| count[a] as f64 / extent[a].max(f64::MIN_POSITIVE));
         let mut grid =
             Self { domain, octave, largest, origin, cells_per_length, count, start: Vec::new(), members: Vec::new() };

@@ -2,9 +2,13 @@
 
 use super::transpose::Square;
 
-/// An instruction set, from the plainest.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Instructions {
+/// An instruction set that this processor has: there is no other way to come by one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Instructions(Set);
+
+/// From the plainest.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Set {
     /// What every processor of the target has.
     Baseline,
     /// Four numbers at once.
@@ -14,19 +18,22 @@ pub enum Instructions {
 }
 
 impl Instructions {
+    /// What every processor of the target has.
+    pub const BASELINE: Self = Self(Set::Baseline);
+
     /// Those that this processor has.
     pub fn available() -> Vec<Self> {
-        let mut sets = vec![Self::Baseline];
+        let mut sets = vec![Self::BASELINE];
         #[cfg(target_arch = "x86_64")]
         {
             if std::arch::is_x86_feature_detected!("avx2") {
-                sets.push(Self::Avx2);
+                sets.push(Self(Set::Avx2));
             }
             if std::arch::is_x86_feature_detected!("avx512f")
                 && std::arch::is_x86_feature_detected!("avx512dq")
                 && std::arch::is_x86_feature_detected!("avx512vl")
             {
-                sets.push(Self::Avx512);
+                sets.push(Self(Set::Avx512));
             }
         }
         sets
@@ -34,7 +41,12 @@ impl Instructions {
 
     /// The widest that this processor has.
     pub fn best() -> Self {
-        Self::available().pop().unwrap_or(Self::Baseline)
+        Self::available().pop().unwrap_or(Self::BASELINE)
+    }
+
+    /// Which one it is.
+    pub(super) fn set(self) -> Set {
+        self.0
     }
 }
 

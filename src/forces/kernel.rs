@@ -2,7 +2,7 @@
 
 use super::act::{Given, Row, Seen, Sums};
 use super::blocks::{Block, CAPACITY, LANES};
-use super::instructions::{Instructions, SideBySide};
+use super::instructions::{Instructions, Set, SideBySide};
 use super::pairs::{FarPairs, Pairs};
 use super::{Totals, transpose};
 use crate::spec::numbers::Lanes;
@@ -105,22 +105,22 @@ fn dispatch<M: PairModel>(
     dt: f64,
 ) -> Totals<M::Losses<f64>> {
     #[cfg(target_arch = "x86_64")]
-    #[expect(unsafe_code, reason = "`Instructions` above the baseline exist only where the processor has them")]
-    match instructions {
-        Instructions::Baseline => {}
-        Instructions::Avx2 => return unsafe { avx2::rows(model, pairs, bench, loads, max_overlap, dt) },
-        Instructions::Avx512 => return unsafe { avx512::rows(model, pairs, bench, loads, max_overlap, dt) },
+    #[expect(unsafe_code, reason = "`Instructions` exist only where the processor has them")]
+    match instructions.set() {
+        Set::Baseline => {}
+        Set::Avx2 => return unsafe { avx2::rows(model, pairs, bench, loads, max_overlap, dt) },
+        Set::Avx512 => return unsafe { avx512::rows(model, pairs, bench, loads, max_overlap, dt) },
     }
     baseline::rows(model, pairs, bench, loads, max_overlap, dt)
 }
 
 fn dispatch_far<M: PairModel>(model: &M, instructions: Instructions, pairs: &mut FarPairs, bench: &Bench) {
     #[cfg(target_arch = "x86_64")]
-    #[expect(unsafe_code, reason = "`Instructions` above the baseline exist only where the processor has them")]
-    match instructions {
-        Instructions::Baseline => {}
-        Instructions::Avx2 => return unsafe { avx2::far(model, pairs, bench) },
-        Instructions::Avx512 => return unsafe { avx512::far(model, pairs, bench) },
+    #[expect(unsafe_code, reason = "`Instructions` exist only where the processor has them")]
+    match instructions.set() {
+        Set::Baseline => {}
+        Set::Avx2 => return unsafe { avx2::far(model, pairs, bench) },
+        Set::Avx512 => return unsafe { avx512::far(model, pairs, bench) },
     }
     baseline::far(model, pairs, bench);
 }
@@ -128,11 +128,11 @@ fn dispatch_far<M: PairModel>(model: &M, instructions: Instructions, pairs: &mut
 /// Does work side by side with the given instructions.
 pub fn side_by_side<W: SideBySide>(instructions: Instructions, work: W) -> W::Outcome {
     #[cfg(target_arch = "x86_64")]
-    #[expect(unsafe_code, reason = "`Instructions` above the baseline exist only where the processor has them")]
-    match instructions {
-        Instructions::Baseline => {}
-        Instructions::Avx2 => return unsafe { avx2::side_by_side(work) },
-        Instructions::Avx512 => return unsafe { avx512::side_by_side(work) },
+    #[expect(unsafe_code, reason = "`Instructions` exist only where the processor has them")]
+    match instructions.set() {
+        Set::Baseline => {}
+        Set::Avx2 => return unsafe { avx2::side_by_side(work) },
+        Set::Avx512 => return unsafe { avx512::side_by_side(work) },
     }
     baseline::side_by_side(work)
 }

@@ -177,7 +177,7 @@ pub mod back {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::forces::Instructions;
+    use crate::forces::instructions::{Instructions, Set};
 
     #[test]
     #[cfg(target_arch = "x86_64")]
@@ -185,16 +185,16 @@ mod tests {
     fn every_instruction_set_exchanges_rows_and_columns() {
         let rows: Square = std::array::from_fn(|row| std::array::from_fn(|column| (10 * row + column) as f64));
         for set in Instructions::available() {
-            let columns = match set {
-                Instructions::Baseline => baseline(rows),
-                Instructions::Avx2 => unsafe { avx2(rows) },
-                Instructions::Avx512 => unsafe { avx512(rows) },
+            let columns = match set.set() {
+                Set::Baseline => baseline(rows),
+                Set::Avx2 => unsafe { avx2(rows) },
+                Set::Avx512 => unsafe { avx512(rows) },
             };
             let narrow: Rows = rows.map(|row| [row[0], row[1], row[2], row[3]]);
-            let (few, again) = match set {
-                Instructions::Baseline => (narrow::baseline(narrow), back::baseline(narrow::baseline(narrow))),
-                Instructions::Avx2 => unsafe { (narrow::avx2(narrow), back::avx2(narrow::avx2(narrow))) },
-                Instructions::Avx512 => unsafe { (narrow::avx512(narrow), back::avx512(narrow::avx512(narrow))) },
+            let (few, again) = match set.set() {
+                Set::Baseline => (narrow::baseline(narrow), back::baseline(narrow::baseline(narrow))),
+                Set::Avx2 => unsafe { (narrow::avx2(narrow), back::avx2(narrow::avx2(narrow))) },
+                Set::Avx512 => unsafe { (narrow::avx512(narrow), back::avx512(narrow::avx512(narrow))) },
             };
             for (row, column) in (0..LANES).flat_map(|row| (0..LANES).map(move |column| (row, column))) {
                 assert_eq!(columns[column][row], rows[row][column], "{set:?}");

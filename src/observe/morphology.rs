@@ -8,9 +8,8 @@ use crate::build::sphere_volume;
 use crate::forces::neighbours;
 use crate::spec::soot::def_convexity::{convexity as filled, hull_volume};
 use crate::spec::soot::eq26_coordination::{are_neighbours, coordination_number as mean_coordination};
-use crate::spec::{Real, Tensor, Vec3};
+use crate::spec::{Real, Vec3};
 use crate::system::Domain;
-use faer::{Mat, Side};
 
 /// Largest gap between neighbours, as a fraction of their mean diameter (Eq. 26).
 pub const NEIGHBOURLY: f64 = 0.01;
@@ -20,8 +19,6 @@ pub const NEIGHBOURLY: f64 = 0.01;
 pub enum Extent {
     /// Only the centres count, as in the fractal law.
     Centres,
-    /// Each sphere adds the mean square distance from its own centre, 3/5 of its squared radius.
-    Spheres,
     /// Each sphere adds its squared radius, so that one alone has its radius as gyration radius (Filippov, Zurita & Rosner 2000).
     Radii,
 }
@@ -42,43 +39,27 @@ pub fn centre_of_mass(spheres: &[Sphere]) -> Vec3<f64> {
     sum * (1.0 / total)
 }
 
-/// Mean of the products of the components of the distance from the centre of mass, weighted by mass, nm^2.
-pub fn gyration_tensor(spheres: &[Sphere], extent: Extent) -> Tensor<f64> {
-    let centre = centre_of_mass(spheres);
-    let total: f64 = spheres.iter().map(mass).sum();
-    let mut sum = [Vec3::zero(); 3];
-    for s in spheres {
-        let from_centre = s.centre - centre;
-        let own = match extent {
-            Extent::Centres => 0.0,
-            Extent::Spheres => s.radius.squared() / 5.0,
-            Extent::Radii => s.radius.squared() / 3.0,
-        };
-        for (k, row) in from_centre.outer(from_centre).into_iter().enumerate() {
-            sum[k] = sum[k] + row * (mass(s) / total);
-            sum[k].0[k] += own * mass(s) / total;
-        }
-    }
-    sum
-}
-
 /// Square of [`gyration_radius`], nm^2.
 pub fn square_gyration_radius(spheres: &[Sphere], extent: Extent) -> f64 {
-    let tensor = gyration_tensor(spheres, extent);
-    (0..3).map(|k| tensor[k].0[k]).sum()
+    let centre = centre_of_mass(spheres);
+    let total: f64 = spheres.iter().map(mass).sum();
+    let mut sum = [0.0; 3];
+    for s in spheres {
+        let own = match extent {
+            Extent::Centres => 0.0,
+            Extent::Radii => s.radius.squared() / 3.0,
+        };
+        for (sum, from_centre) in sum.iter_mut().zip((s.centre - centre).0) {
+            *sum += from_centre.squared() * (mass(s) / total);
+            *sum += own * mass(s) / total;
+        }
+    }
+    sum.iter().sum()
 }
 
 /// Root mean square distance from the centre of mass, weighted by mass, nm.
 pub fn gyration_radius(spheres: &[Sphere], extent: Extent) -> f64 {
     square_gyration_radius(spheres, extent).sqrt()
-}
-
-/// Square roots of the eigenvalues of the gyration tensor, ascending, nm: half the thickness, breadth and length, so to speak.
-pub fn principal_gyration_radii(spheres: &[Sphere], extent: Extent) -> [f64; 3] {
-    let tensor = gyration_tensor(spheres, extent);
-    let matrix = Mat::from_fn(3, 3, |row, column| tensor[row].0[column]);
-    let values = matrix.self_adjoint_eigenvalues(Side::Lower).expect("the gyration tensor is finite");
-    std::array::from_fn(|k| values[k].max(0.0).sqrt())
 }
 
 /// The pairs `i < j` whose centres are closer than `reach` of their radii, which must not decrease with either, in ascending order.

@@ -63,7 +63,7 @@ pub struct Glance<'a> {
 struct Run<'a, S: Study> {
     case: &'a Case,
     study: S,
-    stages: Vec<&'static str>,
+    names: Vec<String>,
     folder: &'a RunFolder,
     manifest: Manifest,
     control: &'a Control,
@@ -75,7 +75,7 @@ struct Run<'a, S: Study> {
 /// A stage under way.
 struct Current<S: Study> {
     number: usize,
-    name: &'static str,
+    name: String,
     simulation: Simulation<S::Model>,
     watch: S::Watch,
     glance: (f64, f64),
@@ -98,7 +98,7 @@ impl<'a, S: Study> Run<'a, S> {
         control: &'a Control,
         show: &'a mut dyn FnMut(Glance),
     ) -> Self {
-        Self { case, stages: study.stages(), study, folder, manifest, control, taken: 0, show }
+        Self { case, names: study.names(), study, folder, manifest, control, taken: 0, show }
     }
 
     /// Begins at the beginning.
@@ -121,7 +121,8 @@ impl<'a, S: Study> Run<'a, S> {
             let settings = Settings { dt, damping, skin, ..run.study.settings(stage, snapshot.system()) };
             let resumed = Simulation::resume(run.study.model(stage), settings, snapshot);
             let simulation = resumed.map_err(|halt| Error::Halted(halt, None))?;
-            let current = Current { number: stage, name: run.stages[stage], simulation, watch, glance: (0.0, 0.0) };
+            let current =
+                Current { number: stage, name: run.names[stage].clone(), simulation, watch, glance: (0.0, 0.0) };
             run.go_on(course, None, Some(current))
         })
     }
@@ -146,14 +147,14 @@ impl<'a, S: Study> Run<'a, S> {
     ) -> Result<Vec<Finding>, Error> {
         let first = resumed.as_ref().map_or(0, |current| current.number);
         let (mut before, mut resumed) = (initial, resumed);
-        for number in first..self.stages.len() {
+        for number in first..self.names.len() {
             let mut current = match resumed.take() {
                 Some(current) => current,
                 None => self.begin(number, before.take(), &mut course)?,
             };
             self.advance(&mut current, &mut course)?;
             self.picture(&current, "end")?;
-            course.record.event(current.name, current.simulation.system(), "end")?;
+            course.record.event(&current.name, current.simulation.system(), "end")?;
             course.findings.extend(self.study.findings(number, &current.watch, &current.simulation)?);
             before = Some(self.study.end(number, current.simulation)?);
         }
@@ -176,9 +177,9 @@ impl<'a, S: Study> Run<'a, S> {
         let begun = Simulation::new(self.study.model(number), system, settings);
         let simulation = begun.map_err(|halt| Error::Halted(halt, None))?;
         let watch = self.study.watch(number, &simulation);
-        let mut current = Current { number, name: self.stages[number], simulation, watch, glance: (0.0, 0.0) };
-        course.record.event(current.name, current.simulation.system(), "begin")?;
-        course.record.frame(current.name, current.simulation.system())?;
+        let mut current = Current { number, name: self.names[number].clone(), simulation, watch, glance: (0.0, 0.0) };
+        course.record.event(&current.name, current.simulation.system(), "begin")?;
+        course.record.frame(&current.name, current.simulation.system())?;
         self.picture(&current, "begin")?;
         self.look(&mut current, course)?;
         self.show(&current);
@@ -191,7 +192,7 @@ impl<'a, S: Study> Run<'a, S> {
         let every = |interval: &InSteps| ((interval.value(dt) / dt).round() as u64).max(1);
         let output = &self.case.output;
         let (series, frames, checkpoints) = (every(&output.series), every(&output.frames), every(&output.checkpoints));
-        let (number, name, parts) = (current.number, current.name, self.study.parts(current.number));
+        let (number, parts) = (current.number, self.study.parts(current.number));
         let part = (self.study.steps(number, dt) / parts).max(1);
         loop {
             if self.control.stops(self.taken) {
@@ -208,7 +209,7 @@ impl<'a, S: Study> Run<'a, S> {
             course.steps += 1;
             for event in happened.into_iter().chain(self.study.follow(number, &mut current.watch, &current.simulation))
             {
-                course.record.event(name, current.simulation.system(), &event)?;
+                course.record.event(&current.name, current.simulation.system(), &event)?;
             }
             let step = current.simulation.system().step;
             let progress = self.study.progress(number, &current.watch, &current.simulation);
@@ -221,7 +222,7 @@ impl<'a, S: Study> Run<'a, S> {
                 self.show(current);
             }
             if last || step.is_multiple_of(frames) {
-                course.record.frame(name, current.simulation.system())?;
+                course.record.frame(&current.name, current.simulation.system())?;
             }
             if step.is_multiple_of(part) && !last {
                 self.picture(current, &format!("after {} of {parts} parts", step / part))?;
@@ -230,13 +231,13 @@ impl<'a, S: Study> Run<'a, S> {
                 Progress::Going => {}
                 Progress::Done => return Ok(()),
                 Progress::Failed => {
-                    course.record.event(name, current.simulation.system(), "not relaxed in time")?;
-                    let what = format!("{name}: stresses are not below the limit after {step} steps");
+                    course.record.event(&current.name, current.simulation.system(), "not relaxed in time")?;
+                    let what = format!("{}: stresses are not below the limit after {step} steps", current.name);
                     return Err(Error::Verification(what));
                 }
             }
             if step.is_multiple_of(checkpoints) {
-                course.record.event(name, current.simulation.system(), "checkpoint")?;
+                course.record.event(&current.name, current.simulation.system(), "checkpoint")?;
                 self.folder.checkpoints().keep(course.steps, &state(current, course))?;
             }
         }
@@ -252,23 +253,24 @@ impl<'a, S: Study> Run<'a, S> {
         let (residual, overlap) = current.glance;
         let steps = self.study.steps(current.number, current.simulation.settings().dt);
         let particles = system.particles.len();
-        (self.show)(Glance { stage: current.name, step: system.step, steps, particles, residual, overlap });
+        (self.show)(Glance { stage: &current.name, step: system.step, steps, particles, residual, overlap });
     }
 
     /// Measures, and appends a row to the series.
     fn look(&self, current: &mut Current<S>, course: &mut Course) -> Result<(), Error> {
-        let (cells, glance) = row::measure(&self.study, current.name, &current.simulation, &mut current.watch);
+        let (cells, glance) = row::measure(&self.study, &current.name, &current.simulation, &mut current.watch);
         current.glance = glance;
         course.record.row(&cells)
     }
 
     /// Dumps the state that could not be left.
-    fn halted(&self, current: &Current<S>, course: &mut Course, halt: crate::system::Halt) -> Error {
+    fn halted(&self, current: &mut Current<S>, course: &mut Course, halt: crate::system::Halt) -> Error {
+        current.simulation.place_members();
         let system = current.simulation.system();
         let dumped = course
             .record
-            .event(current.name, system, &format!("halted at {halt}"))
-            .and_then(|()| write_atomically(&self.folder.halted(), extended_xyz(system, current.name).as_bytes()));
+            .event(&current.name, system, &format!("halted at {halt}"))
+            .and_then(|()| write_atomically(&self.folder.halted(), extended_xyz(system, &current.name).as_bytes()));
         match dumped {
             Ok(()) => Error::Halted(halt, Some(self.folder.halted())),
             Err(error) => error,

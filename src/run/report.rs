@@ -1,5 +1,6 @@
 //! The pictures of a run and the page that shows them.
 
+use super::soot::watch::AT_SURFACES;
 use crate::case::Case;
 use crate::error::{AtPath, Error};
 use crate::figures::{Axis, Curve, Mark, Plot, Report, snapshot};
@@ -65,12 +66,17 @@ pub fn report(case: &Case, folder: &RunFolder, findings: &[Finding]) -> Result<(
         findings.iter().map(|f| [f.name.clone(), f.value.clone(), f.unit.clone(), f.target.clone()]).collect();
     page.table(&["quantity", "value", "unit", "target"], &rows);
     let (series, events) = (Series::read(folder)?, Event::all(folder)?);
+    let done = series.stages();
     for (name, stages, x, y) in CURVES {
-        let labels = if stages.len() > 1 { stages } else { &[""] };
-        let points = |k: usize| series.curve(stages.get(k).copied().unwrap_or_default(), x, y);
-        let curves = labels.iter().enumerate().map(|(k, label)| Curve::new(*label, Mark::Line, points(k)));
+        let these: Vec<&str> =
+            done.iter().copied().filter(|name| stages.iter().any(|stage| is_a(name, stage))).collect();
+        let label = |stage| if these.len() > 1 { stage } else { "" };
+        let of = if stages.is_empty() { &[""][..] } else { &these };
+        let curves = of.iter().map(|stage| Curve::new(label(stage), Mark::Line, series.curve(stage, x, y)));
         let mut curves: Vec<Curve> = curves.filter(|curve| curve.points.len() > 1).collect();
-        if let (true, Some(stage)) = (MARKED_ON.contains(&y), stages.last()) {
+        for stage in
+            these.iter().filter(|stage| MARKED_ON.contains(&y) && stages.last().is_some_and(|last| is_a(stage, last)))
+        {
             let marked = MARKED.map(|word| Curve::new(word, Mark::Points, series.marked(&events, stage, word, x, y)));
             curves.extend(marked.into_iter().filter(|curve| (1..=MOST_MARKS).contains(&curve.points.len())));
         }
@@ -128,6 +134,11 @@ impl Event {
     }
 }
 
+/// Whether the name of a stage is that of a kind of stages, or the same with a number.
+fn is_a(name: &str, kind: &str) -> bool {
+    name.strip_prefix(kind).is_some_and(|rest| rest.is_empty() || rest.starts_with(' '))
+}
+
 const TIME: &str = "time [ns]";
 
 /// The time series of a run, read back.
@@ -157,22 +168,43 @@ impl Series {
         these.filter_map(|event| Some((between(&x, event.time_ns)?, between(&y, event.time_ns)?))).collect()
     }
 
+    /// The stages, in their order.
+    fn stages(&self) -> Vec<&str> {
+        let mut stages: Vec<&str> = self.rows.iter().map(|row| &*row[0]).collect();
+        stages.dedup();
+        stages
+    }
+
     /// How the energies of all causes, and all that was lost, have changed since the beginning, aJ against time; without what is too little to be seen.
     fn energies(&self) -> Vec<Curve> {
         let change = |column: &str| -> Vec<(f64, f64)> {
             let points = self.curve("", TIME, column);
             points.iter().map(|point| (point.0, 1e-3 * (point.1 - points[0].1))).collect()
         };
-        let held = |column| Some((str::strip_suffix(column, " energy [zJ]")?, change(column)));
+        let cause =
+            |column| str::strip_suffix(column, " energy [zJ]").or((column == AT_SURFACES).then_some("at surfaces"));
+        let held = |column| Some((cause(column)?, change(column)));
         let mut curves: Vec<(&str, Vec<(f64, f64)>)> = self.columns.iter().filter_map(|column| held(column)).collect();
-        let lost = self.columns.iter().filter(|column| column.starts_with("lost to "));
-        let lost: Vec<_> = lost.map(|column| change(column)).collect();
-        let sum = |k: usize| lost.iter().map(|points| points[k].1).sum();
-        curves.push(("lost", (0..lost[0].len()).map(|k| (lost[0][k].0, sum(k))).collect()));
+        curves.push(("lost", self.lost()));
         let size = |points: &[(f64, f64)]| points.iter().map(|point| point.1.abs()).fold(0.0, f64::max);
         let largest = curves.iter().map(|curve| size(&curve.1)).fold(0.0, f64::max);
         let seen = curves.into_iter().filter(|curve| largest > 0.0 && size(&curve.1) > 0.01 * largest);
         seen.map(|(name, points)| Curve::new(name, Mark::Line, points)).collect()
+    }
+
+    /// All that was lost, aJ against time: the account of every stage begins with nothing.
+    fn lost(&self) -> Vec<(f64, f64)> {
+        let causes = self.columns.iter().filter(|column| column.starts_with("lost "));
+        let mut before = 0.0;
+        let mut points = Vec::new();
+        for stage in self.stages() {
+            let sums = causes.clone().map(|column| self.curve(stage, TIME, column)).reduce(|sums, points| {
+                sums.into_iter().zip(points).map(|((time, sum), (_, lost))| (time, sum + lost)).collect()
+            });
+            points.extend(sums.unwrap_or_default().into_iter().map(|(time, lost)| (time, before + 1e-3 * lost)));
+            before = points.last().map_or(0.0, |&(_, lost)| lost);
+        }
+        points
     }
 
     /// The points of one column against another in one stage, or in all for an empty name.

@@ -18,6 +18,13 @@ pub trait Study {
 
     /// The names of the stages.
     fn stages(&self) -> Vec<&'static str>;
+    /// The same, with a number where a name comes again.
+    fn names(&self) -> Vec<String> {
+        let stages = self.stages();
+        let before = |at: usize| stages[..at].iter().filter(|&name| *name == stages[at]).count();
+        let name = |at| if before(at) == 0 { stages[at].into() } else { format!("{} {}", stages[at], before(at) + 1) };
+        (0..stages.len()).map(name).collect()
+    }
     /// Looks at what the case needs beside itself, short of computing anything.
     fn examine(&self) -> Result<(), Error> {
         Ok(())

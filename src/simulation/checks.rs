@@ -9,12 +9,17 @@ impl<M: PairModel> Simulation<M> {
         Halt { step: self.system.step, time: self.system.time, reason }
     }
 
-    /// The least stability limit of two equal spheres in contact, over all free spheres, ns, and the sphere that sets it.
+    /// The least stability limit of a free sphere in contact with an equal or with the largest one, ns, and the sphere that sets it.
     pub fn critical_time_step(&self) -> (f64, u32) {
         let particles = &self.system.particles;
+        let largest = particles.radius.iter().copied().fold(0.0, f64::max);
+        let limit = |p: usize| {
+            let (r, m) = (particles.radius[p], particles.mass[p]);
+            self.model.critical_time_step(r, m).min(self.model.critical_time_step_beside(r, m, largest))
+        };
         (0..particles.len())
             .filter(|&p| particles.wall[p] == 0)
-            .map(|p| (self.model.critical_time_step(particles.radius[p], particles.mass[p]), particles.id[p]))
+            .map(|p| (limit(p), particles.id[p]))
             .fold((f64::INFINITY, 0), |least, limit| if limit.0 < least.0 { limit } else { least })
     }
 

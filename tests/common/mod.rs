@@ -9,6 +9,7 @@ use rand_chacha::rand_core::{Rng, SeedableRng};
 use veridem::forces::Instructions;
 use veridem::simulation::{Integrator, Settings, Simulation};
 use veridem::spec::Vec3;
+use veridem::spec::wear::def_sphere::sphere_mass;
 use veridem::spec::wear::law::{Interaction, Material, Wear};
 use veridem::system::{Domain, Motion, Particles, System};
 
@@ -39,7 +40,7 @@ pub fn crowd(seed: u64, side: usize) -> System {
     for k in 0..side * side * side {
         let place = [k % side, k / side % side, k / side / side];
         let radius = draw(0.5, 1.5);
-        let mass = 2.2e-3 * 4.0 / 3.0 * std::f64::consts::PI * radius * radius * radius;
+        let mass = sphere_mass(2.2e-3, radius);
         particles.push(Vec3(place.map(|c| spacing * (c as f64 + 0.5 + draw(-0.1, 0.1)))), radius, mass, 0);
     }
     for p in 0..particles.len() {

@@ -5,6 +5,7 @@ mod spheres;
 
 use super::*;
 use crate::numbers::{Dual, Lanes};
+use crate::soot::def_frequency::neck_frequencies;
 use crate::soot::samples::{unit, vector};
 use proptest::prelude::*;
 use spheres::Spheres;
@@ -306,11 +307,18 @@ fn a_neck_that_acts_before_it_is_stretched_rolls_ever_faster_above_its_limit() {
 
 #[test]
 fn a_neck_is_stable_below_the_critical_time_step_and_not_above() {
-    for springs in [UNDAMPED, DAMPED, Springs { eta_t: 20.0, ..UNDAMPED }] {
+    for (springs, other) in [
+        (UNDAMPED, 1.0),
+        (DAMPED, 1.0),
+        (Springs { eta_t: 20.0, ..UNDAMPED }, 1.0),
+        (Springs { k_r: 70.0, ..UNDAMPED }, 3.0),
+        (Springs { k_r: 70.0, eta_t: 0.2, eta_r: 0.5, ..UNDAMPED }, 3.0),
+    ] {
         let law = law(springs, NONE);
-        let limit = law.critical_time_step(1.0, 1.0);
+        let limit = law.critical_time_step_beside(1.0, 1.0, other);
         let grows = |dt: f64| {
-            let mut pair = dimer(law, 1.0, 0.0);
+            let mut pair = dimer(law, 1.0, other - 1.0);
+            pair.radii[1] = other;
             (pair.v, pair.omega) = (
                 [Vec3::new(-1e-9, 1e-9, 0.0), Vec3::new(1e-9, -1e-9, 0.0)],
                 [Vec3::new(2e-9, 3e-9, 1e-9), Vec3::zero()],
@@ -318,7 +326,7 @@ fn a_neck_is_stable_below_the_critical_time_step_and_not_above() {
             (0..400).for_each(|_| pair.step(dt));
             pair.energy().is_nan() || pair.energy() > 1e-14
         };
-        assert!(!grows(0.98 * limit), "{springs:?}");
-        assert!(grows(1.02 * limit), "{springs:?}");
+        assert!(!grows(0.98 * limit), "{springs:?} {other}");
+        assert!(grows(1.02 * limit), "{springs:?} {other}");
     }
 }

@@ -61,11 +61,11 @@ pub fn problems(case: &Case, found: &mut Found) {
 /// What is wrong with the steps of these stages, the cutoff and the necks for spheres from the smallest to the largest of these radii.
 pub fn sized<'a>(
     soot: &Soot,
-    [least, largest]: [f64; 2],
+    radii: [f64; 2],
     stages: impl Iterator<Item = (&'a SootStage, String)>,
     found: &mut Found,
 ) {
-    let limit = soot.step_limit(least);
+    let ([least, largest], limit) = (radii, soot.step_limit(radii));
     let text = format!("more than zero and less than the stability limit of two spheres, {}", in_unit(limit, "fs"));
     for (stage, key) in stages {
         let dt = stage.dt();

@@ -127,7 +127,8 @@ fn claims(members: &[Member]) -> Vec<Claim> {
     let highest = mean(&|member| 1e-3 * member.curve.highest());
     let parted: Vec<f64> = members.iter().filter_map(|member| member.curve.rupture()).collect();
     let rupture = Mean::of(&parted);
-    let tip = plane_force(14.0, 1.0, 1000.0);
+    let soot: Soot = defaults();
+    let tip = plane_force(defaults::<Aggregate>().radius.value, soot.saturation.value, soot.tip_hamaker_constant.value);
     let within = highest.value > 0.0 && highest.value < 1e-3 * tip;
     vec![
         Claim::new(

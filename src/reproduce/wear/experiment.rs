@@ -4,6 +4,7 @@ use crate::build::amorphous::FILL;
 use crate::build::protocol::{Progress, Setup, Stage};
 use crate::build::{Sizes, random_packing, stages};
 use crate::case::section::defaults;
+use crate::case::{Limits, Patch};
 use crate::observe::fate::Witness;
 use crate::observe::packing::volume_fraction;
 use crate::observe::patch::{Elasticity, Gauge};
@@ -39,24 +40,28 @@ pub fn relax(sizes: Sizes, sides: [f64; 3], material: &Material, density: f64, s
     Ok(Relaxed { volume_fraction: volume_fraction(&system), system, steps, residual })
 }
 
-/// The larger of the overlap that a sample has and this is allowed in a test: a fraction of the sum of the radii.
-const OVERLAP: f64 = 0.8;
+/// The overlap that is allowed in a test.
+fn overlap() -> f64 {
+    defaults::<Limits>().overlap
+}
 
-/// A sample between walls of this thickness, in diameters.
-const WALL: f64 = 1.5;
+/// How thick the walls about a sample are, nm.
+fn wall(d_0: f64) -> f64 {
+    defaults::<Patch>().walls.value(d_0)
+}
 
 /// Elastic constants by a confined compression of 0.01 E, or none when the sample gives way: it is compressed by more than
 /// ten times what its target stiffness allows.
 pub fn elasticity(sample: &System, d_0: f64, material: &Material, steps: u64) -> Result<Option<Elasticity>, Halt> {
     let mut case: crate::case::Compression = defaults();
     case.duration = crate::case::InSteps::times(steps as f64);
-    let stage = stages::compression(&case, WALL * d_0, material.young_modulus);
+    let stage = stages::compression(&case, wall(d_0), material.young_modulus);
     let mut gauge = None;
     let mut measured = None;
     let mut given_way = false;
-    stage.run(sample.clone(), material, OVERLAP, |simulation| {
+    stage.run(sample.clone(), material, overlap(), |simulation| {
         let (system, step) = (simulation.system(), simulation.system().step);
-        let gauge = gauge.get_or_insert_with(|| Gauge::new(system, &links(simulation), WALL * d_0));
+        let gauge = gauge.get_or_insert_with(|| Gauge::new(system, &links(simulation), wall(d_0)));
         if step % 100 != 0 {
             return Progress::Going;
         }
@@ -94,14 +99,14 @@ pub fn strength(sample: &System, d_0: f64, material: &Material, pull: Pull, most
     let case = crate::case::Deformation { strain: most, ..defaults() };
     let every = (LOOK / case.strain_per_step).round() as u64;
     let (stage, axis) = match pull {
-        Pull::Tension => (stages::tension(&case, WALL * d_0), 1),
-        Pull::Shear => (stages::shear(&case, WALL * d_0), 0),
+        Pull::Tension => (stages::tension(&case, wall(d_0)), 1),
+        Pull::Shear => (stages::shear(&case, wall(d_0)), 0),
     };
     let mut gauge = None;
     let mut strength = Strength { curve: Vec::new(), peak: 0.0 };
-    stage.run(sample.clone(), material, OVERLAP, |simulation| {
+    stage.run(sample.clone(), material, overlap(), |simulation| {
         let system = simulation.system();
-        let gauge = gauge.get_or_insert_with(|| Gauge::new(system, &links(simulation), WALL * d_0));
+        let gauge = gauge.get_or_insert_with(|| Gauge::new(system, &links(simulation), wall(d_0)));
         if system.step % every != 0 {
             return Progress::Going;
         }
@@ -125,7 +130,7 @@ pub fn shear_junction(
     let Setup::Junction(junction) = stage.setup else { panic!("the stage shears a junction") };
     let mut witness = None;
     let mut every = 1;
-    stage.run(full.clone(), material, OVERLAP, |simulation| {
+    stage.run(full.clone(), material, overlap(), |simulation| {
         let system = simulation.system();
         let witness = witness.get_or_insert_with(|| {
             every = (window / (junction.velocity * simulation.settings().dt)).round().max(1.0) as u64;

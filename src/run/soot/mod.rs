@@ -255,10 +255,8 @@ impl<S: Reading> Study for Plan<S> {
     ) -> Result<Vec<Finding>, Error> {
         let mut findings = watch.findings(&self.stages[stage], simulation);
         if self.stages.len() > 1 {
-            let name = self.stages[stage].name();
-            let before = self.stages[..stage].iter().filter(|other| other.name() == name).count();
-            let of_stage = if before == 0 { name.to_string() } else { format!("{name} {}", before + 1) };
-            findings.iter_mut().for_each(|finding| finding.name = format!("{of_stage}: {}", finding.name));
+            let name = &self.names()[stage];
+            findings.iter_mut().for_each(|finding| finding.name = format!("{name}: {}", finding.name));
         }
         Ok(findings)
     }

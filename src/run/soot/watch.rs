@@ -12,6 +12,8 @@ use crate::spec::soot::{SUBSTRATE, TIP};
 use crate::system::{Forces, Particles, Surface, System};
 use serde::{Deserialize, Serialize};
 
+/// What the contacts with surfaces and their attraction hold.
+pub const AT_SURFACES: &str = "energy at surfaces [zJ]";
 /// The columns of the series.
 pub const COLUMNS: [&str; 19] = [
     "coordination number",
@@ -19,7 +21,7 @@ pub const COLUMNS: [&str; 19] = [
     "gyration radius [nm]",
     "height [nm]",
     "necks",
-    "energy at surfaces [zJ]",
+    AT_SURFACES,
     "lost at surfaces [zJ]",
     "work of surfaces [zJ]",
     "spheres on the substrate",

@@ -5,6 +5,7 @@ use crate::output::{Cell, Finding};
 use crate::simulation::{Pair, Simulation};
 use crate::spec::Vec3;
 use crate::spec::titania::Titania;
+use crate::spec::titania::def_radius::effective_radius;
 use crate::spec::titania::eq02_torque::moment_arm;
 use serde::{Deserialize, Serialize};
 
@@ -92,7 +93,7 @@ impl Watch {
                 events.push(format!("meniscus between {} and {}", ids.0, ids.1));
             }
             if contact.gap < 0.0 {
-                let r_eff = contact.r_i * contact.r_j / (contact.r_i + contact.r_j);
+                let (_, r_eff) = effective_radius(contact.r_i, contact.r_j);
                 rolled = rolled + (contact.omega_i - contact.omega_j).cross(contact.n) * (r_eff * dt);
                 if pair.outcome.losses.sliding > 0.0 {
                     events.push(format!("sliding of {} and {}", ids.0, ids.1));

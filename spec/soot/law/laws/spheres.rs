@@ -1,14 +1,15 @@
-//! A few equal spheres in motion, for the laws of the composed law.
+//! A few spheres in motion, for the laws of the composed law.
 
 use super::super::*;
 use crate::soot::def_grip::Losses;
 use crate::soot::def_integrators::{half_step, half_step_start};
 use crate::soot::def_sphere::solid_inertia;
 
-/// Equal solid spheres of unit mass and radius, every pair with the same law.
+/// Solid spheres, of unit mass and radius unless they are given other radii, every pair with the same law.
 pub struct Spheres<const N: usize, S: Reading = Along> {
     pub law: Soot<S>,
     pub bonded: f64,
+    pub radii: [f64; N],
     pub x: [Vec3<f64>; N],
     pub v: [Vec3<f64>; N],
     pub omega: [Vec3<f64>; N],
@@ -16,18 +17,32 @@ pub struct Spheres<const N: usize, S: Reading = Along> {
     pub lost: f64,
 }
 
+/// Of a sphere of unit mass and radius.
 pub const INERTIA: f64 = 0.4;
 
 impl<const N: usize, S: Reading> Spheres<N, S> {
     pub fn new(law: Soot<S>, bonded: f64, x: [Vec3<f64>; N]) -> Self {
         let none = [Vec3::zero(); N];
-        Self { law, bonded, x, v: none, omega: none, springs: vec![Memory::zero(); N * N], lost: 0.0 }
+        Self { law, bonded, radii: [1.0; N], x, v: none, omega: none, springs: vec![Memory::zero(); N * N], lost: 0.0 }
+    }
+    fn mass(&self, i: usize) -> f64 {
+        self.radii[i].powi(3)
+    }
+    fn inertia(&self, i: usize) -> f64 {
+        solid_inertia(self.mass(i), self.radii[i])
     }
     fn pairs() -> impl Iterator<Item = (usize, usize)> {
         (0..N).flat_map(|i| (0..i).map(move |j| (i, j)))
     }
     pub fn contact(&self, i: usize, j: usize) -> Contact<f64> {
-        Contact::new(self.x[i] - self.x[j], self.v[i] - self.v[j], self.omega[i], self.omega[j], 1.0, 1.0)
+        Contact::new(
+            self.x[i] - self.x[j],
+            self.v[i] - self.v[j],
+            self.omega[i],
+            self.omega[j],
+            self.radii[i],
+            self.radii[j],
+        )
     }
     pub fn gap(&self) -> f64 {
         self.contact(1, 0).gap
@@ -50,20 +65,23 @@ impl<const N: usize, S: Reading> Spheres<N, S> {
     pub fn start(&mut self, dt: f64) {
         let springs = self.springs.clone();
         for (i, (force, torque)) in self.forces(0.0).into_iter().enumerate() {
-            (self.v[i], self.omega[i]) = half_step_start(self.v[i], self.omega[i], force, torque, 1.0, INERTIA, dt);
+            let (m, inertia) = (self.mass(i), self.inertia(i));
+            (self.v[i], self.omega[i]) = half_step_start(self.v[i], self.omega[i], force, torque, m, inertia, dt);
         }
         (self.springs, self.lost) = (springs, 0.0);
     }
     pub fn step(&mut self, dt: f64) {
-        assert_eq!(INERTIA, solid_inertia(1.0, 1.0));
         for (i, (force, torque)) in self.forces(dt).into_iter().enumerate() {
+            let (m, inertia) = (self.mass(i), self.inertia(i));
             (self.v[i], self.x[i], self.omega[i]) =
-                half_step(self.x[i], self.v[i], self.omega[i], force, torque, 1.0, INERTIA, dt);
+                half_step(self.x[i], self.v[i], self.omega[i], force, torque, m, inertia, dt);
         }
     }
     /// Kinetic and stored energy; the former half a step behind.
     pub fn energy(&self) -> f64 {
-        let kinetic = (0..N).map(|i| 0.5 * self.v[i].dot(self.v[i]) + 0.5 * INERTIA * self.omega[i].dot(self.omega[i]));
+        let twice =
+            |i: usize| self.mass(i) * self.v[i].dot(self.v[i]) + self.inertia(i) * self.omega[i].dot(self.omega[i]);
+        let kinetic = (0..N).map(|i| 0.5 * twice(i));
         let stored = Self::pairs().map(|(i, j)| {
             let k = Coefficients { bonded: self.bonded };
             let s = self.law.stored(&self.contact(i, j), &k, &self.springs[i * N + j]);
@@ -72,9 +90,11 @@ impl<const N: usize, S: Reading> Spheres<N, S> {
         kinetic.sum::<f64>() + stored.sum::<f64>()
     }
     pub fn momentum(&self) -> Vec3<f64> {
-        self.v.iter().fold(Vec3::zero(), |sum, v| sum + *v)
+        (0..N).fold(Vec3::zero(), |sum, i| sum + self.v[i] * self.mass(i))
     }
     pub fn angular_momentum(&self) -> Vec3<f64> {
-        (0..N).fold(Vec3::zero(), |sum, i| sum + self.x[i].cross(self.v[i]) + self.omega[i] * INERTIA)
+        (0..N).fold(Vec3::zero(), |sum, i| {
+            sum + self.x[i].cross(self.v[i]) * self.mass(i) + self.omega[i] * self.inertia(i)
+        })
     }
 }

@@ -3,6 +3,7 @@
 use super::Law;
 use crate::simulation::Simulation;
 use crate::spec::Vec3;
+use crate::spec::titania::def_radius::effective_radius;
 use crate::spec::titania::def_rotation::to_space;
 use crate::system::{Pose, System};
 use serde::{Deserialize, Serialize};
@@ -61,7 +62,7 @@ impl Contacts {
                         events.push(format!("sliding of {} and {}", ids.0, ids.1));
                     }
                     let turn = to_space(b.q_0, b.q, turned(before.lay, next.lay));
-                    let r_eff = contact.r_i * contact.r_j / (contact.r_i + contact.r_j);
+                    let (_, r_eff) = effective_radius(contact.r_i, contact.r_j);
                     if turn.perpendicular_to(contact.n).norm() * r_eff < period {
                         next.lay = before.lay;
                     } else {
