@@ -35,6 +35,14 @@ fn brute_force(x: &[Vec3<f64>], radius: &[f64], domain: &Domain, reach: impl Fn(
 }
 
 #[test]
+fn spheres_far_apart_in_a_plane_need_no_cells_between_them() {
+    let domain = Domain { sides: [1.0; 3], periodic: [false; 3] };
+    let x = [[0.0, 0.0], [1e9, 1e9], [1e9, 1e9 + 1.0]].map(|[x, y]| Vec3([x, y, 0.0]));
+    let found = neighbours(&x, &[1.0; 3], &domain, |r, s| r + s);
+    assert_eq!(found, [Neighbour { p: 1, q: 2, image: [0; 3] }]);
+}
+
+#[test]
 fn the_list_is_every_pair_in_reach() {
     fn same(seed: u64, count: u8, axes: u8) -> TestResult {
         let mut rng = ChaCha8Rng::seed_from_u64(seed);

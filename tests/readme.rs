@@ -50,3 +50,10 @@ fn every_case_that_it_runs_exists() {
         file(case);
     }
 }
+
+#[test]
+fn the_cases_at_the_top_are_those_of_their_paper() {
+    for name in ["agglomerate.yaml", "film.yaml"] {
+        assert_eq!(file(&format!("cases/{name}")), file(&format!("cases/titania/{name}")));
+    }
+}

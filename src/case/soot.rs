@@ -229,7 +229,9 @@ impl Case {
         let Some((.., stages)) = self.soot() else { return };
         let restructured = stages.iter().all(|stage| matches!(stage, SootStage::Restructuring(_)));
         if let Model::Soot(soot) = &mut self.model {
-            soot.necks.get_or_insert(if restructured { NeckSet::P } else { NeckSet::S });
+            if soot.neck_springs.is_none() {
+                soot.necks.get_or_insert(if restructured { NeckSet::P } else { NeckSet::S });
+            }
         }
     }
 
@@ -256,13 +258,16 @@ impl Case {
         if let Some(radii) = sample.radii() {
             let (r, limit) = (sample.radius.value, soot.step_limit(radii));
             let mass = sphere_mass(soot.density.value, r);
-            let gyration = gyration_radius(sample.prefactor, sample.spheres as f64, r, sample.fractal_dimension);
             rows.extend([
                 ("mass of a sphere".into(), in_unit(mass, "kg")),
                 ("moment of inertia of a sphere".into(), in_unit(solid_inertia(mass, r), "kg m^2")),
-                ("gyration radius R_g".into(), in_unit(gyration, "nm")),
                 ("largest stable time step".into(), in_unit(limit, "fs")),
             ]);
+            // Drawn radii have another mean than theirs, and fewer than three spheres no choice.
+            if radii == [r, r] && sample.spheres >= 3 {
+                let gyration = gyration_radius(sample.prefactor, sample.spheres as f64, r, sample.fractal_dimension);
+                rows.push(("gyration radius R_g".into(), in_unit(gyration, "nm")));
+            }
             if soot.torsion == Torsion::AsPublished {
                 let lag = in_unit(soot.law(Programmed).contact.lag_limit(), "fs");
                 rows.push(("that above which contacts gain energy until they slip".into(), lag));

@@ -98,7 +98,8 @@ pub fn number_and_unit(text: &str) -> Option<(&str, &str)> {
 /// A decimal number times a power of ten, rounded once.
 pub fn shifted(decimal: &str, power: i32) -> f64 {
     let (mantissa, exponent) = decimal.split_once(['e', 'E']).unwrap_or((decimal, "0"));
-    let exponent: i32 = exponent.parse().expect("the number has been parsed before");
+    // Where it does not fit, the number is zero.
+    let exponent = exponent.parse().unwrap_or(i32::MIN);
     format!("{mantissa}e{}", exponent.saturating_add(power)).parse().expect("the number has been parsed before")
 }
 
@@ -142,6 +143,12 @@ mod tests {
         assert_eq!(convert("27.3e0", "fs"), 27.3e-6);
         assert_eq!(convert("1.5", "J/m^2"), 1500.0);
         assert_eq!(convert("1", "kg m^2/s"), 1e30);
+    }
+
+    #[test]
+    fn exponents_beyond_every_number_leave_zero() {
+        assert_eq!(shifted("1e-99999999999", 9), 0.0);
+        assert_eq!(shifted("0e99999999999", 9), 0.0);
     }
 
     #[test]

@@ -222,3 +222,28 @@ pub fn between(curve: &[(f64, f64)], x: f64) -> Option<f64> {
     let ((a, f), (b, g)) = ends.find(|(p, q)| p.0 <= x && x <= q.0 && p.0 < q.0)?;
     Some(f + (g - f) * (x - a) / (b - a))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_lost_adds_up_over_stages_and_each_keeps_its_own_curves() {
+        let columns = ["stage", TIME, "lost to drag [zJ]", "lost at surfaces [zJ]", AT_SURFACES, "spin energy [zJ]"];
+        let rows = [
+            ["pulling", "0", "0", "0", "-1000", "5000"],
+            ["pulling", "1", "1000", "2000", "-3000", "0"],
+            ["pulling 2", "1", "0", "0", "-3000", "0"],
+            ["pulling 2", "2", "500", "0", "-3000", "0"],
+        ];
+        let rows = rows.map(|row| row.map(String::from).to_vec()).to_vec();
+        let series = Series { columns: columns.map(String::from).to_vec(), rows };
+        assert_eq!(series.stages(), ["pulling", "pulling 2"]);
+        let curves = series.energies().into_iter().map(|curve| (curve.label, curve.points[3].1));
+        assert_eq!(
+            curves.collect::<Vec<_>>(),
+            [("at surfaces".into(), -2.0), ("spin".into(), -5.0), ("lost".into(), 3.5)]
+        );
+        assert!(is_a("pulling 2", "pulling") && !is_a("pulling up", "pull"));
+    }
+}

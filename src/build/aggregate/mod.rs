@@ -120,8 +120,8 @@ impl fmt::Display for Failure {
             ),
             Self::Unmet { number, wanted, reached } => write!(
                 f,
-                "no aggregate of {number} spheres with a gyration radius of {wanted:.6} nm was found, the nearest has {reached:.6} nm; \
-                 compact aggregates are easier grown one sphere after the other"
+                "no aggregate of {number} spheres with a gyration radius of {wanted:.6} nm was found, the nearest has {reached:.6} nm{}",
+                if reached > wanted { "; compact aggregates are easier grown one sphere after the other" } else { "" }
             ),
         }
     }

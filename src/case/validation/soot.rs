@@ -11,6 +11,9 @@ use crate::spec::soot::eq24_fractal::gyration_radius;
 /// No packing of three to a few hundred equal spheres is denser: gyration radius over radius and cube root of their number, 0.77 of four and of twelve about one, 0.86 of endless close packings.
 const DENSEST: f64 = 0.77;
 
+/// Spheres of an aggregate: a few gigabytes.
+const MOST: u64 = 10_000_000;
+
 /// All that is wrong with a case of the soot paper.
 pub fn problems(case: &Case, found: &mut Found) {
     let Some((soot, sample, stages)) = case.soot() else {
@@ -24,7 +27,8 @@ pub fn problems(case: &Case, found: &mut Found) {
     interactions(soot, found);
     let at = |key: &str| format!("sample.aggregate.{key}");
     let r = sample.radius.value;
-    expect(found, sample.spheres > 0, &at("spheres"), sample.spheres, "at least 1");
+    let most = format!("1 to {MOST}");
+    expect(found, (1..=MOST).contains(&sample.spheres), &at("spheres"), sample.spheres, &most);
     expect(found, r > 0.0, &at("radius"), &sample.radius, "more than zero");
     let dimension = sample.fractal_dimension;
     expect(found, (1.0..=3.0).contains(&dimension), &at("fractal_dimension"), decimal(dimension), "1 to 3");
@@ -144,6 +148,9 @@ fn interactions(soot: &Soot, found: &mut Found) {
         expect(found, (0.0..=*rest).contains(&moving), &key("in_motion"), decimal(moving), &most);
     }
     springs(&soot.contact, "model.soot.contact", found);
+    if soot.necks.is_some() && soot.neck_springs.is_some() {
+        found.push((at("necks"), "expected nothing here beside `neck_springs`, which say it all".into()));
+    }
     necks("model.soot", &soot.neck_springs, &soot.break_energy, found);
     if let Some(NeckStrength { tension, shear, neck_radius }) = &soot.break_stress {
         for (key, value, text) in [

@@ -81,6 +81,14 @@ impl<S: Reading> Plan<S> {
         Ok((spheres, keep_fraction(&joined, self.sample.neck_fraction, self.seed)))
     }
 
+    /// Whether steps, cutoff and necks suit spheres from a file, one at least, with these radii.
+    fn suits(&self, radii: impl Iterator<Item = f64>) -> Result<(), Error> {
+        let radii = radii.fold([f64::INFINITY, 0.0], |[least, largest], r| [r.min(least), r.max(largest)]);
+        let mut found = Vec::new();
+        sized(&self.soot, radii, self.stages.iter().zip(self.keys.iter().cloned()), &mut found);
+        found.into_iter().next().map_or(Ok(()), |(key, what)| Err(Error::of_key(key, what)))
+    }
+
     fn spheres(&self) -> Result<Vec<Sphere>, Error> {
         let sample = &self.sample;
         if let Some(Import { file, format, unit, radius, disconnected, .. }) = &sample.import {
@@ -88,11 +96,8 @@ impl<S: Reading> Plan<S> {
             let (unit, radius) = (length(unit), length(radius));
             let options = import::Options { format: *format, unit, radius, disconnected: *disconnected };
             let spheres = centred(import::read(file, &options)?.spheres);
-            let extreme = |of: fn(f64, f64) -> f64| spheres.iter().map(|sphere| sphere.radius).reduce(of);
-            let radii = [extreme(f64::min), extreme(f64::max)].map(|r| r.expect("a file without spheres is refused"));
-            let mut found = Vec::new();
-            sized(&self.soot, radii, self.stages.iter().zip(self.keys.iter().cloned()), &mut found);
-            return found.into_iter().next().map_or(Ok(spheres), |(key, what)| Err(Error::of_key(key, what)));
+            self.suits(spheres.iter().map(|sphere| sphere.radius))?;
+            return Ok(spheres);
         }
         let median = sample.radius.value;
         let recipe = Recipe {
@@ -149,6 +154,7 @@ impl<S: Reading> Study for Plan<S> {
             if origin != self.origin() {
                 return Err(Error::input(path, "was made with another model or aggregate"));
             }
+            self.suits(system.particles.radius.iter().copied())?;
             return Ok(system);
         }
         let (spheres, kept) = self.aggregate()?;
@@ -259,5 +265,20 @@ impl<S: Reading> Study for Plan<S> {
             findings.iter_mut().for_each(|finding| finding.name = format!("{name}: {}", finding.name));
         }
         Ok(findings)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spec::soot::Along;
+    use std::path::Path;
+
+    #[test]
+    fn stages_that_come_again_are_numbered() {
+        let text = "title: x\nmodel: {soot: {}}\nsample: {aggregate: {spheres: 2}}\nexperiment:\n  sequence:\n    - deposition: {}\n    \
+                    - restructuring: {}\n    - restructuring: {}\n";
+        let case = Case::parse(Path::new("x.yaml"), text).expect("a case");
+        assert_eq!(Plan::of(&case, Along).names(), ["deposition", "restructuring", "restructuring 2"]);
     }
 }
