@@ -72,6 +72,20 @@ fn what_cannot_be_read_is_named() {
 }
 
 #[test]
+fn a_byte_order_mark_is_no_part_of_the_case() {
+    let place = tempfile::tempdir().unwrap();
+    let good =
+        std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases/good/patch-hcp.yaml")).unwrap();
+    let check = |text: &str| {
+        std::fs::write(place.path().join("marked.yaml"), format!("\u{feff}{text}")).unwrap();
+        String::from_utf8(veridem_in(place.path(), &["check", "marked.yaml"]).stderr).unwrap()
+    };
+    assert_eq!(check(&good), "");
+    let wrong = check(&good.replace("restitution: 0.95", "restitution: 2"));
+    assert_eq!(wrong, "marked.yaml:10: model.wear.restitution: found `2`, expected 0 to 1\n");
+}
+
+#[test]
 fn a_wrong_command_line_ends_with_two() {
     let here = Path::new(".");
     for arguments in [&["walk"][..], &["run"], &["run", "a.yaml", "--threads", "0"], &["inspect"], &["sweep", "a.yaml"]]

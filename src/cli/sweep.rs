@@ -1,8 +1,8 @@
 //! `veridem sweep`: one case for many values of its keys, one core and one run folder for each combination.
 
 use super::{Manner, print};
-use crate::case::Case;
 use crate::case::units::decimal;
+use crate::case::{Case, unmarked};
 use crate::error::{AtPath, Error};
 use crate::output::{Finding, Manifest, RunFolder, write_atomically};
 use crate::run::sweep::{Point, carry_out};
@@ -137,7 +137,7 @@ fn axis(argument: &str) -> Result<Axis, Error> {
 
 /// All combinations, each with its case; what is wrong with any of them is found before the first is run.
 fn points(file: &Path, text: &str, axes: &[Axis]) -> Result<Vec<Point>, Error> {
-    let base = serde_yaml::from_str(text).expect("the case has been read before");
+    let base = serde_yaml::from_str(unmarked(text)).expect("the case has been read before");
     let count = axes.iter().map(|axis| axis.values.len()).product();
     (0..count)
         .map(|mut number| {
