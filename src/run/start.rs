@@ -1,7 +1,7 @@
 //! From a case to the run of its paper.
 
 use super::{Control, Glance, Run, Study, soot, titania, wear};
-use crate::case::{Amorphous, Case, Model, Sample, Torsion, located};
+use crate::case::{Amorphous, Case, Model, Sample, SootStage, Torsion, located};
 use crate::error::{AtPath, Error};
 use crate::output::{Finding, Manifest, RunFolder, Status, sha256_file, write_atomically};
 use crate::spec::Necked;
@@ -62,6 +62,7 @@ pub fn launch(
         inputs.insert(file.display().to_string(), sha256_file(&file)?);
     }
     // Whatever is wrong with the input is found before anything is written.
+    saves(&case).map_err(|error| located(error, file, &text))?;
     let initial = with_plan!(case, plan => plan.initial()).map_err(|error| located(error, file, &text))?;
     let folder = RunFolder::create(root, replace)?;
     write_atomically(&folder.case(), text.as_bytes())?;
@@ -87,10 +88,34 @@ fn files(case: &Case) -> Result<Vec<PathBuf>, Error> {
 
 /// Looks at everything about the case of a file short of running it.
 pub fn examine(file: &Path) -> Result<Case, Error> {
+/// Whether the folders are there that a case keeps samples in.
+fn saves(case: &Case) -> Result<(), Error> {
+    let mut found = match &case.sample {
+        Sample::Amorphous(Amorphous { save, .. }) => vec![("sample.amorphous".to_string(), save.clone())],
+        Sample::Film(film) => vec![("sample.film".to_string(), film.save.clone())],
+        _ => Vec::new(),
+    };
+    for (number, stage) in case.soot().map(|soot| soot.2).unwrap_or_default().iter().enumerate() {
+        if let SootStage::Deposition(deposition) = stage {
+            found.push((case.soot_key(number, stage), deposition.save.clone()));
+        }
+    }
+    for (section, file) in found.into_iter().filter_map(|(section, file)| Some((section, file?))) {
+        // That of a mere name is empty, and means the current one.
+        let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty());
+        if folder.is_some_and(|folder| !folder.is_dir()) {
+            let what = format!("found `{}`, expected a file in a folder that exists", file.display());
+            return Err(Error::of_key(format!("{section}.save"), what));
+        }
+    }
+    Ok(())
+}
+
     let (case, text) = Case::read(file)?;
     files(&case)?;
     with_plan!(case, plan => plan.examine()).map_err(|error| located(error, file, &text))?;
     Ok(case)
+    saves(&case).map_err(|error| located(error, file, &text))?;
 }
 
 /// Runs the case of a file in a folder, or goes on with it there, unless it has finished; says whether
