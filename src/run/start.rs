@@ -57,7 +57,7 @@ pub fn launch(
     show: &mut dyn FnMut(Glance),
 ) -> Result<(RunFolder, Vec<Finding>), Error> {
     let (case, text) = Case::read(file)?;
-    let mut inputs = BTreeMap::from([(file.display().to_string(), sha256_file(file)?)]);
+    let mut inputs = BTreeMap::new();
     for file in files(&case)? {
         inputs.insert(file.display().to_string(), sha256_file(&file)?);
     }
@@ -67,6 +67,8 @@ pub fn launch(
     let folder = RunFolder::create(root, replace)?;
     write_atomically(&folder.case(), text.as_bytes())?;
     write_atomically(&folder.resolved(), case.resolved().as_bytes())?;
+    // Of the copy: a case that comes through a pipe can be read only once.
+    inputs.insert(file.display().to_string(), sha256_file(&folder.case())?);
     let manifest = Manifest::begin(case.seed, inputs);
     let findings = with_plan!(case, plan => Run::new(&case, plan, &folder, manifest, control, show).start(initial)?);
     Ok((folder, findings))
@@ -139,7 +141,7 @@ pub fn complete(file: &Path, root: &Path, control: &Control) -> Result<bool, Err
     launch(file, root, replace, control, &mut |_| {}).map(|_| true)
 }
 
-/// Goes on with a run from its latest checkpoint.
+/// Goes on with a run from its latest checkpoint. Its case must be the one that it was begun with.
 pub fn resume(
     case: &Case,
     folder: &RunFolder,
@@ -148,4 +150,21 @@ pub fn resume(
     show: &mut dyn FnMut(Glance),
 ) -> Result<Vec<Finding>, Error> {
     with_plan!(*case, plan => Run::new(case, plan, folder, manifest, control, show).resume())
+}
+    let begun_with = sha256_file(&folder.case())?;
+    if !manifest.inputs.values().any(|input| *input == begun_with) {
+        return Err(Error::input(&folder.case(), "has changed since the run was begun"));
+    }
+
+/// Whether the files that come after a stage are those that the run was begun with; those that came before are in its checkpoint.
+pub(super) fn unchanged_after(stage: usize, case: &Case, manifest: &Manifest) -> Result<(), Error> {
+    let stages = case.soot().map(|soot| soot.2).unwrap_or_default();
+    for file in stages.iter().skip(stage + 1).filter_map(|stage| stage.solid().map(|solid| &solid.stl)) {
+        std::fs::metadata(file).map_err(|cause| Error::NoInput(file.clone(), cause))?;
+        let hash = sha256_file(file)?;
+        if manifest.inputs.get(&file.display().to_string()) != Some(&hash) {
+            return Err(Error::input(file, "has changed since the run was begun"));
+        }
+    }
+    Ok(())
 }
