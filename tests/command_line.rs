@@ -76,6 +76,25 @@ fn a_sweep_runs_every_combination_once_and_sums_up() {
 }
 
 #[test]
+fn a_sweep_begins_in_a_folder_that_holds_no_run_yet_and_leaves_others_alone() {
+    let place = tempfile::tempdir().unwrap();
+    let swept = place.path().join("swept");
+    std::fs::create_dir_all(swept.join("seed=1")).unwrap();
+    std::fs::create_dir_all(swept.join("seed=2/frames")).unwrap();
+    std::fs::write(swept.join("seed=2/case.yaml.part"), "ti").unwrap();
+    std::fs::create_dir_all(swept.join("seed=3")).unwrap();
+    std::fs::write(swept.join("seed=3/notes.txt"), "mine").unwrap();
+    let sweep = telling(place.path(), &["sweep", &case("patch-hcp"), "seed=1..3", "--out", "swept"]);
+    assert_eq!(sweep.status.code(), Some(4));
+    let (told, table) = (text(&sweep.stderr), text(&sweep.stdout));
+    let refused = "seed=3: swept/seed=3: is not a run that can be gone on with; remove this folder to begin anew\n";
+    assert!(told.contains(refused), "{told}");
+    let status: Vec<&str> = table.lines().skip(1).map(|row| row.split(',').nth(1).unwrap()).collect();
+    assert_eq!(status, ["finished", "finished", "not run"]);
+    assert!(swept.join("seed=3/notes.txt").exists());
+}
+
+#[test]
 fn a_sweep_is_refused_that_has_no_runs_or_the_same_twice() {
     let place = tempfile::tempdir().unwrap();
     for (keys, expected) in [

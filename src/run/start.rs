@@ -88,8 +88,6 @@ fn files(case: &Case) -> Result<Vec<PathBuf>, Error> {
     Ok(files)
 }
 
-/// Looks at everything about the case of a file short of running it.
-pub fn examine(file: &Path) -> Result<Case, Error> {
 /// Whether the folders are there that a case keeps samples in.
 fn saves(case: &Case) -> Result<(), Error> {
     let mut found = match &case.sample {
@@ -113,20 +111,26 @@ fn saves(case: &Case) -> Result<(), Error> {
     Ok(())
 }
 
+/// Looks at everything about the case of a file short of running it.
+pub fn examine(file: &Path) -> Result<Case, Error> {
     let (case, text) = Case::read(file)?;
     files(&case)?;
+    saves(&case).map_err(|error| located(error, file, &text))?;
     with_plan!(case, plan => plan.examine()).map_err(|error| located(error, file, &text))?;
     Ok(case)
-    saves(&case).map_err(|error| located(error, file, &text))?;
 }
 
 /// Runs the case of a file in a folder, or goes on with it there, unless it has finished; says whether
 /// there was anything left to do.
 pub fn complete(file: &Path, root: &Path, control: &Control) -> Result<bool, Error> {
     let (case, text) = Case::read(file)?;
-    let begun = RunFolder::open(root).and_then(|folder| Ok((Manifest::read(&folder)?, folder))).ok();
-    let replace = begun.is_some();
-    if let Some((manifest, folder)) = begun {
+    // One that was killed before its first checkpoint begins again.
+    let replace = !RunFolder::clear(root)?;
+    if replace {
+        let what = "is not a run that can be gone on with; remove this folder to begin anew";
+        let strange = |_| Error::Usage(format!("{}: {what}", root.display()));
+        let folder = RunFolder::open(root).map_err(strange)?;
+        let manifest = Manifest::read(&folder).map_err(strange)?;
         if std::fs::read_to_string(folder.case()).at(&folder.case())? != text {
             return Err(Error::Usage("its run folder holds another case".into()));
         }
@@ -137,7 +141,6 @@ pub fn complete(file: &Path, root: &Path, control: &Control) -> Result<bool, Err
             return resume(&case, &folder, manifest, control, &mut |_| {}).map(|_| true);
         }
     }
-    // One that was killed before its first checkpoint begins again.
     launch(file, root, replace, control, &mut |_| {}).map(|_| true)
 }
 
@@ -149,12 +152,12 @@ pub fn resume(
     control: &Control,
     show: &mut dyn FnMut(Glance),
 ) -> Result<Vec<Finding>, Error> {
-    with_plan!(*case, plan => Run::new(case, plan, folder, manifest, control, show).resume())
-}
     let begun_with = sha256_file(&folder.case())?;
     if !manifest.inputs.values().any(|input| *input == begun_with) {
         return Err(Error::input(&folder.case(), "has changed since the run was begun"));
     }
+    with_plan!(*case, plan => Run::new(case, plan, folder, manifest, control, show).resume())
+}
 
 /// Whether the files that come after a stage are those that the run was begun with; those that came before are in its checkpoint.
 pub(super) fn unchanged_after(stage: usize, case: &Case, manifest: &Manifest) -> Result<(), Error> {
