@@ -48,6 +48,7 @@ fn a_sweep_runs_every_combination_once_and_sums_up() {
     let rows: Vec<Vec<String>> =
         text(&first.stdout).lines().map(|l| l.split(',').map(str::to_string).collect()).collect();
     assert_eq!(rows[0][..4], ["sample.hcp.diameter", "model.wear.poisson_ratio", "status", "Young's modulus [MPa]"]);
+    assert!(!text(&first.stderr).contains("before"), "nothing was there: {}", text(&first.stderr));
     let points: Vec<&[String]> = rows[1..].iter().map(|row| &row[..3]).collect();
     let point = |d, nu| [d, nu, "finished"];
     assert_eq!(
@@ -62,6 +63,51 @@ fn a_sweep_runs_every_combination_once_and_sums_up() {
     assert!(text(&again.stderr).starts_with("4 runs, all begun before\n"), "{}", text(&again.stderr));
     assert_eq!(text(&again.stdout), text(&first.stdout));
     assert_eq!(series.metadata().unwrap().modified().unwrap(), made, "a finished run is not made again");
+
+    let json = veridem(place.path(), &["--json", "sweep", &case("patch-hcp"), keys[0], keys[1], "--out", "swept"]);
+    let json: serde_json::Value = serde_json::from_slice(&json.stdout).unwrap();
+    assert_eq!(json.as_array().unwrap().len(), 4);
+    assert_eq!(json[0]["run"], "swept/diameter=0.6d_c,poisson_ratio=0");
+    assert_eq!((&json[0]["keys"]["sample.hcp.diameter"], &json[0]["status"]), (&"0.6 d_c".into(), &"finished".into()));
+    assert_eq!(
+        (&*rows[1][3], &json[0]["results"][0]["name"]),
+        (json[0]["results"][0]["value"].as_str().unwrap(), &"Young's modulus".into())
+    );
+}
+
+#[test]
+fn a_sweep_begins_in_a_folder_that_holds_no_run_yet_and_leaves_others_alone() {
+    let place = tempfile::tempdir().unwrap();
+    let swept = place.path().join("swept");
+    std::fs::create_dir_all(swept.join("seed=1")).unwrap();
+    std::fs::create_dir_all(swept.join("seed=2/frames")).unwrap();
+    std::fs::write(swept.join("seed=2/case.yaml.part"), "ti").unwrap();
+    std::fs::create_dir_all(swept.join("seed=3")).unwrap();
+    std::fs::write(swept.join("seed=3/notes.txt"), "mine").unwrap();
+    let sweep = telling(place.path(), &["sweep", &case("patch-hcp"), "seed=1..3", "--out", "swept"]);
+    assert_eq!(sweep.status.code(), Some(4));
+    let (told, table) = (text(&sweep.stderr), text(&sweep.stdout));
+    let refused = "seed=3: swept/seed=3: is not a run that can be gone on with; remove this folder to begin anew\n";
+    assert!(told.contains(refused), "{told}");
+    let status: Vec<&str> = table.lines().skip(1).map(|row| row.split(',').nth(1).unwrap()).collect();
+    assert_eq!(status, ["finished", "finished", "not run"]);
+    assert!(swept.join("seed=3/notes.txt").exists());
+}
+
+#[test]
+fn a_sweep_is_refused_that_has_no_runs_or_the_same_twice() {
+    let place = tempfile::tempdir().unwrap();
+    for (keys, expected) in [
+        (&["seed=1,2", "seed=3,4"][..], "`seed=3,4`: the key `seed` is there twice\n"),
+        (&["seed=5,6,6"], "`6` and `6` are the same case\n"),
+        (&["seed=1,2", "sample.hcp.diameter=0.6 d_c,0.60 d_c"], "`1, 0.6 d_c` and `1, 0.60 d_c` are the same case\n"),
+        (&["model.wear.young_modulus=1 GPa,1GPa"], "`1 GPa` and `1GPa` have the same run folder\n"),
+        (&["seed=3..1"], "`seed=3..1`: expected a range that goes upwards\n"),
+    ] {
+        let output = veridem(place.path(), &[&["sweep", &case("patch-hcp")], keys].concat());
+        assert_eq!((output.status.code(), &*text(&output.stderr)), (Some(2), expected));
+    }
+    assert!(!place.path().join("run").exists());
 }
 
 #[test]
@@ -74,10 +120,14 @@ fn a_sweep_over_a_wrong_key_or_value_is_refused_before_anything_runs() {
     };
     let (code, message) = refused("model.wear.poisson=0.1,0.2");
     assert_eq!(code, Some(65));
-    assert!(
-        message.contains("model.wear: unknown key `poisson`, expected one of `young_modulus`, `poisson_ratio`"),
-        "{message}"
+    let unknown = "model.wear: unknown key `poisson`, expected one of `young_modulus`, `poisson_ratio`";
+    let (place, what) = message.split_once(": ").unwrap();
+    assert_eq!(
+        place,
+        format!("{} with model.wear.poisson=0.1", case("patch-hcp")),
+        "no line: it is not that of the file"
     );
+    assert!(what.starts_with(unknown), "{message}");
     let (code, message) = refused("model.wear.poisson_ratio=0.2,0.3");
     assert_eq!(code, Some(65));
     assert!(

@@ -72,6 +72,20 @@ fn what_cannot_be_read_is_named() {
 }
 
 #[test]
+fn a_byte_order_mark_is_no_part_of_the_case() {
+    let place = tempfile::tempdir().unwrap();
+    let good =
+        std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases/good/patch-hcp.yaml")).unwrap();
+    let check = |text: &str| {
+        std::fs::write(place.path().join("marked.yaml"), format!("\u{feff}{text}")).unwrap();
+        String::from_utf8(veridem_in(place.path(), &["check", "marked.yaml"]).stderr).unwrap()
+    };
+    assert_eq!(check(&good), "");
+    let wrong = check(&good.replace("restitution: 0.95", "restitution: 2"));
+    assert_eq!(wrong, "marked.yaml:10: model.wear.restitution: found `2`, expected 0 to 1\n");
+}
+
+#[test]
 fn a_wrong_command_line_ends_with_two() {
     let here = Path::new(".");
     for arguments in [&["walk"][..], &["run"], &["run", "a.yaml", "--threads", "0"], &["inspect"], &["sweep", "a.yaml"]]
@@ -106,6 +120,27 @@ fn a_saved_sample_is_used_only_for_the_case_it_was_made_for() {
     assert_eq!(other.status.code(), Some(65));
     let text = String::from_utf8_lossy(&other.stderr).to_string();
     assert_eq!(text, "silica.sample: was made with another model, sample or seed\n");
+}
+
+#[test]
+fn a_sample_is_not_computed_for_a_folder_that_does_not_exist() {
+    let place = tempfile::tempdir().unwrap();
+    let good = |name: &str| {
+        std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases/good").join(name)).unwrap()
+    };
+    for (name, at, save, line, key) in [
+        ("junction.yaml", "    largest:", "    save: no/s\n    largest:", 15, "sample.amorphous.save"),
+        ("soot-sequence.yaml", "100 ns}", "100 ns, save: no/s}", 6, "experiment.sequence[0].deposition.save"),
+        ("titania-film.yaml", "  film:\n", "  film:\n    save: no/s\n", 8, "sample.film.save"),
+    ] {
+        std::fs::write(place.path().join(name), good(name).replace(at, save)).unwrap();
+        for command in ["check", "run"] {
+            let output = veridem_in(place.path(), &["--quiet", command, name]);
+            let expected = format!("{name}:{line}: {key}: found `no/s`, expected a file in a folder that exists\n");
+            assert_eq!((output.status.code(), String::from_utf8(output.stderr).unwrap()), (Some(65), expected));
+        }
+    }
+    assert!(!place.path().join("run").exists());
 }
 
 /// A limit on the size of files stands for a full disk: writing fails in the same way, at a place that can be chosen.

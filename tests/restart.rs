@@ -114,3 +114,48 @@ fn a_finished_run_is_not_resumed_and_not_overwritten() {
     assert_eq!(resumed.status.code(), Some(2));
     assert_eq!(String::from_utf8_lossy(&resumed.stderr), format!("{root}: has finished; there is nothing to resume\n"));
 }
+
+#[test]
+fn a_run_is_not_resumed_with_another_case_or_another_file() {
+    let place = tempfile::tempdir().unwrap();
+    let within = |arguments: &[&str]| {
+        let veridem = Command::new(env!("CARGO_BIN_EXE_veridem")).current_dir(place.path()).args(arguments).output();
+        let Output { status, stderr, .. } = veridem.unwrap();
+        (status.code(), String::from_utf8(stderr).unwrap())
+    };
+    let write = |name: &str, text: &str| std::fs::write(place.path().join(name), text).unwrap();
+    let tip = |height: f64| {
+        let corners = [[0.0, 0.0, 0.0], [9.0, 0.0, height], [-9.0, 9.0, height], [-9.0, -9.0, height]];
+        let corner = |k: usize| format!("vertex {} {} {}\n", corners[k][0], corners[k][1], corners[k][2]);
+        let face = |[a, b, c]: [usize; 3]| {
+            format!("facet normal 0 0 0\nouter loop\n{}{}{}endloop\nendfacet\n", corner(a), corner(b), corner(c))
+        };
+        let faces: String = [[0, 2, 1], [0, 3, 2], [0, 1, 3], [1, 2, 3]].map(face).concat();
+        format!("solid tip\n{faces}endsolid tip\n")
+    };
+    write("tip.stl", &tip(20.0));
+    write(
+        "tip.yaml",
+        "title: A tip from a file\nmodel: {soot: {necks: S}}\nsample: {aggregate: {spheres: 10, neck_fraction: 1}}\n\
+         experiment: {sequence: [{deposition: {duration: 20 steps}}, \
+         {indentation: {tip: {stl: tip.stl, unit: 1 nm}, duration: 20 steps}}]}\n",
+    );
+    let resume = |steps: &str| within(&["--quiet", "resume", "run/tip", "--stop-after-steps", steps]);
+    let stopped = (Some(75), "stopped; go on with `veridem resume run/tip`\n".to_string());
+    assert_eq!(within(&["--quiet", "run", "tip.yaml", "--stop-after-steps", "5"]), stopped);
+
+    write("tip.stl", &tip(21.0));
+    assert_eq!(resume("5"), (Some(65), "tip.stl: has changed since the run was begun\n".into()));
+    std::fs::remove_file(place.path().join("tip.stl")).unwrap();
+    let missing = "tip.stl: cannot be read: No such file or directory (os error 2)\n";
+    assert_eq!(resume("5"), (Some(66), missing.into()));
+    write("tip.stl", &tip(20.0));
+    assert_eq!(resume("20"), stopped);
+    // By now the tip is in the checkpoint.
+    std::fs::remove_file(place.path().join("tip.stl")).unwrap();
+    assert_eq!(resume("5"), stopped);
+
+    let case = std::fs::read_to_string(place.path().join("run/tip/case.yaml")).unwrap();
+    write("run/tip/case.yaml", &case.replace("spheres: 10", "spheres: 11"));
+    assert_eq!(resume("5"), (Some(65), "run/tip/case.yaml: has changed since the run was begun\n".into()));
+}

@@ -13,7 +13,7 @@ pub(crate) mod validation;
 
 pub use derived::{Critical, OF_WEAR, Scales};
 pub use film::*;
-pub use read::located;
+pub use read::{located, unmarked};
 pub use schema::*;
 pub use soot::*;
 pub use titania::*;

@@ -16,7 +16,8 @@ impl Case {
 
     /// Reads and checks the text of a case file.
     pub fn parse(file: &Path, text: &str) -> Result<Self, Error> {
-        let mut case: Self = serde_yaml::from_str(text).map_err(|error| Error::Input(vec![problem(file, &error)]))?;
+        let mut case: Self =
+            serde_yaml::from_str(unmarked(text)).map_err(|error| Error::Input(vec![problem(file, &error)]))?;
         case.choose_necks();
         let found = validation::problems(&case);
         if found.is_empty() {
@@ -25,6 +26,11 @@ impl Case {
         let problem = |(key, what): (String, String)| Problem { file: PathBuf::new(), line: None, key, what };
         Err(located(Error::Input(found.into_iter().map(problem).collect()), file, text))
     }
+}
+
+/// The text without the byte order mark that some editors put before it.
+pub fn unmarked(text: &str) -> &str {
+    text.strip_prefix('\u{feff}').unwrap_or(text)
 }
 
 /// Says of problems with keys in which file and line they are.
@@ -72,7 +78,7 @@ fn problem(file: &Path, error: &serde_yaml::Error) -> Problem {
 /// The line of the value behind `key`, such as `sample.hcp.size[1]`: reads the text again and fails exactly there.
 fn line_of(text: &str, key: &str) -> Option<usize> {
     let path: Vec<&str> = key.split(['.', '[']).map(|part| part.trim_end_matches(']')).collect();
-    let stopped = Find(&path).deserialize(serde_yaml::Deserializer::from_str(text)).err()?;
+    let stopped = Find(&path).deserialize(serde_yaml::Deserializer::from_str(unmarked(text))).err()?;
     stopped.location().map(|at| at.line())
 }
 

@@ -14,7 +14,8 @@ use std::time::Instant;
 pub struct Arguments {
     /// The paper
     paper: Paper,
-    /// Compute the paper's sizes: hours instead of ten minutes; what was stopped goes on where it was
+    /// Compute the paper's sizes: hours instead of ten minutes; `restructuring` and `spectroscopy` go on where they were stopped, other
+    /// chapters begin again
     #[arg(long)]
     full: bool,
     /// Only one chapter
@@ -148,7 +149,7 @@ pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
 fn write_chapter(title: &str, chapter: &Chapter, page: &mut Report, out: &Path) -> Result<(), Error> {
     page.heading(title);
     if !chapter.note.is_empty() {
-        page.paragraph(&format!("Reduced: {}.", chapter.note));
+        page.paragraph(&format!("{}.", chapter.note));
     }
     let rows: Vec<[String; 5]> = chapter.claims.iter().map(cells).collect();
     page.table(&HEAD, &rows);
@@ -180,4 +181,17 @@ fn write(path: &Path, text: &str) -> Result<(), Error> {
         std::fs::create_dir_all(folder).at(folder)?;
     }
     write_atomically(path, text.as_bytes())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_note_stands_in_the_report_as_it_was_written() {
+        let (mut page, note) = (Report::new(""), "3 of 5 films, those that had finished");
+        let chapter = Chapter { note: note.into(), ..Chapter::default() };
+        write_chapter("", &chapter, &mut page, Path::new("nowhere")).expect("there are no figures to write");
+        assert!(page.finish().contains(&format!("<p>{note}.</p>")));
+    }
 }

@@ -1,11 +1,11 @@
 //! `veridem sweep`: one case for many values of its keys, one core and one run folder for each combination.
 
 use super::{Manner, print};
-use crate::case::Case;
 use crate::case::units::decimal;
+use crate::case::{Case, unmarked};
 use crate::error::{AtPath, Error};
 use crate::output::{Finding, Manifest, RunFolder, write_atomically};
-use crate::run::sweep::{Point, carry_out};
+use crate::run::sweep::{Point, carry_out, distinct};
 use crate::run::{Control, Glance, launch};
 use indicatif::{HumanDuration, ProgressBar, ProgressStyle};
 use std::path::{Path, PathBuf};
@@ -37,13 +37,16 @@ const TRIAL: Duration = Duration::from_secs(3);
 /// Runs every combination that has not been run yet and writes the summary.
 pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
     let (_, text) = Case::read(&arguments.case)?;
-    let axes = arguments.keys.iter().map(|argument| axis(argument)).collect::<Result<Vec<_>, _>>()?;
+    let axes = axes(&arguments.keys)?;
     let points = points(&arguments.case, &text, &axes)?;
     let stem = arguments.case.file_stem().unwrap_or_default();
     let out = arguments.out.clone().unwrap_or_else(|| Path::new("run").join(stem));
     std::fs::create_dir_all(&out).at(&out)?;
+    let mut tried = None;
     if !manner.quiet {
-        manner.say(estimate(&points, &out)?);
+        let (estimate, point) = estimate(&points, &out)?;
+        manner.say(estimate);
+        tried = point.map(|point| &point.name);
     }
     let bar = if manner.quiet { ProgressBar::hidden() } else { ProgressBar::new(points.len() as u64) };
     let style = ProgressStyle::with_template("{bar:24} {pos}/{len} runs, {eta} left");
@@ -53,8 +56,9 @@ pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
     carry_out(&points, &out, &control, &|point, outcome| {
         let failed = outcome.is_err();
         let outcome = match outcome {
-            Ok(true) => "finished".into(),
-            Ok(false) => "had finished before".into(),
+            // What was tried may have come to its end by that.
+            Ok(done) if done || tried == Some(&point.name) => "finished".into(),
+            Ok(_) => "had finished before".into(),
             Err(error) => error.to_string(),
         };
         bar.suspend(|| manner.say(format!("{}: {outcome}", point.name)));
@@ -64,9 +68,10 @@ pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
         }
     });
     bar.finish_and_clear();
-    let summary = summary(&axes, &points, &out)?;
-    write_atomically(&out.join("summary.csv"), summary.as_bytes())?;
-    print(&summary)?;
+    let rows = rows(&points, &out)?;
+    let table = table(&axes, &rows);
+    write_atomically(&out.join("summary.csv"), table.as_bytes())?;
+    print(&if manner.json { json(&axes, &rows) } else { table })?;
     let failures = failures.into_inner().expect("no worker panics");
     match failures.len() {
         _ if control.stops(0) => Err(Error::Stopped(None)),
@@ -75,12 +80,12 @@ pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
     }
 }
 
-/// Runs the first combination that has not been begun for a moment, on one core, and says how long all will take. Nothing of it is lost:
-/// it is gone on with later.
-fn estimate(points: &[Point], out: &Path) -> Result<String, Error> {
+/// Runs the first combination that has not been begun for a moment, on one core, and says how long all will take, and which
+/// combination it was. Nothing of it is lost: it is gone on with later.
+fn estimate<'a>(points: &'a [Point], out: &Path) -> Result<(String, Option<&'a Point>), Error> {
     let workers = rayon::current_num_threads();
     let new: Vec<&Point> = points.iter().filter(|point| !out.join(&point.name).exists()).collect();
-    let Some(point) = new.first() else { return Ok(format!("{} runs, all begun before", points.len())) };
+    let Some(&point) = new.first() else { return Ok((format!("{} runs, all begun before", points.len()), None)) };
     let (mut stage, mut since, mut pace) = (String::new(), Instant::now(), None);
     let mut show = |glance: Glance| {
         if stage != glance.stage {
@@ -98,15 +103,24 @@ fn estimate(points: &[Point], out: &Path) -> Result<String, Error> {
         (Err(Error::Stopped(_)), Some((step, steps))) => {
             (step.mul_f64(steps as f64), format!(" (`{stage}` alone, at most {steps} steps of {step:.1?})"))
         }
-        (Err(error), _) => return Ok(format!("no estimate of the time: {error}")),
+        (Err(error), _) => return Ok((format!("no estimate of the time: {error}"), Some(point))),
     };
     let all = each.mul_f64(new.len() as f64 / workers.min(new.len()) as f64);
-    Ok(format!(
-        "{} runs, {} of them new: about {} on {workers} cores{what}",
-        points.len(),
-        new.len(),
-        HumanDuration(all)
-    ))
+    let (count, time) = (points.len(), HumanDuration(all));
+    Ok((format!("{count} runs, {} of them new: about {time} on {workers} cores{what}", new.len()), Some(point)))
+}
+
+/// What is varied, each key once.
+fn axes(arguments: &[String]) -> Result<Vec<Axis>, Error> {
+    let mut axes: Vec<Axis> = Vec::new();
+    for argument in arguments {
+        let axis = axis(argument)?;
+        if axes.iter().any(|other| other.key == axis.key) {
+            return Err(Error::Usage(format!("`{argument}`: the key `{}` is there twice", axis.key)));
+        }
+        axes.push(axis);
+    }
+    Ok(axes)
 }
 
 /// `seed=1..3` as the values 1, 2, 3; `x=0..1:5` as five values from 0 to 1; `d=1 nm,2 nm` as they stand.
@@ -117,7 +131,7 @@ fn axis(argument: &str) -> Result<Axis, Error> {
         return Ok(Axis { key: key.into(), values: values.split(',').map(|value| value.trim().into()).collect() });
     };
     let (range, unit) = rest.split_once(' ').map_or((rest, String::new()), |(range, unit)| (range, format!(" {unit}")));
-    let values = match range.split_once(':') {
+    let values: Vec<String> = match range.split_once(':') {
         None => {
             let whole =
                 |text: &str| text.parse::<i64>().map_err(|_| wrong("a range without `:COUNT` goes over whole numbers"));
@@ -132,14 +146,17 @@ fn axis(argument: &str) -> Result<Axis, Error> {
             (0..count).map(|k| format!("{}{unit}", decimal(step(k)))).collect()
         }
     };
+    if values.is_empty() {
+        return Err(wrong("expected a range that goes upwards"));
+    }
     Ok(Axis { key: key.into(), values })
 }
 
 /// All combinations, each with its case; what is wrong with any of them is found before the first is run.
 fn points(file: &Path, text: &str, axes: &[Axis]) -> Result<Vec<Point>, Error> {
-    let base = serde_yaml::from_str(text).expect("the case has been read before");
+    let base = serde_yaml::from_str(unmarked(text)).expect("the case has been read before");
     let count = axes.iter().map(|axis| axis.values.len()).product();
-    (0..count)
+    let points: Vec<Point> = (0..count)
         .map(|mut number| {
             let mut values: Vec<(&str, &str)> = Vec::new();
             for Axis { key, values: choices } in axes.iter().rev() {
@@ -149,39 +166,64 @@ fn points(file: &Path, text: &str, axes: &[Axis]) -> Result<Vec<Point>, Error> {
             values.reverse();
             Point::new(file, &base, &values)
         })
-        .collect()
+        .collect::<Result<_, Error>>()?;
+    distinct(&points)?;
+    Ok(points)
+}
+
+/// What has become of a combination.
+struct Row<'a> {
+    point: &'a Point,
+    folder: PathBuf,
+    status: String,
+    findings: Vec<Finding>,
+}
+
+fn rows<'a>(points: &'a [Point], out: &Path) -> Result<Vec<Row<'a>>, Error> {
+    let row = |point: &'a Point| {
+        let folder = out.join(&point.name);
+        let begun = RunFolder::open(&folder).and_then(|run| Ok((Manifest::read(&run)?.status, run)));
+        let (status, findings) = match begun {
+            Ok((status, run)) => (format!("{status:?}").to_lowercase(), Finding::of_run(&run)?),
+            Err(_) => ("not run".into(), Vec::new()),
+        };
+        Ok(Row { point, folder, status, findings })
+    };
+    points.iter().map(row).collect()
 }
 
 /// One row a combination: its values, its status, its findings.
-fn summary(axes: &[Axis], points: &[Point], out: &Path) -> Result<String, Error> {
-    let mut names: Vec<(String, String)> = Vec::new();
-    let mut rows = Vec::new();
-    for point in points {
-        let folder = RunFolder::open(&out.join(&point.name));
-        let (status, found) = match folder {
-            Ok(folder) => (format!("{:?}", Manifest::read(&folder)?.status).to_lowercase(), Finding::of_run(&folder)?),
-            Err(_) => ("not run".into(), Vec::new()),
-        };
-        for finding in &found {
-            let name = (finding.name.clone(), finding.unit.clone());
-            if !names.contains(&name) {
-                names.push(name);
-            }
+fn table(axes: &[Axis], rows: &[Row]) -> String {
+    let mut names: Vec<(&str, &str)> = Vec::new();
+    for finding in rows.iter().flat_map(|row| &row.findings) {
+        let name = (&*finding.name, &*finding.unit);
+        if !names.contains(&name) {
+            names.push(name);
         }
-        rows.push((point, status, found));
     }
-    let headed =
-        |(name, unit): &(String, String)| if unit.is_empty() { name.clone() } else { format!("{name} [{unit}]") };
+    let headed = |(name, unit): &(&str, &str)| {
+        if unit.is_empty() { name.to_string() } else { format!("{name} [{unit}]") }
+    };
     let head = axes.iter().map(|axis| axis.key.clone()).chain(["status".into()]).chain(names.iter().map(headed));
     let mut table = csv::Writer::from_writer(Vec::new());
     table.write_record(head).expect("memory can always grow");
-    for (point, status, found) in rows {
-        let value = |(name, _): &(String, String)| {
-            found.iter().find(|f| f.name == *name).map_or(String::new(), |f| f.value.clone())
+    for Row { point, status, findings, .. } in rows {
+        let value = |(name, _): &(&str, &str)| {
+            findings.iter().find(|f| f.name == *name).map_or(String::new(), |f| f.value.clone())
         };
-        let cells = point.values.iter().cloned().chain([status]).chain(names.iter().map(value));
+        let cells = point.values.iter().cloned().chain([status.clone()]).chain(names.iter().map(value));
         table.write_record(cells).expect("memory can always grow");
     }
     let bytes = table.into_inner().expect("memory can always grow");
-    Ok(String::from_utf8(bytes).expect("what was written is text"))
+    String::from_utf8(bytes).expect("what was written is text")
+}
+
+/// The same for programs.
+fn json(axes: &[Axis], rows: &[Row]) -> String {
+    let object = |Row { point, folder, status, findings }: &Row| {
+        let keys: serde_json::Map<String, serde_json::Value> =
+            axes.iter().zip(&point.values).map(|(axis, value)| (axis.key.clone(), value.clone().into())).collect();
+        serde_json::json!({ "run": folder, "keys": keys, "status": status, "results": findings })
+    };
+    format!("{:#}\n", serde_json::Value::Array(rows.iter().map(object).collect()))
 }

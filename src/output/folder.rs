@@ -31,6 +31,30 @@ impl RunFolder {
         Ok(folder)
     }
 
+    /// Removes a folder that holds no more than a run which was killed before its manifest was there; says whether there is none now.
+    pub fn clear(root: &Path) -> Result<bool, Error> {
+        let folder = Self { root: root.into() };
+        if !root.exists() {
+            return Ok(true);
+        }
+        let entries = |path: &Path| -> Result<Vec<PathBuf>, Error> {
+            std::fs::read_dir(path).at(path)?.map(|entry| Ok(entry.at(path)?.path())).collect()
+        };
+        let folders = [folder.frames(), folder.checkpoint_folder(), folder.figures()];
+        for path in entries(root)? {
+            let left = if path.is_dir() {
+                folders.contains(&path) && entries(&path)?.is_empty()
+            } else {
+                [folder.case(), folder.resolved()].contains(&path) || path.extension().is_some_and(|e| e == "part")
+            };
+            if !left {
+                return Ok(false);
+            }
+        }
+        std::fs::remove_dir_all(root).at(root)?;
+        Ok(true)
+    }
+
     /// A folder that a run has left.
     pub fn open(root: &Path) -> Result<Self, Error> {
         let folder = Self { root: root.into() };

@@ -113,6 +113,7 @@ impl<'a, S: Study> Run<'a, S> {
     fn resume(&mut self) -> Result<Vec<Finding>, Error> {
         let State { stage, steps, dt, damping, skin, snapshot, watch, sample, findings, extent } =
             self.folder.checkpoints().latest()?;
+        start::unchanged_after(stage, self.case, &self.manifest)?;
         self.manifest.resume();
         self.manifest.write(self.folder)?;
         let record = Record::resume(self.folder, extent)?;

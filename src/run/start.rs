@@ -1,7 +1,7 @@
 //! From a case to the run of its paper.
 
 use super::{Control, Glance, Run, Study, soot, titania, wear};
-use crate::case::{Amorphous, Case, Model, Sample, Torsion, located};
+use crate::case::{Amorphous, Case, Model, Sample, SootStage, Torsion, located};
 use crate::error::{AtPath, Error};
 use crate::output::{Finding, Manifest, RunFolder, Status, sha256_file, write_atomically};
 use crate::spec::Necked;
@@ -57,15 +57,18 @@ pub fn launch(
     show: &mut dyn FnMut(Glance),
 ) -> Result<(RunFolder, Vec<Finding>), Error> {
     let (case, text) = Case::read(file)?;
-    let mut inputs = BTreeMap::from([(file.display().to_string(), sha256_file(file)?)]);
+    let mut inputs = BTreeMap::new();
     for file in files(&case)? {
         inputs.insert(file.display().to_string(), sha256_file(&file)?);
     }
     // Whatever is wrong with the input is found before anything is written.
+    saves(&case).map_err(|error| located(error, file, &text))?;
     let initial = with_plan!(case, plan => plan.initial()).map_err(|error| located(error, file, &text))?;
     let folder = RunFolder::create(root, replace)?;
     write_atomically(&folder.case(), text.as_bytes())?;
     write_atomically(&folder.resolved(), case.resolved().as_bytes())?;
+    // Of the copy: a case that comes through a pipe can be read only once.
+    inputs.insert(file.display().to_string(), sha256_file(&folder.case())?);
     let manifest = Manifest::begin(case.seed, inputs);
     let findings = with_plan!(case, plan => Run::new(&case, plan, &folder, manifest, control, show).start(initial)?);
     Ok((folder, findings))
@@ -85,10 +88,34 @@ fn files(case: &Case) -> Result<Vec<PathBuf>, Error> {
     Ok(files)
 }
 
+/// Whether the folders are there that a case keeps samples in.
+fn saves(case: &Case) -> Result<(), Error> {
+    let mut found = match &case.sample {
+        Sample::Amorphous(Amorphous { save, .. }) => vec![("sample.amorphous".to_string(), save.clone())],
+        Sample::Film(film) => vec![("sample.film".to_string(), film.save.clone())],
+        _ => Vec::new(),
+    };
+    for (number, stage) in case.soot().map(|soot| soot.2).unwrap_or_default().iter().enumerate() {
+        if let SootStage::Deposition(deposition) = stage {
+            found.push((case.soot_key(number, stage), deposition.save.clone()));
+        }
+    }
+    for (section, file) in found.into_iter().filter_map(|(section, file)| Some((section, file?))) {
+        // That of a mere name is empty, and means the current one.
+        let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty());
+        if folder.is_some_and(|folder| !folder.is_dir()) {
+            let what = format!("found `{}`, expected a file in a folder that exists", file.display());
+            return Err(Error::of_key(format!("{section}.save"), what));
+        }
+    }
+    Ok(())
+}
+
 /// Looks at everything about the case of a file short of running it.
 pub fn examine(file: &Path) -> Result<Case, Error> {
     let (case, text) = Case::read(file)?;
     files(&case)?;
+    saves(&case).map_err(|error| located(error, file, &text))?;
     with_plan!(case, plan => plan.examine()).map_err(|error| located(error, file, &text))?;
     Ok(case)
 }
@@ -97,9 +124,13 @@ pub fn examine(file: &Path) -> Result<Case, Error> {
 /// there was anything left to do.
 pub fn complete(file: &Path, root: &Path, control: &Control) -> Result<bool, Error> {
     let (case, text) = Case::read(file)?;
-    let begun = RunFolder::open(root).and_then(|folder| Ok((Manifest::read(&folder)?, folder))).ok();
-    let replace = begun.is_some();
-    if let Some((manifest, folder)) = begun {
+    // One that was killed before its first checkpoint begins again.
+    let replace = !RunFolder::clear(root)?;
+    if replace {
+        let what = "is not a run that can be gone on with; remove this folder to begin anew";
+        let strange = |_| Error::Usage(format!("{}: {what}", root.display()));
+        let folder = RunFolder::open(root).map_err(strange)?;
+        let manifest = Manifest::read(&folder).map_err(strange)?;
         if std::fs::read_to_string(folder.case()).at(&folder.case())? != text {
             return Err(Error::Usage("its run folder holds another case".into()));
         }
@@ -110,11 +141,10 @@ pub fn complete(file: &Path, root: &Path, control: &Control) -> Result<bool, Err
             return resume(&case, &folder, manifest, control, &mut |_| {}).map(|_| true);
         }
     }
-    // One that was killed before its first checkpoint begins again.
     launch(file, root, replace, control, &mut |_| {}).map(|_| true)
 }
 
-/// Goes on with a run from its latest checkpoint.
+/// Goes on with a run from its latest checkpoint. Its case must be the one that it was begun with.
 pub fn resume(
     case: &Case,
     folder: &RunFolder,
@@ -122,5 +152,22 @@ pub fn resume(
     control: &Control,
     show: &mut dyn FnMut(Glance),
 ) -> Result<Vec<Finding>, Error> {
+    let begun_with = sha256_file(&folder.case())?;
+    if !manifest.inputs.values().any(|input| *input == begun_with) {
+        return Err(Error::input(&folder.case(), "has changed since the run was begun"));
+    }
     with_plan!(*case, plan => Run::new(case, plan, folder, manifest, control, show).resume())
+}
+
+/// Whether the files that come after a stage are those that the run was begun with; those that came before are in its checkpoint.
+pub(super) fn unchanged_after(stage: usize, case: &Case, manifest: &Manifest) -> Result<(), Error> {
+    let stages = case.soot().map(|soot| soot.2).unwrap_or_default();
+    for file in stages.iter().skip(stage + 1).filter_map(|stage| stage.solid().map(|solid| &solid.stl)) {
+        std::fs::metadata(file).map_err(|cause| Error::NoInput(file.clone(), cause))?;
+        let hash = sha256_file(file)?;
+        if manifest.inputs.get(&file.display().to_string()) != Some(&hash) {
+            return Err(Error::input(file, "has changed since the run was begun"));
+        }
+    }
+    Ok(())
 }

@@ -6,6 +6,7 @@ use crate::error::Error;
 use crate::output::write_atomically;
 use rayon::ThreadPoolBuilder;
 use serde_yaml::Value;
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -18,6 +19,8 @@ pub struct Point {
     pub values: Vec<String>,
     /// Its case.
     pub text: String,
+    /// Its case with every default and derived value.
+    pub resolved: String,
 }
 
 impl Point {
@@ -31,10 +34,11 @@ impl Point {
         let parts = values.iter().map(|(key, value)| format!("{}={}", short(key), value.replace([' ', '/'], "")));
         let parts: Vec<String> = parts.collect();
         let text = serde_yaml::to_string(&case).expect("a case is plain data");
-        let place = format!("{} with {}", file.file_name().unwrap_or_default().display(), parts.join(" "));
-        Case::parse(&file.with_file_name(place), &text)?;
+        let whole: Vec<String> = values.iter().map(|(key, value)| format!("{key}={value}")).collect();
+        let place = format!("{} with {}", file.file_name().unwrap_or_default().display(), whole.join(" "));
+        let resolved = Case::parse(&file.with_file_name(place), &text).map_err(without_lines)?.resolved();
         let values = values.iter().map(|(_, value)| value.to_string()).collect();
-        Ok(Self { name: parts.join(","), values, text })
+        Ok(Self { name: parts.join(","), values, text, resolved })
     }
 
     /// Writes its case beside its folder.
@@ -43,6 +47,29 @@ impl Point {
         write_atomically(&case, self.text.as_bytes())?;
         Ok(case)
     }
+}
+
+/// No two runs may be the same, nor go into the same folder.
+pub fn distinct(points: &[Point]) -> Result<(), Error> {
+    let same: [(fn(&Point) -> &str, &str); 2] =
+        [(|point| &point.resolved, "are the same case"), (|point| &point.name, "have the same run folder")];
+    for (of, what) in same {
+        let mut seen = HashMap::new();
+        for point in points {
+            if let Some(other) = seen.insert(of(point), point) {
+                let told = |point: &Point| point.values.join(", ");
+                return Err(Error::Usage(format!("`{}` and `{}` {what}", told(other), told(point))));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The lines are those of a text that nobody has seen.
+fn without_lines(error: Error) -> Error {
+    let Error::Input(mut problems) = error else { return error };
+    problems.iter_mut().for_each(|problem| problem.line = None);
+    Error::Input(problems)
 }
 
 /// Writes a value behind a key such as `sample.hcp.size[1]`; sections on the way are made.

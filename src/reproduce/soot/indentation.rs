@@ -41,7 +41,7 @@ struct Member {
 
 /// Claims and force curves of Figs. 4 and 6.
 pub fn chapter(extent: Extent) -> Result<Chapter, Error> {
-    let reduced = "aggregates of 60 spheres instead of 120, 90 % of the necks kept instead of 98 %, so that more are broken, \
+    let reduced = "Reduced: aggregates of 60 spheres instead of 120, 90 % of the necks kept instead of 98 %, so that more are broken, \
                    indentations of 200 ns instead of 500 ns";
     let protocol = Protocol {
         spheres: extent.of(60, 120),
