@@ -40,7 +40,8 @@ pub fn detect(source: &Source) -> Result<Format, Error> {
     }
 }
 
-/// A number, a comment, rows `species x y z` and perhaps a radius. A comment that lists `Properties` tells the columns.
+/// A number, a comment, rows `species x y z` and perhaps a radius. A comment that lists `Properties` tells the columns. Without it
+/// a fifth column is the radius if it is the last: several may be a velocity or a force.
 pub fn xyz(source: &Source) -> Result<Raw, Error> {
     let mut lines = source.lines();
     let (_, first) = lines.next().unwrap_or_default();
@@ -52,7 +53,7 @@ pub fn xyz(source: &Source) -> Result<Raw, Error> {
     let (pos, radius) = match named {
         Some((Some(pos), radius)) => (pos, radius),
         Some((None, _)) => return Err(source.at(2, "found `Properties` without `pos:R:3`")),
-        None => (1, Some(4)),
+        None => (1, None),
     };
     let mut raw = Raw::default();
     for _ in 0..number {
@@ -64,6 +65,7 @@ pub fn xyz(source: &Source) -> Result<Raw, Error> {
         let Some(&[x, y, z]) = words.get(pos..pos + 3) else {
             return Err(source.at(k, &format!("found {} columns, expected at least {}", words.len(), pos + 3)));
         };
+        let radius = radius.or((named.is_none() && words.len() == 5).then_some(4));
         raw.push(source, k, [x, y, z], radius.and_then(|column| words.get(column).copied()))?;
     }
     match lines.find(|(_, line)| !line.is_empty()) {

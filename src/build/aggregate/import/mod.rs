@@ -72,8 +72,14 @@ struct Raw {
 
 /// Reads an aggregate.
 pub fn read(file: &Path, options: &Options) -> Result<Imported, Error> {
-    let text = std::fs::read_to_string(file).map_err(|cause| Error::NoInput(file.into(), cause))?;
-    parse(file, &text, options)
+    parse(file, &text_of(file)?, options)
+}
+
+/// The text of a file without the mark of its encoding. What is no UTF-8, as an accent in a comment may be, is replaced.
+fn text_of(file: &Path) -> Result<String, Error> {
+    let bytes = std::fs::read(file).map_err(|cause| Error::NoInput(file.into(), cause))?;
+    let text = String::from_utf8_lossy(&bytes);
+    Ok(text.strip_prefix('\u{feff}').unwrap_or(&text).into())
 }
 
 /// Reads an aggregate from the text of a file.
@@ -91,7 +97,7 @@ pub fn parse(file: &Path, text: &str, options: &Options) -> Result<Imported, Err
         Format::Mstm => columns::rows(&source, true)?,
         Format::FracVal | Format::PyFracVal => columns::rows(&source, false)?,
     };
-    let spheres = scaled(&source, &raw, format, options)?;
+    let spheres = scaled(&source, &raw, options)?;
     let parts = components(&spheres);
     if parts > 1 && !options.disconnected {
         let what = format!("found {parts} parts that do not touch, expected one; `disconnected` accepts them");
@@ -127,7 +133,7 @@ fn detect(source: &Source) -> Result<Format, Error> {
 }
 
 /// The spheres in nm.
-fn scaled(source: &Source, raw: &Raw, format: Format, options: &Options) -> Result<Vec<Sphere>, Error> {
+fn scaled(source: &Source, raw: &Raw, options: &Options) -> Result<Vec<Sphere>, Error> {
     let missing = |key: &str, what: &str| Err(source.problem(None, key, what));
     for (key, value) in [("unit", options.unit), ("radius", options.radius)] {
         if value.is_some_and(|value| !(value > 0.0 && value.is_finite())) {
@@ -161,7 +167,7 @@ fn scaled(source: &Source, raw: &Raw, format: Format, options: &Options) -> Resu
         _ => {
             return missing(
                 "radius",
-                &format!("is missing, expected the radius of the spheres: {format:?} files may not tell it"),
+                "is missing, expected the radius of the spheres: XYZ tells it in a fifth column that is the last, or in one that `Properties` names",
             );
         }
     };

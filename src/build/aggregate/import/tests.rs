@@ -37,6 +37,34 @@ fn three_spheres_are_the_same_in_every_format() {
 }
 
 #[test]
+fn a_fifth_column_of_plain_xyz_is_the_radius_only_if_it_is_the_last() {
+    let radii = |text: &str, options: &Options| {
+        let found = parse(Path::new("a.xyz"), text, options).map_err(|trouble| trouble.to_string());
+        found.map(|found| found.spheres.iter().map(|s| s.radius).collect::<Vec<_>>())
+    };
+    assert_eq!(radii("1\n\nC 0 0 0 7\n", &UNIT), Ok(vec![7.0]));
+    assert_eq!(radii("1\n\nC 0 0 0 -0.765 1 0\n", &BOTH), Ok(vec![14.0]));
+    let trouble = radii("1\n\nC 0 0 0 0.7 1 0\n", &UNIT).unwrap_err();
+    assert!(trouble.contains("radius: is missing") && trouble.contains("fifth column"), "{trouble}");
+}
+
+#[test]
+fn a_mark_of_the_encoding_and_foreign_letters_are_no_hindrance() {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, options, comment) in [
+        ("flage.xml", RADIUS, &b"<!-- \xe9 -->"[..]),
+        ("mstm.txt", RADIUS, b"# \xe9\n"),
+        ("plain.xyz", BOTH, b""),
+        ("soot_dem.vtk", RADIUS, b"\xe9"),
+    ] {
+        let text = std::fs::read(file(name)).unwrap();
+        let marked = folder.path().join(name);
+        std::fs::write(&marked, [&b"\xef\xbb\xbf"[..], &text, comment].concat()).unwrap();
+        assert_eq!(read(&marked, &options).unwrap().spheres, read(&file(name), &options).unwrap().spheres, "{name}");
+    }
+}
+
+#[test]
 fn a_unit_replaces_the_radius_where_the_file_has_radii() {
     let metres = Options { unit: Some(14.0), ..NEITHER };
     assert_eq!(read(&file("mstm.txt"), &metres).unwrap().spheres, read(&file("mstm.txt"), &RADIUS).unwrap().spheres);

@@ -1,6 +1,6 @@
 //! The legacy VTK of soot-dem: points in units of the monomer radius, and its files of necks.
 
-use super::{Raw, Source};
+use super::{Raw, Source, text_of};
 use crate::build::aggregate::necks::Neck;
 use crate::error::Error;
 use std::path::Path;
@@ -26,7 +26,7 @@ pub fn read(source: &Source) -> Result<Raw, Error> {
 /// The necks of an aggregate of `number` spheres: a field `connections`, which lists the places `i * number + j` of a matrix,
 /// each neck from both ends.
 pub fn read_necks(file: &Path, number: usize) -> Result<Vec<Neck>, Error> {
-    let text = std::fs::read_to_string(file).map_err(|cause| Error::NoInput(file.into(), cause))?;
+    let text = text_of(file)?;
     let source = Source { file, text: &text };
     let mut words = section(&source, "connections")?;
     let columns = count(&source, &mut words, "the number of columns")?;
