@@ -3,7 +3,6 @@
 use super::{Format, Raw, Source};
 use crate::error::Error;
 use crate::observe::morphology::components;
-use crate::{build::aggregate::Sphere, spec::Vec3};
 
 /// Rows of four numbers, the radius first or last; lines that begin with `#` are comments.
 pub fn rows(source: &Source, radius_first: bool) -> Result<Raw, Error> {
@@ -24,9 +23,7 @@ pub fn rows(source: &Source, radius_first: bool) -> Result<Raw, Error> {
 pub fn detect(source: &Source) -> Result<Format, Error> {
     let read = |format| {
         let raw = rows(source, format == Format::Mstm);
-        let sphere = |(x, &radius): (&[f64; 3], &f64)| Sphere { centre: Vec3(*x), radius };
-        let parts = |raw: &Raw| components(&raw.centres.iter().zip(&raw.radii).map(sphere).collect::<Vec<_>>());
-        raw.map(|raw| parts(&raw) == 1)
+        raw.and_then(|raw| Ok(components(&raw.spheres(source, 1.0, None)?) == 1))
     };
     match (read(Format::Mstm), read(Format::FracVal)) {
         (Ok(true), Ok(false) | Err(_)) | (Ok(false), Err(_)) => Ok(Format::Mstm),
@@ -98,6 +95,7 @@ impl Raw {
         self.radii.extend(radius.map(|word| source.radius(line, word)).transpose()?);
         let [x, y, z] = x.map(|word| source.number(line, word));
         self.centres.push([x?, y?, z?]);
+        self.lines.push(line);
         Ok(())
     }
 }

@@ -60,10 +60,15 @@ pub struct Imported {
     pub report: Report,
 }
 
+/// Coordinates are at most this many radii: farther out single precision does not tell which spheres touch.
+const FAR: f64 = 1e6;
+
 /// The numbers of a file, in its own units.
 #[derive(Debug, Default)]
 struct Raw {
     centres: Vec<[f64; 3]>,
+    /// Where each centre is in the file.
+    lines: Vec<usize>,
     /// One for each sphere, or none at all.
     radii: Vec<f64>,
     /// Whether the unit of length is the radius of a sphere.
@@ -171,11 +176,25 @@ fn scaled(source: &Source, raw: &Raw, options: &Options) -> Result<Vec<Sphere>, 
             );
         }
     };
-    let sphere = |(k, x): (usize, &[f64; 3])| Sphere {
-        centre: Vec3(x.map(|c| c * unit)),
-        radius: own.unwrap_or_else(|| raw.radii[k] * unit),
-    };
-    Ok(raw.centres.iter().enumerate().map(sphere).collect())
+    raw.spheres(source, unit, own)
+}
+
+impl Raw {
+    /// The spheres in another unit, and of a radius in that unit where the file has none.
+    fn spheres(&self, source: &Source, unit: f64, own: Option<f64>) -> Result<Vec<Sphere>, Error> {
+        let sphere = |k: usize| {
+            let centre = Vec3(self.centres[k].map(|x| x * unit));
+            let radius = own.unwrap_or_else(|| self.radii[k] * unit);
+            match centre.0.iter().find(|x| x.abs() > FAR * radius) {
+                Some(x) => {
+                    let what = format!("found a coordinate of {:e} radii, expected at most {FAR:e}", x / radius);
+                    Err(source.at(self.lines[k], &what))
+                }
+                None => Ok(Sphere { centre, radius }),
+            }
+        };
+        (0..self.centres.len()).map(sphere).collect()
+    }
 }
 
 /// A file and how to complain about it.

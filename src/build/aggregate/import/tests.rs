@@ -84,6 +84,8 @@ fn errors_name_file_line_and_what_was_expected() {
         ("", "found nothing"),
         ("1 0 0 0\n1 0 2\n", ":2: found 3 columns, expected 4"),
         ("1 0 0 0\n1 0 2 x\n", ":2: found `x`, expected a number"),
+        ("2\n\nC 0 0 0\nC 1e300 0 0\n", ":4: found a coordinate of 7.14"),
+        ("1 0 0 0\n1 0 0 1e300\n", ":2: found a coordinate of 1e300 radii, expected at most 1e6"),
         ("3\n\nC 0 0 0\nC 0 0 2\n", ":5: found 2 spheres, expected 3"),
         ("1\n\nC 0 0\n", ":3: found 3 columns, expected at least 4"),
         ("1\n\nC 0 0 0\nC 0 0 2\n", ":4: found more rows than the 1 spheres"),
