@@ -37,6 +37,17 @@ fn three_spheres_are_the_same_in_every_format() {
 }
 
 #[test]
+fn image_flags_of_lammps_place_a_sphere_in_another_copy_of_the_box() {
+    let box_of =
+        |tilt| format!("0 100 xlo xhi\n0 100 ylo yhi\n0 50 zlo zhi\n{tilt} 0 0 xy xz yz\n\nAtoms # sphere\n\n");
+    let rows = "1 1 28 1 90 0 0 0 0 0\n2 1 28 1 18 0 50 1 0 -1\n";
+    let found = parse(Path::new("a.data"), &(box_of("0") + rows), &UNIT).unwrap();
+    assert_eq!(found.spheres[1].centre, Vec3([118.0, 0.0, 0.0]));
+    let trouble = parse(Path::new("a.data"), &(box_of("5") + rows), &UNIT).unwrap_err().to_string();
+    assert!(trouble.starts_with("a.data:9: found image flags, expected none: the box is tilted"), "{trouble}");
+}
+
+#[test]
 fn a_fifth_column_of_plain_xyz_is_the_radius_only_if_it_is_the_last() {
     let radii = |text: &str, options: &Options| {
         let found = parse(Path::new("a.xyz"), text, options).map_err(|trouble| trouble.to_string());
@@ -100,6 +111,9 @@ fn errors_name_file_line_and_what_was_expected() {
         ),
         ("# vtk DataFile Version 4.0\nt\nBINARY\n", ":3: found `BINARY`"),
         ("2 atoms\n\nAtoms # sphere\n\n1 1 1 1 0 0 0\n", ":1: found `2 atoms` and 1 rows"),
+        ("Atoms # sphere\n\n1 1 1 1 0 0 0 1 0 0\n", ":3: found image flags, expected none"),
+        ("Atoms # sphere\n\n1 1 1 1 0 0 0 1\n", ":3: found 8 columns, expected 7, or 10 with image flags"),
+        ("Atoms # sphere\n\n2 1 1 1 0 0 0\n2 1 1 1 1 0 0\n", ":4: found the id 2 again"),
         ("1 atoms\n\nAtoms # full\n", ":3: found `Atoms # full`"),
         ("3 40 0 5\n1 2 9 6\n", "format: is missing, expected `mstm`"),
     ] {
