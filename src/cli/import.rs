@@ -44,6 +44,7 @@ pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
     let format = arguments.format.as_ref().map(word).transpose()?;
     let options = Options { format, unit, radius, disconnected: arguments.disconnected };
     let imported = read(&arguments.file, &options)?;
+    let necks = arguments.necks.as_ref().map(|file| read_necks(file, &imported.spheres)).transpose()?;
     if let Some(path) = &arguments.out {
         let mut particles = Particles::default();
         for sphere in &imported.spheres {
@@ -53,7 +54,6 @@ pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
         write_atomically(path, extended_xyz(&system, "imported").as_bytes())?;
         manner.say(format!("written: {}", path.display()));
     }
-    let necks = arguments.necks.as_ref().map(|file| read_necks(file, imported.spheres.len())).transpose()?;
     let Imported { format, report, .. } = imported;
     if manner.json {
         let necks = necks.map(|necks| necks.len());

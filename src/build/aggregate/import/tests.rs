@@ -84,9 +84,26 @@ fn a_unit_replaces_the_radius_where_the_file_has_radii() {
 
 #[test]
 fn necks_are_read_from_the_places_in_a_matrix() {
-    assert_eq!(read_necks(&file("soot_dem_necks.vtk"), 3).unwrap(), [(0, 1), (1, 2)]);
-    let trouble = read_necks(&file("soot_dem_necks.vtk"), 2).unwrap_err().to_string();
+    let spheres = read(&file("soot_dem.vtk"), &RADIUS).unwrap().spheres;
+    assert_eq!(read_necks(&file("soot_dem_necks.vtk"), &spheres).unwrap(), [(0, 1), (1, 2)]);
+    let trouble = read_necks(&file("soot_dem_necks.vtk"), &spheres[..2]).unwrap_err().to_string();
     assert!(trouble.contains("necks.vtk:15: found `3`, expected i * 2 + j"), "{trouble}");
+}
+
+#[test]
+fn necks_of_another_aggregate_are_refused() {
+    let spheres = read(&file("soot_dem.vtk"), &RADIUS).unwrap().spheres;
+    let folder = tempfile::tempdir().unwrap();
+    for (connections, expected) in [
+        ("2 1 int\n2\n6\n", ":2: found 2, a neck of the spheres 0 and 2, whose gap is 11.598 nm, expected at most 0.1"),
+        ("2 1 int\n1\n5\n", ":2: found 1, a neck of the spheres 0 and 1, but not 3, expected each neck from both ends"),
+        ("4294967296 4294967296 int\n1\n", ":1: found 4294967296 times 4294967296 connections"),
+    ] {
+        let necks = folder.path().join("necks.vtk");
+        std::fs::write(&necks, format!("connections {connections}")).unwrap();
+        let trouble = read_necks(&necks, &spheres).unwrap_err().to_string();
+        assert!(trouble.contains(expected), "{trouble}");
+    }
 }
 
 #[test]
