@@ -111,6 +111,13 @@ pub fn parse(file: &Path, text: &str, options: &Options) -> Result<Imported, Err
     Ok(Imported { format, report: Report::of(&spheres, parts), spheres })
 }
 
+/// The spheres as extended XYZ with all their digits, nm.
+pub fn extended_xyz(spheres: &[Sphere]) -> String {
+    let row = |Sphere { centre: Vec3([x, y, z]), radius }: &Sphere| format!("sphere {x} {y} {z} {radius}\n");
+    let rows: String = spheres.iter().map(row).collect();
+    format!("{}\nProperties=species:S:1:pos:R:3:radius:R:1\n{rows}", spheres.len())
+}
+
 /// Who wrote a file, by its content.
 fn detect(source: &Source) -> Result<Format, Error> {
     let text = source.text.trim_start();

@@ -37,6 +37,19 @@ fn three_spheres_are_the_same_in_every_format() {
 }
 
 #[test]
+fn rounding_to_single_precision_is_no_overlap() {
+    let recipe = Recipe { number: 400, d_f: 1.8, k_f: 1.4, radii: Radii::Equal(14.0), method: Method::Clusters };
+    let mut spheres = aggregate(&recipe, 1).unwrap();
+    for sphere in &mut spheres {
+        sphere.centre = Vec3(sphere.centre.0.map(|x| f64::from((x + 1000.0) as f32)));
+    }
+    let report = Report::of(&spheres, 1);
+    assert!(report.overlaps == 0 && report.smallest_gap < Some(-28e-6), "{report}");
+    let pair = |gap| [0.0, 28.0 + gap].map(|x| Sphere { centre: Vec3([x, 0.0, 0.0]), radius: 14.0 });
+    assert_eq!([-1e-5, -1e-4].map(|gap| Report::of(&pair(gap), 1).overlaps), [0, 1]);
+}
+
+#[test]
 fn image_flags_of_lammps_place_a_sphere_in_another_copy_of_the_box() {
     let box_of =
         |tilt| format!("0 100 xlo xhi\n0 100 ylo yhi\n0 50 zlo zhi\n{tilt} 0 0 xy xz yz\n\nAtoms # sphere\n\n");
@@ -191,6 +204,7 @@ quickcheck! {
             (Format::FracVal, rows(&|_, [x, y, z], r| format!("{x:e} {y:e} {z:e} {r:e}\n"))),
             (Format::PyFracVal, format!("# generation_info:\n{}", rows(&|_, [x, y, z], r| format!("{x:.17e} {y:.17e} {z:.17e} {r:.17e}\n")))),
             (Format::Lammps, format!("25 atoms\n\nAtoms # bpm/sphere\n\n{}", rows(&|k, [x, y, z], r| format!("{k} 1 1 {} 1.7 {x} {y} {z}\n", 2.0 * r)))),
+            (Format::Xyz, extended_xyz(&spheres)),
             (Format::Xyz, format!("25\n\n{}", rows(&|_, [x, y, z], r| format!("C {x} {y} {z} {r}\n")))),
         ];
         files.iter().all(|(format, text)| {

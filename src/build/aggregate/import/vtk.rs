@@ -37,7 +37,7 @@ pub fn read_necks(file: &Path, spheres: &[Sphere]) -> Result<Vec<Neck>, Error> {
     let rows = count(&source, &mut words, "the number of rows")?;
     let (line, _) = next(&source, &mut words, "the type of the connections")?;
     let Some(size) = columns.checked_mul(rows) else {
-        return Err(source.at(line, &format!("found {columns} times {rows} connections, expected a size in memory")));
+        return Err(source.at(line, &format!("found {columns} times {rows} connections, expected fewer")));
     };
     let number = spheres.len();
     let mut ends = Vec::new();
