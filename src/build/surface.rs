@@ -1,10 +1,10 @@
 //! Surfaces: the tip of the force microscope, and triangles from a file.
 
-use crate::error::{AtPath, Error};
+use crate::error::{Error, Problem};
 use crate::spec::Vec3;
 use crate::system::mesh::Mesh;
-use std::fs::File;
-use std::io::{BufReader, ErrorKind};
+use std::borrow::Cow;
+use std::io::Cursor;
 use std::path::Path;
 
 /// Section 3.1.2: the tetrahedral tip for spheres of radius `r`, apex at the origin.
@@ -17,18 +17,46 @@ pub fn tetrahedron(r: f64) -> Mesh {
 
 /// Reads an STL file, ASCII or binary, whose unit of length is `unit`, nm.
 pub fn read_stl(path: &Path, unit: f64) -> Result<Mesh, Error> {
-    let file = File::open(path).map_err(|cause| Error::NoInput(path.into(), cause))?;
-    if file.metadata().at(path)?.is_dir() {
-        return Err(Error::NoInput(path.into(), ErrorKind::IsADirectory.into()));
-    }
-    let mut file = BufReader::new(file);
+    let bytes = std::fs::read(path).map_err(|cause| Error::NoInput(path.into(), cause))?;
+    let bytes = bytes.strip_prefix("\u{feff}".as_bytes()).unwrap_or(&bytes);
+    // The header of a binary file may begin with this word, too.
+    let stl = if bytes.starts_with(b"solid") && !is_binary(bytes) {
+        Cow::Owned(as_one_solid(path, &String::from_utf8_lossy(bytes))?.into_bytes())
+    } else {
+        Cow::Borrowed(bytes)
+    };
     let broken = |cause: std::io::Error| Error::input(path, format!("is no STL file: {cause}"));
-    let reader = stl_io::create_stl_reader(&mut file).map_err(broken)?;
+    let mut stl = Cursor::new(stl);
+    let reader = stl_io::create_stl_reader(&mut stl).map_err(broken)?;
     let triangles = reader
         .map(|triangle| Ok(triangle?.vertices.map(|corner| Vec3(corner.0.map(|x| f64::from(x) * unit)))))
         .collect::<std::io::Result<Vec<_>>>()
         .map_err(broken)?;
     Mesh::new(&triangles).map_err(|flaw| Error::input(path, flaw.to_string()))
+}
+
+/// Whether a file is as long as a header, the number of its triangles and 50 bytes for each.
+fn is_binary(bytes: &[u8]) -> bool {
+    let number = bytes[80.min(bytes.len())..].first_chunk().map(|number| u32::from_le_bytes(*number));
+    number.is_some_and(|number| bytes.len() as u64 == 84 + 50 * u64::from(number))
+}
+
+/// An ASCII file with the facets of all its solids in one: the reader stops where the first ends.
+fn as_one_solid(path: &Path, text: &str) -> Result<String, Error> {
+    let (mut one, mut inside) = (String::from("solid \n"), false);
+    for (k, line) in text.lines().enumerate() {
+        match (line.split_whitespace().next(), inside) {
+            (Some("solid"), false) => inside = true,
+            (Some("endsolid"), true) => inside = false,
+            (Some(_), true) => one.extend([line, "\n"]),
+            (Some(word), false) => {
+                let what = format!("found `{word}`, expected another `solid` or nothing");
+                return Err(Error::Input(vec![Problem { file: path.into(), line: Some(k + 1), key: "".into(), what }]));
+            }
+            (None, _) => {}
+        }
+    }
+    Ok(if inside { one } else { one + "endsolid\n" })
 }
 
 #[cfg(test)]
@@ -84,6 +112,27 @@ mod tests {
         for (name, bytes) in ["binary.stl", "ascii.stl"].into_iter().zip(stl()) {
             assert_eq!(read_stl(&write(&folder, name, &bytes), 14.0).expect("a surface"), tetrahedron(14.0), "{name}");
         }
+    }
+
+    #[test]
+    fn every_solid_of_a_file_is_read() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let [binary, ascii] = stl();
+        let text = String::from_utf8(ascii).expect("ASCII");
+        // The last two facets in a solid of their own, with a mark and a name in Latin-1 before it.
+        let place = text.match_indices("facet normal").nth(2).expect("four facets").0;
+        let parts = [
+            &b"\xef\xbb\xbf"[..],
+            text[..place].as_bytes(),
+            b"endsolid\n\nsolid \xe9t\xe9\n",
+            text[place..].as_bytes(),
+        ];
+        let mesh = read_stl(&write(&folder, "two.stl", &parts.concat()), 14.0).expect("a surface");
+        assert_eq!(mesh, tetrahedron(14.0));
+        let named = [&b"solid "[..], &binary[6..]].concat();
+        assert_eq!(read_stl(&write(&folder, "named.stl", &named), 14.0).expect("a surface"), mesh);
+        let trouble = read_stl(&write(&folder, "more.stl", (text + "facet\n").as_bytes()), 1.0).expect_err("no solid");
+        assert!(trouble.to_string().ends_with("more.stl:31: found `facet`, expected another `solid` or nothing"));
     }
 
     #[test]

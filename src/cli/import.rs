@@ -1,11 +1,10 @@
 //! `veridem import`: what an aggregate of another program looks like, and its spheres as extended XYZ.
 
 use super::{Manner, print};
-use crate::build::aggregate::import::{Imported, Options, read, read_necks};
+use crate::build::aggregate::import::{Imported, Options, extended_xyz, read, read_necks};
 use crate::case::quantity::{Length, Quantity};
 use crate::error::Error;
-use crate::output::{extended_xyz, write_atomically};
-use crate::system::{Domain, Particles, System};
+use crate::output::write_atomically;
 use std::path::PathBuf;
 
 /// The arguments.
@@ -44,16 +43,11 @@ pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
     let format = arguments.format.as_ref().map(word).transpose()?;
     let options = Options { format, unit, radius, disconnected: arguments.disconnected };
     let imported = read(&arguments.file, &options)?;
+    let necks = arguments.necks.as_ref().map(|file| read_necks(file, &imported.spheres)).transpose()?;
     if let Some(path) = &arguments.out {
-        let mut particles = Particles::default();
-        for sphere in &imported.spheres {
-            particles.push(sphere.centre, sphere.radius, 1.0, 0);
-        }
-        let system = System::new(particles, Domain { sides: [0.0; 3], periodic: [false; 3] });
-        write_atomically(path, extended_xyz(&system, "imported").as_bytes())?;
+        write_atomically(path, extended_xyz(&imported.spheres).as_bytes())?;
         manner.say(format!("written: {}", path.display()));
     }
-    let necks = arguments.necks.as_ref().map(|file| read_necks(file, imported.spheres.len())).transpose()?;
     let Imported { format, report, .. } = imported;
     if manner.json {
         let necks = necks.map(|necks| necks.len());

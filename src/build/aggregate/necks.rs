@@ -28,12 +28,14 @@ pub fn necks(spheres: &[Sphere], d_crit: f64, acyclic: bool) -> Vec<Neck> {
     all
 }
 
-/// `floor(n * fraction)` of the `n` necks, in their order: the others are removed one at a time, each time any one that is left
+/// `floor(n * fraction)` of the `n` necks, in their order, a whole share not being lost to rounding: the others are removed one at a time, each time any one that is left
 /// with the same probability.
 pub fn keep_fraction(necks: &[Neck], fraction: f64, seed: u64) -> Vec<Neck> {
     let mut stream = Stream::new(seed, "neck removal");
     let mut left = necks.to_vec();
-    let kept = (necks.len() as f64 * fraction.clamp(0.0, 1.0)).floor() as usize;
+    // The fraction and the product are rounded by half of EPSILON each: 100 * 0.29 falls just short of 29.
+    let share = necks.len() as f64 * fraction.clamp(0.0, 1.0) * (1.0 + 2.0 * f64::EPSILON);
+    let kept = share.floor() as usize;
     while left.len() > kept {
         left.remove((stream.uniform() * left.len() as f64) as usize);
     }
@@ -82,12 +84,19 @@ mod tests {
         assert!(kept.iter().all(|&k: &f64| (k - 2000.0).abs() < 5.0 * 1000f64.sqrt()), "{kept:?}");
     }
 
+    #[test]
+    fn a_whole_share_is_not_lost_to_rounding() {
+        let kept = |n: usize, fraction| keep_fraction(&vec![(0, 1); n], fraction, 1).len();
+        assert_eq!([0.29, 0.57, 0.58].map(|fraction| kept(100, fraction)), [29, 57, 58]);
+        assert_eq!([0.25, 0.5, 0.9].map(|fraction| kept(149, fraction)), [37, 74, 134]);
+    }
+
     quickcheck! {
         fn the_floor_of_the_share_is_kept_in_order_and_repeatably(n: u8, percent: u8, seed: u64) -> bool {
             let all: Vec<Neck> = (0..usize::from(n)).map(|i| (i, i + 1)).collect();
             let fraction = f64::from(percent % 101) / 100.0;
             let kept = keep_fraction(&all, fraction, seed);
-            kept.len() == (f64::from(n) * fraction).floor() as usize
+            kept.len() == usize::from(n) * usize::from(percent % 101) / 100
                 && kept.is_sorted()
                 && kept.iter().all(|neck| all.contains(neck))
                 && kept == keep_fraction(&all, fraction, seed)

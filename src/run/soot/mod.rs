@@ -75,7 +75,7 @@ impl<S: Reading> Plan<S> {
     fn aggregate(&self) -> Result<(Vec<Sphere>, Vec<Neck>), Error> {
         let spheres = self.spheres()?;
         let joined = match self.sample.import.as_ref().and_then(|import| import.necks.as_ref()) {
-            Some(file) => import::read_necks(file, spheres.len())?,
+            Some(file) => import::read_necks(file, &spheres)?,
             None => necks(&spheres, self.sample.neck_distance.value, !self.sample.neck_cycles),
         };
         Ok((spheres, keep_fraction(&joined, self.sample.neck_fraction, self.seed)))

@@ -3,7 +3,6 @@
 use super::{Format, Raw, Source};
 use crate::error::Error;
 use crate::observe::morphology::components;
-use crate::{build::aggregate::Sphere, spec::Vec3};
 
 /// Rows of four numbers, the radius first or last; lines that begin with `#` are comments.
 pub fn rows(source: &Source, radius_first: bool) -> Result<Raw, Error> {
@@ -24,9 +23,7 @@ pub fn rows(source: &Source, radius_first: bool) -> Result<Raw, Error> {
 pub fn detect(source: &Source) -> Result<Format, Error> {
     let read = |format| {
         let raw = rows(source, format == Format::Mstm);
-        let sphere = |(x, &radius): (&[f64; 3], &f64)| Sphere { centre: Vec3(*x), radius };
-        let parts = |raw: &Raw| components(&raw.centres.iter().zip(&raw.radii).map(sphere).collect::<Vec<_>>());
-        raw.map(|raw| parts(&raw) == 1)
+        raw.and_then(|raw| Ok(components(&raw.spheres(source, 1.0, None)?) == 1))
     };
     match (read(Format::Mstm), read(Format::FracVal)) {
         (Ok(true), Ok(false) | Err(_)) | (Ok(false), Err(_)) => Ok(Format::Mstm),
@@ -40,7 +37,8 @@ pub fn detect(source: &Source) -> Result<Format, Error> {
     }
 }
 
-/// A number, a comment, rows `species x y z` and perhaps a radius. A comment that lists `Properties` tells the columns.
+/// A number, a comment, rows `species x y z` and perhaps a radius. A comment that lists `Properties` tells the columns. Without it
+/// a fifth column is the radius if it is the last: several may be a velocity or a force.
 pub fn xyz(source: &Source) -> Result<Raw, Error> {
     let mut lines = source.lines();
     let (_, first) = lines.next().unwrap_or_default();
@@ -52,7 +50,7 @@ pub fn xyz(source: &Source) -> Result<Raw, Error> {
     let (pos, radius) = match named {
         Some((Some(pos), radius)) => (pos, radius),
         Some((None, _)) => return Err(source.at(2, "found `Properties` without `pos:R:3`")),
-        None => (1, Some(4)),
+        None => (1, None),
     };
     let mut raw = Raw::default();
     for _ in 0..number {
@@ -64,6 +62,7 @@ pub fn xyz(source: &Source) -> Result<Raw, Error> {
         let Some(&[x, y, z]) = words.get(pos..pos + 3) else {
             return Err(source.at(k, &format!("found {} columns, expected at least {}", words.len(), pos + 3)));
         };
+        let radius = radius.or((named.is_none() && words.len() == 5).then_some(4));
         raw.push(source, k, [x, y, z], radius.and_then(|column| words.get(column).copied()))?;
     }
     match lines.find(|(_, line)| !line.is_empty()) {
@@ -96,6 +95,7 @@ impl Raw {
         self.radii.extend(radius.map(|word| source.radius(line, word)).transpose()?);
         let [x, y, z] = x.map(|word| source.number(line, word));
         self.centres.push([x?, y?, z?]);
+        self.lines.push(line);
         Ok(())
     }
 }

@@ -60,10 +60,15 @@ pub struct Imported {
     pub report: Report,
 }
 
+/// Coordinates are at most this many radii: farther out single precision does not tell which spheres touch.
+const FAR: f64 = 1e6;
+
 /// The numbers of a file, in its own units.
 #[derive(Debug, Default)]
 struct Raw {
     centres: Vec<[f64; 3]>,
+    /// Where each centre is in the file.
+    lines: Vec<usize>,
     /// One for each sphere, or none at all.
     radii: Vec<f64>,
     /// Whether the unit of length is the radius of a sphere.
@@ -72,8 +77,14 @@ struct Raw {
 
 /// Reads an aggregate.
 pub fn read(file: &Path, options: &Options) -> Result<Imported, Error> {
-    let text = std::fs::read_to_string(file).map_err(|cause| Error::NoInput(file.into(), cause))?;
-    parse(file, &text, options)
+    parse(file, &text_of(file)?, options)
+}
+
+/// The text of a file without the mark of its encoding. What is no UTF-8, as an accent in a comment may be, is replaced.
+fn text_of(file: &Path) -> Result<String, Error> {
+    let bytes = std::fs::read(file).map_err(|cause| Error::NoInput(file.into(), cause))?;
+    let text = String::from_utf8_lossy(&bytes);
+    Ok(text.strip_prefix('\u{feff}').unwrap_or(&text).into())
 }
 
 /// Reads an aggregate from the text of a file.
@@ -91,13 +102,20 @@ pub fn parse(file: &Path, text: &str, options: &Options) -> Result<Imported, Err
         Format::Mstm => columns::rows(&source, true)?,
         Format::FracVal | Format::PyFracVal => columns::rows(&source, false)?,
     };
-    let spheres = scaled(&source, &raw, format, options)?;
+    let spheres = scaled(&source, &raw, options)?;
     let parts = components(&spheres);
     if parts > 1 && !options.disconnected {
         let what = format!("found {parts} parts that do not touch, expected one; `disconnected` accepts them");
         return Err(Error::input(file, what));
     }
     Ok(Imported { format, report: Report::of(&spheres, parts), spheres })
+}
+
+/// The spheres as extended XYZ with all their digits, nm.
+pub fn extended_xyz(spheres: &[Sphere]) -> String {
+    let row = |Sphere { centre: Vec3([x, y, z]), radius }: &Sphere| format!("sphere {x} {y} {z} {radius}\n");
+    let rows: String = spheres.iter().map(row).collect();
+    format!("{}\nProperties=species:S:1:pos:R:3:radius:R:1\n{rows}", spheres.len())
 }
 
 /// Who wrote a file, by its content.
@@ -127,7 +145,7 @@ fn detect(source: &Source) -> Result<Format, Error> {
 }
 
 /// The spheres in nm.
-fn scaled(source: &Source, raw: &Raw, format: Format, options: &Options) -> Result<Vec<Sphere>, Error> {
+fn scaled(source: &Source, raw: &Raw, options: &Options) -> Result<Vec<Sphere>, Error> {
     let missing = |key: &str, what: &str| Err(source.problem(None, key, what));
     for (key, value) in [("unit", options.unit), ("radius", options.radius)] {
         if value.is_some_and(|value| !(value > 0.0 && value.is_finite())) {
@@ -161,15 +179,29 @@ fn scaled(source: &Source, raw: &Raw, format: Format, options: &Options) -> Resu
         _ => {
             return missing(
                 "radius",
-                &format!("is missing, expected the radius of the spheres: {format:?} files may not tell it"),
+                "is missing, expected the radius of the spheres: XYZ tells it in a fifth column that is the last, or in one that `Properties` names",
             );
         }
     };
-    let sphere = |(k, x): (usize, &[f64; 3])| Sphere {
-        centre: Vec3(x.map(|c| c * unit)),
-        radius: own.unwrap_or_else(|| raw.radii[k] * unit),
-    };
-    Ok(raw.centres.iter().enumerate().map(sphere).collect())
+    raw.spheres(source, unit, own)
+}
+
+impl Raw {
+    /// The spheres in another unit, and of a radius in that unit where the file has none.
+    fn spheres(&self, source: &Source, unit: f64, own: Option<f64>) -> Result<Vec<Sphere>, Error> {
+        let sphere = |k: usize| {
+            let centre = Vec3(self.centres[k].map(|x| x * unit));
+            let radius = own.unwrap_or_else(|| self.radii[k] * unit);
+            match centre.0.iter().find(|x| x.abs() > FAR * radius) {
+                Some(x) => {
+                    let what = format!("found a coordinate of {:e} radii, expected at most {FAR:e}", x / radius);
+                    Err(source.at(self.lines[k], &what))
+                }
+                None => Ok(Sphere { centre, radius }),
+            }
+        };
+        (0..self.centres.len()).map(sphere).collect()
+    }
 }
 
 /// A file and how to complain about it.

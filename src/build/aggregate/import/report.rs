@@ -6,8 +6,9 @@ use crate::spec::Real;
 use serde::Serialize;
 use std::fmt;
 
-/// Surfaces that are deeper in each other than this part of the mean diameter overlap: files in single precision stay below it.
-const OVERLAP: f64 = 1e-6;
+/// Surfaces that are deeper in each other than this part of the diameter and of the largest coordinate overlap. Rounding
+/// both spheres to single precision, each number by half of EPSILON, brings the surfaces nearer by less than half of that.
+const OVERLAP: f64 = 4.0 * f32::EPSILON as f64;
 
 /// Figures for people.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -39,6 +40,7 @@ impl Report {
                 (a.gap(b), a.radius + b.radius)
             })
             .collect();
+        let largest = spheres.iter().flat_map(|s| s.centre.0).map(f64::abs).fold(0.0, f64::max);
         let r_g = gyration_radius(spheres, Extent::Centres);
         let n = spheres.len() as f64;
         let mean = Real::exp(spheres.iter().map(|s| Real::ln(s.radius)).sum::<f64>() / n);
@@ -49,7 +51,7 @@ impl Report {
             d_f,
             k_f: d_f.map(|d_f| n / crate::spec::soot::eq24_fractal::fractal_number(1.0, r_g, mean, d_f)),
             smallest_gap: gaps.iter().map(|gap| gap.0).min_by(f64::total_cmp),
-            overlaps: gaps.iter().filter(|(gap, diameter)| *gap < -OVERLAP * diameter).count(),
+            overlaps: gaps.iter().filter(|(gap, diameter)| *gap < -OVERLAP * (diameter + largest)).count(),
             components,
         }
     }

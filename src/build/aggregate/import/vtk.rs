@@ -1,9 +1,13 @@
 //! The legacy VTK of soot-dem: points in units of the monomer radius, and its files of necks.
 
-use super::{Raw, Source};
-use crate::build::aggregate::necks::Neck;
+use super::{Raw, Source, text_of};
+use crate::build::aggregate::{Sphere, necks::Neck};
 use crate::error::Error;
+use crate::spec::soot::eq26_coordination::are_neighbours;
 use std::path::Path;
+
+/// Largest gap of a neck, as a fraction of the mean diameter: soot-dem joins spheres up to 1 nm apart, a tenth for small ones.
+const NECK: f64 = 0.1;
 
 /// The points of a `DATASET POLYDATA` in ASCII; what follows them is not read.
 pub fn read(source: &Source) -> Result<Raw, Error> {
@@ -23,30 +27,47 @@ pub fn read(source: &Source) -> Result<Raw, Error> {
     Ok(raw)
 }
 
-/// The necks of an aggregate of `number` spheres: a field `connections`, which lists the places `i * number + j` of a matrix,
+/// The necks of an aggregate of `n` spheres: a field `connections`, which lists the places `i * n + j` of a matrix,
 /// each neck from both ends.
-pub fn read_necks(file: &Path, number: usize) -> Result<Vec<Neck>, Error> {
-    let text = std::fs::read_to_string(file).map_err(|cause| Error::NoInput(file.into(), cause))?;
+pub fn read_necks(file: &Path, spheres: &[Sphere]) -> Result<Vec<Neck>, Error> {
+    let text = text_of(file)?;
     let source = Source { file, text: &text };
     let mut words = section(&source, "connections")?;
     let columns = count(&source, &mut words, "the number of columns")?;
     let rows = count(&source, &mut words, "the number of rows")?;
-    next(&source, &mut words, "the type of the connections")?;
-    let mut necks = Vec::new();
-    for _ in 0..columns * rows {
-        let (line, word) = next(&source, &mut words, &format!("{} connections", columns * rows))?;
+    let (line, _) = next(&source, &mut words, "the type of the connections")?;
+    let Some(size) = columns.checked_mul(rows) else {
+        return Err(source.at(line, &format!("found {columns} times {rows} connections, expected fewer")));
+    };
+    let number = spheres.len();
+    let mut ends = Vec::new();
+    for _ in 0..size {
+        let (line, word) = next(&source, &mut words, &format!("{size} connections"))?;
         let place =
             word.parse::<usize>().ok().filter(|&place| place < number * number && place / number != place % number);
         let Some(place) = place else {
             let what = format!("found `{word}`, expected i * {number} + j with i and j below {number} and unequal");
             return Err(source.at(line, &what));
         };
-        let (i, j) = (place / number, place % number);
-        necks.push((i.min(j), i.max(j)));
+        ends.push((place / number, place % number, line));
     }
-    necks.sort_unstable();
-    necks.dedup();
-    Ok(necks)
+    ends.sort_unstable();
+    // Necks of another aggregate mostly lie between spheres that are far apart, or are seen from one end.
+    for &(i, j, line) in &ends {
+        let (a, b) = (&spheres[i], &spheres[j]);
+        let what = if are_neighbours(a.centre, b.centre, a.radius, b.radius, NECK) == 0.0 {
+            format!("whose gap is {:.3} nm, expected at most {NECK} of their mean diameter", a.gap(b))
+        } else if ends.binary_search_by_key(&(j, i), |&(i, j, _)| (i, j)).is_err() {
+            format!("but not {}, expected each neck from both ends", j * number + i)
+        } else {
+            continue;
+        };
+        let place = i * number + j;
+        return Err(source.at(line, &format!("found {place}, a neck of the spheres {i} and {j}, {what}")));
+    }
+    ends.retain(|&(i, j, _)| i < j);
+    ends.dedup_by_key(|&mut (i, j, _)| (i, j));
+    Ok(ends.into_iter().map(|(i, j, _)| (i, j)).collect())
 }
 
 type Words<'a> = Box<dyn Iterator<Item = (usize, &'a str)> + 'a>;
