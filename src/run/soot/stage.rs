@@ -37,9 +37,14 @@ pub fn set_up(stage: &SootStage, ground: &Ground, mut system: System) -> Result<
     Ok(system)
 }
 
-/// The surface that a stage asks for from a file, if any.
+/// The surface that a stage asks for from a file, if any. The aggregate is put outside of it.
 pub fn solid(stage: &SootStage) -> Result<Option<Mesh>, Error> {
-    stage.solid().map(|Solid { stl, unit }| read_stl(stl, unit.value)).transpose()
+    let Some(Solid { stl, unit }) = stage.solid() else { return Ok(None) };
+    let mesh = read_stl(stl, unit.value)?;
+    if mesh.is_closed() && mesh.volume() < 0.0 {
+        return Err(Error::input(stl, "its normals point inwards, expected them to point out of the body"));
+    }
+    Ok(Some(mesh))
 }
 
 fn deposit(test: &Deposition, solid: Option<Mesh>, ground: &Ground, system: &mut System) {

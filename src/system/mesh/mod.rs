@@ -74,6 +74,15 @@ impl Mesh {
         self.closed
     }
 
+    /// What a closed one bounds, nm^3; negative if its normals point inwards.
+    pub fn volume(&self) -> f64 {
+        let under = |t| {
+            let [a, b, c] = self.triangle(t);
+            a.dot(b.cross(c)) / 6.0
+        };
+        (0..self.triangles.len()).map(under).sum()
+    }
+
     /// The corners of a triangle.
     pub fn triangle(&self, t: usize) -> [Vec3<f64>; 3] {
         self.triangles[t].map(|v| self.vertices[v as usize])

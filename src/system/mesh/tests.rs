@@ -155,6 +155,13 @@ proptest! {
 }
 
 #[test]
+fn a_box_bounds_its_volume_and_turned_inside_out_less_than_none() {
+    let triangles = cuboid([1.0, 2.0, 3.0], 2);
+    let turned: Vec<Corners> = triangles.iter().map(|&[a, b, c]| [a, c, b]).collect();
+    assert!((mesh(&triangles).volume() - 6.0).abs() < 1e-12 && (mesh(&turned).volume() + 6.0).abs() < 1e-12);
+}
+
+#[test]
 fn a_square_of_two_triangles_is_a_plane_on_both_sides_and_ends_at_its_border() {
     let [a, b, c, d] = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(|[x, y]| Vec3([x, y, 0.0]));
     let sheet = mesh(&[[a, b, c], [a, c, d]]);
