@@ -29,7 +29,7 @@ const TERMS: i32 = 61;
 /// | `a` | $A$ | J | >= 0 | Hamaker constant |
 /// | → `u` | $U$ | J | | energy, zero for spheres far apart |
 ///
-/// Rounding: at most 2 ULP.
+/// Rounding: at most 2.5 ULP.
 ///
 /// # Laws
 ///

@@ -21,7 +21,7 @@ use crate::{Real, equation};
 /// | `a` | $A$ | J | >= 0 | Hamaker constant |
 /// | → `u` | $U$ | J | | energy, zero for spheres far apart |
 ///
-/// Rounding: at most 2 ULP.
+/// Rounding: at most 2.5 ULP.
 ///
 /// # Laws
 ///

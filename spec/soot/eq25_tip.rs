@@ -54,7 +54,7 @@ pub fn tip_velocity<R: Real>(t: R, v_tip: R, rate: R, t_reversal: R) -> R {
 /// | `t_reversal` | $t_\mathrm{r}$ | s | >= 0 | time of the turn, $1.08 \cdot 10^{-8}$ s |
 /// | → `z` | $z$ | m | | way, negative downwards |
 ///
-/// Rounding: at most 1 ULP.
+/// Rounding: at most 1.5 ULP.
 ///
 /// # Laws
 ///
