@@ -119,8 +119,8 @@ pub fn dynamic_friction<R: Real>(mu_d: R, f_n: R) -> R {
 ///
 /// # Reading
 ///
-/// Erratum: the signs belong to a force $-k\boldsymbol{\xi} - \eta\dot{\boldsymbol{\xi}}$. With Eq. 12 the printed spring pulls the other way in the next step: driven steadily, friction would
-/// change its direction in every step and be zero on average. The spring is meant to go on with the force that was applied,
+/// Erratum: the signs belong to a force $-k\boldsymbol{\xi} - \eta\dot{\boldsymbol{\xi}}$. With Eq. 12 the printed spring pulls the other way in the step after a slip: driven steadily, friction would
+/// jump from $f_{\mathrm{C,s}}$ to $-f_{\mathrm{C,d}}$ at every slip and be $(f_{\mathrm{C,s}} - f_{\mathrm{C,d}})/2$ on average, nothing where the two are equal. The spring is meant to go on with the force that was applied,
 /// $\boldsymbol{\xi}' = \frac{1}{k} \big(f_{\mathrm{C,d}} \mathbf{f}_0 / \lVert \mathbf{f}_0 \rVert - \eta\dot{\boldsymbol{\xi}}\big)$. Without stiffness there is no spring, and its length is zero.
 ///
 /// | name | symbol | unit | domain | meaning |
@@ -137,6 +137,7 @@ pub fn dynamic_friction<R: Real>(mu_d: R, f_n: R) -> R {
 /// # Laws
 ///
 /// * `the_spring_goes_on_with_the_force_that_was_applied_which_the_printed_one_reverses`
+/// * `a_steady_drive_is_held_by_half_the_difference_of_static_and_dynamic_friction_as_printed`
 /// * `a_dashpot_alone_keeps_no_spring`
 #[inline(always)]
 pub fn slipped_spring<R: Real>(k: R, eta: R, f_cd: R, f_0: Vec3<R>, xi_dot: Vec3<R>) -> Vec3<R> {
@@ -249,6 +250,21 @@ mod laws {
             prop_assert!((spring_force(k, spring, eta, xi_dot) - applied).norm() < 1e-14);
             let printed = -slipped_spring(k, -eta, f_cd, f_0, xi_dot);
             prop_assert!((spring_force(k, printed, eta, xi_dot) + applied).norm() < 1e-14);
+        }
+
+        #[test]
+        fn a_steady_drive_is_held_by_half_the_difference_of_static_and_dynamic_friction_as_printed(mu_s in 0.5..1.0f64, share in 0.2..1.0f64) {
+            let step = Vec3::new(5e-3, 0.0, 0.0);
+            let (mut spring, mut forces) = (Vec3::zero(), vec![]);
+            for _ in 0..20_000 {
+                let (slip, .., f, next) = spring_with_friction(spring + step, Vec3::zero(), 1.0, 0.0, mu_s, share * mu_s, 1.0);
+                spring = if slip > 0.0 { -next } else { next };
+                forces.push(f.0[0]);
+            }
+            let mean = forces.iter().sum::<f64>() / forces.len() as f64;
+            prop_assert!((mean - 0.5 * (1.0 - share) * mu_s).abs() < 0.03);
+            let least = forces.iter().copied().fold(0.0, f64::min);
+            prop_assert!((least + share * mu_s).abs() < 0.01);
         }
 
         #[test]

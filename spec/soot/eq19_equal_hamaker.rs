@@ -21,7 +21,7 @@ use crate::{Real, equation};
 /// | `a` | $A$ | J | >= 0 | Hamaker constant |
 /// | → `u` | $U$ | J | | energy, zero for spheres far apart |
 ///
-/// Rounding: at most 8 ULP.
+/// Rounding: at most 2.5 ULP.
 ///
 /// # Laws
 ///
@@ -83,7 +83,7 @@ pub fn equal_hamaker_force<R: Real>(r: R, delta: R, a: R) -> R {
 /// | → `f` | $f$ | N | | attraction |
 /// | → `u` | $U$ | J | | energy |
 ///
-/// Rounding: at most 6 ULP.
+/// Rounding: at most 2 ULP.
 ///
 /// # Laws
 ///

@@ -21,7 +21,7 @@ use crate::{Real, equation};
 /// | `a` | $A$ | J | >= 0 | Hamaker constant |
 /// | → `u` | $U$ | J | | energy, zero for a sphere far away |
 ///
-/// Rounding: at most 5 ULP.
+/// Rounding: at most 2 ULP.
 ///
 /// # Laws
 ///
@@ -80,7 +80,7 @@ pub fn plane_force<R: Real>(r: R, delta: R, a: R) -> R {
 /// | → `f` | $f$ | N | | attraction |
 /// | → `u` | $U$ | J | | energy |
 ///
-/// Rounding: at most 4 ULP.
+/// Rounding: at most 2 ULP.
 ///
 /// # Laws
 ///
