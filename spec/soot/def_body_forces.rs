@@ -80,7 +80,7 @@ impl<R: Real> Attraction<R> {
 /// | → `u_vdw` | $U_{\mathrm{vdW}}$ | J | | van der Waals energy |
 /// | → `u_cap` | $U_{\mathrm{cap}}$ | J | | capillary energy |
 ///
-/// Rounding: at most 10 ULP.
+/// Rounding: at most 16 ULP.
 ///
 /// # Laws
 ///
