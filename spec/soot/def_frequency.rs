@@ -67,7 +67,7 @@ pub fn neck_frequencies<R: Real>(k_n: R, k_t: R, k_r: R, k_o: R, m: R, i: R, r: 
 /// | `m_j` | $m_j$ | kg | > 0 | mass of j |
 /// | → `lambda` | $\lambda$ | 1 | | stable below 4 |
 ///
-/// Rounding: at most 3 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

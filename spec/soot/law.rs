@@ -215,12 +215,13 @@ impl Springs<f64> {
         let twisted = mean_arm(r, other).powi(2) * (1.0 / solid_inertia(m, r) + 1.0 / solid_inertia(m_j, other));
         let straight = stable_time_step(effective_mass(m, m_j), self.k_n, self.eta_n);
         let most = straight.min(stable_time_step(1.0 / twisted, self.k_o, self.eta_o));
-        let of_step = |k: f64, eta: f64, dt: f64| k * dt * dt + 2.0 * eta * dt;
+        // What is missing limits no step, not even an endless one.
+        let of_step = |k: f64, eta: f64, dt: f64| if k + eta > 0.0 { k * dt * dt + 2.0 * eta * dt } else { 0.0 };
         let is_stable = |dt: f64| {
             let (slide, roll) = (of_step(self.k_t, self.eta_t, dt), of_step(self.k_r, self.eta_r, dt));
             slide_and_roll(slide, roll, r, other, m, m_j) <= 4.0
         };
-        if is_stable(most) { most } else { bisected(most, is_stable) }
+        if is_stable(most) { most } else { bisected(most.min(f64::MAX), is_stable) }
     }
 
     /// Largest time step, s, at which none of them gains energy if they act before they are stretched: the normal spring never does.
