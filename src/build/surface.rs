@@ -123,9 +123,9 @@ mod tests {
         let place = text.match_indices("facet normal").nth(2).expect("four facets").0;
         let parts = [
             &b"\xef\xbb\xbf"[..],
-            text[..place].as_bytes(),
+            &text.as_bytes()[..place],
             b"endsolid\n\nsolid \xe9t\xe9\n",
-            text[place..].as_bytes(),
+            &text.as_bytes()[place..],
         ];
         let mesh = read_stl(&write(&folder, "two.stl", &parts.concat()), 14.0).expect("a surface");
         assert_eq!(mesh, tetrahedron(14.0));

@@ -228,10 +228,8 @@ impl Case {
     pub(super) fn choose_necks(&mut self) {
         let Some((.., stages)) = self.soot() else { return };
         let restructured = stages.iter().all(|stage| matches!(stage, SootStage::Restructuring(_)));
-        if let Model::Soot(soot) = &mut self.model {
-            if soot.neck_springs.is_none() {
-                soot.necks.get_or_insert(if restructured { NeckSet::P } else { NeckSet::S });
-            }
+        if let Model::Soot(Soot { necks, neck_springs: None, .. }) = &mut self.model {
+            necks.get_or_insert(if restructured { NeckSet::P } else { NeckSet::S });
         }
     }
 

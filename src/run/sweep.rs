@@ -51,12 +51,11 @@ impl Point {
 
 /// No two runs may be the same, nor go into the same folder.
 pub fn distinct(points: &[Point]) -> Result<(), Error> {
-    let same: [(fn(&Point) -> &str, &str); 2] =
-        [(|point| &point.resolved, "are the same case"), (|point| &point.name, "have the same run folder")];
-    for (of, what) in same {
+    let same = ["are the same case", "have the same run folder"];
+    for (k, what) in same.into_iter().enumerate() {
         let mut seen = HashMap::new();
         for point in points {
-            if let Some(other) = seen.insert(of(point), point) {
+            if let Some(other) = seen.insert([&point.resolved, &point.name][k], point) {
                 let told = |point: &Point| point.values.join(", ");
                 return Err(Error::Usage(format!("`{}` and `{}` {what}", told(other), told(point))));
             }
