@@ -35,10 +35,10 @@ pub fn read_stl(path: &Path, unit: f64) -> Result<Mesh, Error> {
     Mesh::new(&triangles).map_err(|flaw| Error::input(path, flaw.to_string()))
 }
 
-/// Whether a file is as long as a header, the number of its triangles and 50 bytes for each.
+/// Whether a file is at least as long as a header, the number of its triangles and 50 bytes for each: four letters would be a number of millions.
 fn is_binary(bytes: &[u8]) -> bool {
     let number = bytes[80.min(bytes.len())..].first_chunk().map(|number| u32::from_le_bytes(*number));
-    number.is_some_and(|number| bytes.len() as u64 == 84 + 50 * u64::from(number))
+    number.is_some_and(|number| bytes.len() as u64 >= 84 + 50 * u64::from(number))
 }
 
 /// An ASCII file with the facets of all its solids in one: the reader stops where the first ends.
@@ -49,11 +49,11 @@ fn as_one_solid(path: &Path, text: &str) -> Result<String, Error> {
             (Some("solid"), false) => inside = true,
             (Some("endsolid"), true) => inside = false,
             (Some(_), true) => one.extend([line, "\n"]),
-            (Some(word), false) => {
-                let what = format!("found `{word}`, expected another `solid` or nothing");
+            (Some("facet"), false) => {
+                let what = "found `facet`, expected a `solid` before it".into();
                 return Err(Error::Input(vec![Problem { file: path.into(), line: Some(k + 1), key: "".into(), what }]));
             }
-            (None, _) => {}
+            _ => {}
         }
     }
     Ok(if inside { one } else { one + "endsolid\n" })
@@ -129,10 +129,12 @@ mod tests {
         ];
         let mesh = read_stl(&write(&folder, "two.stl", &parts.concat()), 14.0).expect("a surface");
         assert_eq!(mesh, tetrahedron(14.0));
-        let named = [&b"solid "[..], &binary[6..]].concat();
+        let named = [&b"solid "[..], &binary[6..], b"\n\n"].concat();
         assert_eq!(read_stl(&write(&folder, "named.stl", &named), 14.0).expect("a surface"), mesh);
+        let remarked = text.clone() + "# by hand\n";
+        assert_eq!(read_stl(&write(&folder, "remarked.stl", remarked.as_bytes()), 14.0).expect("a surface"), mesh);
         let trouble = read_stl(&write(&folder, "more.stl", (text + "facet\n").as_bytes()), 1.0).expect_err("no solid");
-        assert!(trouble.to_string().ends_with("more.stl:31: found `facet`, expected another `solid` or nothing"));
+        assert!(trouble.to_string().ends_with("more.stl:31: found `facet`, expected a `solid` before it"));
     }
 
     #[test]

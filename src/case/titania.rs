@@ -343,8 +343,10 @@ impl Case {
     pub fn titania_step_limit(&self) -> f64 {
         let (titania, test) = self.titania().expect(OF_TITANIA);
         let (r, mass) = titania.particle(test.smallest());
-        let neck = titania.neck_springs.as_ref().map(|springs| springs.spec().critical_time_step(r, mass, r));
-        titania.law().critical_time_step(r, mass).min(neck.unwrap_or(f64::INFINITY))
+        let limit = titania.law().critical_time_step(r, mass);
+        let (Some(springs), TitaniaTest::Spectroscopy(film, _)) = (&titania.neck_springs, &test) else { return limit };
+        let (neck, largest) = (springs.spec(), titania.particle(film.diameters.largest.value).0);
+        [r, largest].into_iter().map(|other| neck.critical_time_step(r, mass, other)).fold(limit, f64::min)
     }
 
     /// What follows from a case of the titania paper, with units.

@@ -62,7 +62,7 @@ pub fn launch(
         inputs.insert(file.display().to_string(), sha256_file(&file)?);
     }
     // Whatever is wrong with the input is found before anything is written.
-    saves(&case).map_err(|error| located(error, file, &text))?;
+    saves(&case, root).map_err(|error| located(error, file, &text))?;
     let initial = with_plan!(case, plan => plan.initial()).map_err(|error| located(error, file, &text))?;
     let folder = RunFolder::create(root, replace)?;
     write_atomically(&folder.case(), text.as_bytes())?;
@@ -88,8 +88,8 @@ fn files(case: &Case) -> Result<Vec<PathBuf>, Error> {
     Ok(files)
 }
 
-/// Whether the folders are there that a case keeps samples in.
-fn saves(case: &Case) -> Result<(), Error> {
+/// Whether the folders are there that a case keeps samples in, or will be with the run.
+fn saves(case: &Case, root: &Path) -> Result<(), Error> {
     let mut found = match &case.sample {
         Sample::Amorphous(Amorphous { save, .. }) => vec![("sample.amorphous".to_string(), save.clone())],
         Sample::Film(film) => vec![("sample.film".to_string(), film.save.clone())],
@@ -101,9 +101,9 @@ fn saves(case: &Case) -> Result<(), Error> {
         }
     }
     for (section, file) in found.into_iter().filter_map(|(section, file)| Some((section, file?))) {
-        // That of a mere name is empty, and means the current one.
+        // That of a mere name is empty.
         let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty());
-        if folder.is_some_and(|folder| !folder.is_dir()) {
+        if folder.is_some_and(|folder| !folder.is_dir() && !root.ancestors().any(|of_run| of_run == folder)) {
             let what = format!("found `{}`, expected a file in a folder that exists", file.display());
             return Err(Error::of_key(format!("{section}.save"), what));
         }
@@ -115,7 +115,8 @@ fn saves(case: &Case) -> Result<(), Error> {
 pub fn examine(file: &Path) -> Result<Case, Error> {
     let (case, text) = Case::read(file)?;
     files(&case)?;
-    saves(&case).map_err(|error| located(error, file, &text))?;
+    saves(&case, &Path::new("run").join(file.file_stem().unwrap_or_default()))
+        .map_err(|error| located(error, file, &text))?;
     with_plan!(case, plan => plan.examine()).map_err(|error| located(error, file, &text))?;
     Ok(case)
 }
