@@ -2,7 +2,10 @@
 
 use super::{Manner, print};
 use crate::build::aggregate::import::{Imported, Options, extended_xyz, read, read_necks};
+use crate::build::aggregate::necks::necks;
+use crate::case::Aggregate;
 use crate::case::quantity::{Length, Quantity};
+use crate::case::section::defaults;
 use crate::error::Error;
 use crate::output::write_atomically;
 use std::path::PathBuf;
@@ -43,16 +46,21 @@ pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
     let format = arguments.format.as_ref().map(word).transpose()?;
     let options = Options { format, unit, radius, disconnected: arguments.disconnected };
     let imported = read(&arguments.file, &options)?;
-    let necks = arguments.necks.as_ref().map(|file| read_necks(file, &imported.spheres)).transpose()?;
+    let Aggregate { neck_distance, neck_cycles, .. } = defaults();
+    let (necks, which) = match &arguments.necks {
+        Some(file) => (read_necks(file, &imported.spheres)?.len(), String::new()),
+        None => {
+            let found = necks(&imported.spheres, neck_distance.value, !neck_cycles);
+            (found.len(), format!(" across gaps below {neck_distance}, `neck_distance`"))
+        }
+    };
     if let Some(path) = &arguments.out {
         write_atomically(path, extended_xyz(&imported.spheres).as_bytes())?;
         manner.say(format!("written: {}", path.display()));
     }
     let Imported { format, report, .. } = imported;
     if manner.json {
-        let necks = necks.map(|necks| necks.len());
         return print(&format!("{:#}\n", serde_json::json!({ "format": format, "necks": necks, "report": report })));
     }
-    let necks = necks.map_or_else(String::new, |necks| format!("necks            {}\n", necks.len()));
-    print(&format!("{format:?}\n{report}\n{necks}"))
+    print(&format!("{format:?}\n{report}\nnecks            {necks}{which}\n"))
 }
