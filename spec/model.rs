@@ -218,8 +218,8 @@ pub trait PairModel: Sync {
     fn stored<R: Real>(&self, c: &Contact<R>, k: &Self::Coefficients<R>, memory: &Self::Memory<R>) -> Self::Stored<R>;
     /// Largest stable time step of two equal spheres in contact, s.
     fn critical_time_step(&self, r: f64, m: f64) -> f64;
-    /// The same of a sphere that touches one of the same density with another radius, m: larger ones need no other step unless a model says so.
-    fn critical_time_step_beside(&self, r: f64, m: f64, _other: f64) -> f64 {
+    /// The same of a sphere among others of the same density with radii up to `largest`, m: they need no other step unless a model says so.
+    fn critical_time_step_among(&self, r: f64, m: f64, _largest: f64) -> f64 {
         self.critical_time_step(r, m)
     }
 

@@ -129,11 +129,11 @@ impl<M: PairModel> PairModel for Necked<M> {
     }
 
     fn critical_time_step(&self, r: f64, m: f64) -> f64 {
-        self.critical_time_step_beside(r, m, r)
+        self.critical_time_step_among(r, m, r)
     }
 
-    fn critical_time_step_beside(&self, r: f64, m: f64, other: f64) -> f64 {
-        self.law.critical_time_step_beside(r, m, other).min(self.neck.critical_time_step(r, m, other))
+    fn critical_time_step_among(&self, r: f64, m: f64, largest: f64) -> f64 {
+        self.law.critical_time_step_among(r, m, largest).min(self.neck.critical_time_step(r, m, largest))
     }
 }
 

@@ -65,6 +65,8 @@ impl<R: Real> Attraction<R> {
 /// The force is not shifted and ends with a jump of its value there; the energies are shifted so that they end at zero. For two spheres of 14 nm the van der Waals force left out is at
 /// most 1.1e-13 N (0.1 %) beyond 42 nm and 1.4e-15 N (14 parts in a million) beyond 70 nm, the capillary force of $\kappa d_{\mathrm{cutoff}} = 10$ at most 0.7 % beyond 70 nm.
 ///
+/// Where both distances are within saturation, equal energies are subtracted: the bound of the rounding is that of such pairs.
+///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `d` | $d$ | m | > 0 | distance of the centres |

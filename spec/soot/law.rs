@@ -5,9 +5,7 @@ use super::def_frequency::slide_and_roll;
 use super::def_grip::{Friction, Grip, Losses, Memory, Order, Springs};
 use super::def_meeting::Meeting;
 use super::def_neck_stress::neck_stress;
-use super::def_sphere::solid_inertia;
 use super::def_spring::{Twist, lag_limit};
-use super::eq03_geometry::mean_arm;
 use super::eq12_spring_force::turning_torque;
 use crate::wear::def_stable_step::stable_time_step;
 use crate::wear::eq17_effective_mass::effective_mass;
@@ -166,12 +164,12 @@ impl<S: Reading> PairModel for Soot<S> {
     }
 
     fn critical_time_step(&self, r: f64, m: f64) -> f64 {
-        self.critical_time_step_beside(r, m, r)
+        self.critical_time_step_among(r, m, r)
     }
 
-    /// Largest stable time step of two solid spheres in contact or with a neck, s. Springs of a contact may lag by more: they slip before they gain much.
-    fn critical_time_step_beside(&self, r: f64, m: f64, other: f64) -> f64 {
-        let limit = self.neck.critical_time_step(r, m, other).min(self.contact.critical_time_step(r, m, other));
+    /// Largest stable time step of a sphere in contact or with a neck, s. Springs of a contact may lag by more: they slip before they gain much.
+    fn critical_time_step_among(&self, r: f64, m: f64, largest: f64) -> f64 {
+        let limit = self.neck.critical_time_step(r, m, largest).min(self.contact.critical_time_step(r, m, largest));
         if S::ORDER == Order::ActFirst { limit.min(self.neck.lag_limit()) } else { limit }
     }
 
@@ -209,18 +207,24 @@ impl<S: Reading> PairModel for Soot<S> {
 }
 
 impl Springs<f64> {
-    /// Largest stable time step of two solid spheres of one density that these springs hold, s.
-    pub fn critical_time_step(&self, r: f64, m: f64, other: f64) -> f64 {
-        let m_j = m * (other / r).powi(3);
-        let twisted = mean_arm(r, other).powi(2) * (1.0 / solid_inertia(m, r) + 1.0 / solid_inertia(m_j, other));
-        let straight = stable_time_step(effective_mass(m, m_j), self.k_n, self.eta_n);
-        let most = straight.min(stable_time_step(1.0 / twisted, self.k_o, self.eta_o));
+    /// Largest stable time step of a solid sphere that these springs hold to an equal one, or to one of the same density up to the `largest` radius, s.
+    pub fn critical_time_step(&self, r: f64, m: f64, largest: f64) -> f64 {
+        // Radii between the two need no shorter step.
+        self.limit_of_pair(r, m, r).min(self.limit_of_pair(r, m, largest))
+    }
+
+    fn limit_of_pair(&self, r: f64, m: f64, other: f64) -> f64 {
+        let ratio = other / r;
+        let m_j = m * ratio * ratio * ratio;
         // What is missing limits no step, not even an endless one.
         let of_step = |k: f64, eta: f64, dt: f64| if k + eta > 0.0 { k * dt * dt + 2.0 * eta * dt } else { 0.0 };
         let is_stable = |dt: f64| {
-            let (slide, roll) = (of_step(self.k_t, self.eta_t, dt), of_step(self.k_r, self.eta_r, dt));
-            slide_and_roll(slide, roll, r, other, m, m_j) <= 4.0
+            let turn = |slide: f64, k: f64, eta: f64| slide_and_roll(slide, of_step(k, eta, dt), r, other, m, m_j);
+            // A twist turns the spheres as rolling does, and nothing slides.
+            turn(of_step(self.k_t, self.eta_t, dt), self.k_r, self.eta_r) <= 4.0
+                && turn(0.0, self.k_o, self.eta_o) <= 4.0
         };
+        let most = stable_time_step(effective_mass(m, m_j), self.k_n, self.eta_n);
         if is_stable(most) { most } else { bisected(most.min(f64::MAX), is_stable) }
     }
 

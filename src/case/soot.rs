@@ -19,7 +19,7 @@ use serde_yaml::{Mapping, Value};
 use std::path::PathBuf;
 
 /// A quantity that is written in this file, not by a user.
-pub(super) fn quantity<K: super::quantity::Kind>(text: &str) -> Quantity<K> {
+pub(crate) fn quantity<K: super::quantity::Kind>(text: &str) -> Quantity<K> {
     Quantity::parse(text).expect("a quantity of the right kind")
 }
 
@@ -292,12 +292,11 @@ impl Soot {
     /// one sphere, 0.56 in a row of five.
     pub fn step_limit(&self, [least, largest]: [f64; 2]) -> f64 {
         let m = sphere_mass(self.density.value, least);
-        let beside = |other: f64| match self.torsion {
-            Torsion::Spring => self.law(Along).critical_time_step_beside(least, m, other),
-            Torsion::AsPrinted => self.law(Printed).critical_time_step_beside(least, m, other),
-            Torsion::AsPublished => self.law(Programmed).critical_time_step_beside(least, m, other),
-        };
-        beside(least).min(beside(largest))
+        match self.torsion {
+            Torsion::Spring => self.law(Along).critical_time_step_among(least, m, largest),
+            Torsion::AsPrinted => self.law(Printed).critical_time_step_among(least, m, largest),
+            Torsion::AsPublished => self.law(Programmed).critical_time_step_among(least, m, largest),
+        }
     }
 }
 

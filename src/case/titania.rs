@@ -345,8 +345,8 @@ impl Case {
         let (r, mass) = titania.particle(test.smallest());
         let limit = titania.law().critical_time_step(r, mass);
         let (Some(springs), TitaniaTest::Spectroscopy(film, _)) = (&titania.neck_springs, &test) else { return limit };
-        let (neck, largest) = (springs.spec(), titania.particle(film.diameters.largest.value).0);
-        [r, largest].into_iter().map(|other| neck.critical_time_step(r, mass, other)).fold(limit, f64::min)
+        let largest = titania.particle(film.diameters.largest.value).0;
+        limit.min(springs.spec().critical_time_step(r, mass, largest))
     }
 
     /// What follows from a case of the titania paper, with units.

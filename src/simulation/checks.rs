@@ -13,10 +13,7 @@ impl<M: PairModel> Simulation<M> {
     pub fn critical_time_step(&self) -> (f64, u32) {
         let particles = &self.system.particles;
         let largest = particles.radius.iter().copied().fold(0.0, f64::max);
-        let limit = |p: usize| {
-            let (r, m) = (particles.radius[p], particles.mass[p]);
-            self.model.critical_time_step(r, m).min(self.model.critical_time_step_beside(r, m, largest))
-        };
+        let limit = |p: usize| self.model.critical_time_step_among(particles.radius[p], particles.mass[p], largest);
         (0..particles.len())
             .filter(|&p| particles.wall[p] == 0)
             .map(|p| (limit(p), particles.id[p]))

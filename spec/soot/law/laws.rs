@@ -315,7 +315,7 @@ fn a_neck_is_stable_below_the_critical_time_step_and_not_above() {
         (Springs { k_r: 70.0, eta_t: 0.2, eta_r: 0.5, ..UNDAMPED }, 3.0),
     ] {
         let law = law(springs, NONE);
-        let limit = law.critical_time_step_beside(1.0, 1.0, other);
+        let limit = law.critical_time_step_among(1.0, 1.0, other);
         let grows = |dt: f64| {
             let mut pair = dimer(law, 1.0, other - 1.0);
             pair.radii[1] = other;

@@ -4,6 +4,7 @@
 use super::super::*;
 use super::{NONE, law};
 use crate::soot::def_integrators::half_step;
+use crate::soot::def_sphere::solid_inertia;
 use proptest::prelude::*;
 
 /// A solid sphere.

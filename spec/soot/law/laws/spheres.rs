@@ -71,6 +71,7 @@ impl<const N: usize, S: Reading> Spheres<N, S> {
         (self.springs, self.lost) = (springs, 0.0);
     }
     pub fn step(&mut self, dt: f64) {
+        assert_eq!(INERTIA, solid_inertia(1.0, 1.0));
         for (i, (force, torque)) in self.forces(dt).into_iter().enumerate() {
             let (m, inertia) = (self.mass(i), self.inertia(i));
             (self.v[i], self.x[i], self.omega[i]) =
