@@ -124,7 +124,10 @@ pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
     for (name, title, compute) in chapters {
         manner.say(format!("{title} ..."));
         let begin = Instant::now();
-        let chapter = compute(&setting)?;
+        let mut chapter = compute(&setting)?;
+        if setting.extent == Extent::Reduced && !chapter.note.is_empty() {
+            chapter.note.insert_str(0, "Reduced: ");
+        }
         manner.say(format!("{title}: {} claims in {:.0} s", chapter.claims.len(), begin.elapsed().as_secs_f64()));
         write_chapter(title, &chapter, &mut page, &out)?;
         if name == Name::Exact {

@@ -82,10 +82,12 @@ fn files(case: &Case) -> Result<Vec<PathBuf>, Error> {
         _ => None,
     };
     let files: Vec<PathBuf> = sample.into_iter().chain(case.soot_files()).collect();
-    for file in &files {
-        std::fs::metadata(file).map_err(|cause| Error::NoInput(file.clone(), cause))?;
-    }
+    files.iter().try_for_each(|file| is_there(file))?;
     Ok(files)
+}
+
+fn is_there(file: &Path) -> Result<(), Error> {
+    std::fs::metadata(file).map(drop).map_err(|cause| Error::NoInput(file.into(), cause))
 }
 
 /// Whether the folders are there that a case keeps samples in, or will be with the run.
@@ -164,7 +166,7 @@ pub fn resume(
 pub(super) fn unchanged_after(stage: usize, case: &Case, manifest: &Manifest) -> Result<(), Error> {
     let stages = case.soot().map(|soot| soot.2).unwrap_or_default();
     for file in stages.iter().skip(stage + 1).filter_map(|stage| stage.solid().map(|solid| &solid.stl)) {
-        std::fs::metadata(file).map_err(|cause| Error::NoInput(file.clone(), cause))?;
+        is_there(file)?;
         let hash = sha256_file(file)?;
         if manifest.inputs.get(&file.display().to_string()) != Some(&hash) {
             return Err(Error::input(file, "has changed since the run was begun"));

@@ -1,8 +1,8 @@
 //! Section 3.1: aggregates are deposited, and torn at by a tip.
 
-use crate::case::quantity::{Kind, Quantity, Scaled};
+use crate::case::quantity::Scaled;
 use crate::case::section::defaults;
-use crate::case::{Aggregate, Indentation, Limits, NeckSet, Soot, SootStage};
+use crate::case::{Aggregate, Indentation, Limits, NeckSet, Soot, SootStage, quantity};
 use crate::error::Error;
 use crate::figures::{Axis, Curve, Mark, Plot};
 use crate::observe::force_curve::ForceCurve;
@@ -41,7 +41,7 @@ struct Member {
 
 /// Claims and force curves of Figs. 4 and 6.
 pub fn chapter(extent: Extent) -> Result<Chapter, Error> {
-    let reduced = "Reduced: aggregates of 60 spheres instead of 120, 90 % of the necks kept instead of 98 %, so that more are broken, \
+    let reduced = "aggregates of 60 spheres instead of 120, 90 % of the necks kept instead of 98 %, so that more are broken, \
                    indentations of 200 ns instead of 500 ns";
     let protocol = Protocol {
         spheres: extent.of(60, 120),
@@ -55,10 +55,6 @@ pub fn chapter(extent: Extent) -> Result<Chapter, Error> {
         .map(|seed| member(&plan(&protocol, seed)))
         .collect::<Result<Vec<_>, Error>>()?;
     Ok(Chapter { note: extent.of(reduced, "").into(), claims: claims(&members), figures: vec![figure(&members)] })
-}
-
-fn quantity<K: Kind>(text: &str) -> Quantity<K> {
-    Quantity::parse(text).expect("a quantity of the right kind")
 }
 
 fn plan(protocol: &Protocol, seed: u64) -> Plan<Along> {

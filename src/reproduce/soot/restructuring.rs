@@ -29,7 +29,7 @@ pub fn chapter(setting: &Setting) -> Result<Chapter, Error> {
     let members = found[0].members;
     let note = match setting.extent {
         Extent::Reduced => {
-            "Reduced: 4 aggregates for each of 4 neck fractions instead of 50 for each of 6, with necks of set S at 40 fs; the \
+            "4 aggregates for each of 4 neck fractions instead of 50 for each of 6, with necks of set S at 40 fs; the \
                             paper's runs most probably have those of set P at 5 fs"
                 .into()
         }

@@ -29,7 +29,7 @@ pub fn chapter(setting: &Setting) -> Result<Chapter, Error> {
         return Err(Error::Stopped(None));
     }
     let note = match setting.extent {
-        Extent::Reduced => "Reduced: films of 5,000 particles on 0.5 µm x 0.5 µm instead of 200,000 on 1.58 µm x 1.58 µm, under a tip whose side is \
+        Extent::Reduced => "films of 5,000 particles on 0.5 µm x 0.5 µm instead of 200,000 on 1.58 µm x 1.58 µm, under a tip whose side is \
                             0.25 µm instead of 0.8 µm, turned at a setpoint in proportion to its area"
             .into(),
         Extent::Full if spectra.len() < CURVES as usize => format!("{} of {CURVES} films, those that had finished", spectra.len()),

@@ -37,7 +37,7 @@ fn target(strength: f64, size: f64, s: f64) -> f64 {
 
 /// Volume fraction, elastic constants and strengths of Figs. 7, 8, A.6 to A.9.
 pub fn chapter(extent: Extent) -> Result<Chapter, Halt> {
-    let note = extent.of("Reduced: samples of 20 d_0 instead of 100 d_0, five of the eight diameters", "").to_string();
+    let note = extent.of("samples of 20 d_0 instead of 100 d_0, five of the eight diameters", "").to_string();
     let mut chapter = Chapter { note, ..Chapter::default() };
     let sizes: &[f64] = extent.of(&[0.6, 1.2, 4.8, 19.2, 38.4], &[0.6, 1.2, 2.4, 4.8, 9.6, 19.2, 38.4, 76.8]);
     let cases: Vec<(f64, f64)> = [0.0, 0.5]

@@ -29,10 +29,8 @@ const PICTURES: [f64; 4] = [1.0, 15.0, 40.0, 95.0];
 
 /// Figs. 9, 10, A.10 and Table 6.
 pub fn chapter(extent: Extent) -> Result<Chapter, Halt> {
-    let note = extent.of(
-        "Reduced: d_0 = 1.5 nm is left out, one sample for d_0 = 3 nm and three for 6 nm",
-        "Three samples of each d_0",
-    );
+    let note = extent
+        .of("d_0 = 1.5 nm is left out, one sample for d_0 = 3 nm and three for 6 nm", "Three samples of each d_0");
     let mut chapter = Chapter { note: note.into(), ..Chapter::default() };
     let samples: &[(f64, u64)] = extent.of(
         &[(3.0, 1), (6.0, 1), (6.0, 2), (6.0, 3)],

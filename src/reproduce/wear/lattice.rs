@@ -33,7 +33,7 @@ type Test = (f64, f64, f64, Pull, Strength);
 
 /// The elastic constants and strengths of Figs. 5, 6, A.4, A.5.
 pub fn chapter(extent: Extent) -> Result<Chapter, Halt> {
-    let note = extent.of("Reduced: lattices of 12 d_0 instead of 25 d_0, five of the eight diameters", "").to_string();
+    let note = extent.of("lattices of 12 d_0 instead of 25 d_0, five of the eight diameters", "").to_string();
     let mut chapter = Chapter { note, ..Chapter::default() };
     elastic(extent, &mut chapter)?;
     strengths(extent, &mut chapter)?;

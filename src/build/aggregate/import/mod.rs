@@ -11,6 +11,7 @@ pub use vtk::read_necks;
 
 use super::Sphere;
 use crate::case::section::words;
+use crate::case::unmarked;
 use crate::error::{Error, Problem};
 use crate::observe::morphology::components;
 use crate::spec::Vec3;
@@ -84,7 +85,7 @@ pub fn read(file: &Path, options: &Options) -> Result<Imported, Error> {
 fn text_of(file: &Path) -> Result<String, Error> {
     let bytes = std::fs::read(file).map_err(|cause| Error::NoInput(file.into(), cause))?;
     let text = String::from_utf8_lossy(&bytes);
-    Ok(text.strip_prefix('\u{feff}').unwrap_or(&text).into())
+    Ok(unmarked(&text).into())
 }
 
 /// Reads an aggregate from the text of a file.
