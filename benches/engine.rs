@@ -6,11 +6,12 @@ mod crystal;
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use std::path::Path;
 use std::time::Duration;
-use veridem::build::aggregate::{self, Method, Radii, Recipe};
-use veridem::case::Case;
 use veridem::forces::Instructions;
+use veridem::initial::aggregate::{self, Method, Radii, Recipe};
+use veridem::interrupt::Interrupt;
+use veridem::papers::parse;
+use veridem::papers::soot::{self, Plan};
 use veridem::run::Study;
-use veridem::run::soot::Plan;
 use veridem::simulation::Simulation;
 use veridem::spec::soot::Along;
 
@@ -37,9 +38,11 @@ fn step(criterion: &mut Criterion) {
 
 /// The initial state of the published soot simulation, on one core.
 fn restructuring(criterion: &mut Criterion) {
-    let (case, _) = Case::read(Path::new("cases/soot/restructuring.yaml")).expect("a case of the repository");
+    let file = Path::new("cases/soot/restructuring.yaml");
+    let text = std::fs::read_to_string(file).expect("a case of the repository");
+    let case = parse::<soot::Soot>(file, &text).expect("a case of the repository");
     let plan = Plan::of(&case, Along);
-    let system = plan.initial().expect("an aggregate");
+    let system = plan.initial(&Interrupt::default()).expect("an aggregate");
     let settings = plan.settings(0, &system);
     let particles = system.particles.len() as u64;
     let mut simulation = Simulation::new(plan.model(0), system, settings).expect("an aggregate at rest");
@@ -61,7 +64,7 @@ fn growth(criterion: &mut Criterion) {
         group.bench_function(name, |b| {
             b.iter(|| {
                 seed += 1;
-                aggregate::aggregate(&recipe, seed).expect("an aggregate that obeys the law")
+                aggregate::aggregate(&recipe, seed, &Interrupt::default()).expect("an aggregate that obeys the law")
             });
         });
     }

@@ -1,5 +1,5 @@
 //! The command line.
 
 fn main() -> std::process::ExitCode {
-    veridem::cli::main()
+    veridem::cli::main(veridem::papers::PAPERS)
 }

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::process::Command;
 use veridem::output::RunFolder;
-use veridem::run::Spectrum;
+use veridem::papers::titania::Spectrum;
 
 fn veridem(place: &Path, arguments: &[&str]) -> String {
     let output =

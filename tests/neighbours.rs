@@ -6,7 +6,7 @@ use common::uniform;
 use quickcheck::{QuickCheck, TestResult};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
-use veridem::forces::{Neighbour, neighbours};
+use veridem::geometry::{Neighbour, neighbours};
 use veridem::spec::Vec3;
 use veridem::system::Domain;
 

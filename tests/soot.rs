@@ -3,8 +3,8 @@
 mod common;
 
 use common::soot::{DT, MASS, RADIUS, SPHERES, law, momentum, run, settings, space, system, third};
-use veridem::build::aggregate::Sphere;
 use veridem::forces::Instructions;
+use veridem::geometry::Sphere;
 use veridem::motion::inertia;
 use veridem::observe::morphology::coordination_number;
 use veridem::simulation::{Settings, Simulation};

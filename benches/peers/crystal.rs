@@ -1,10 +1,11 @@
 //! The crystal that all measurements share: touching silica spheres under the wear law, twelve neighbours each.
 
-use veridem::build::hcp;
+use veridem::error::Halt;
 use veridem::forces::Instructions;
+use veridem::initial::hcp;
 use veridem::simulation::{Integrator, Settings, Simulation};
 use veridem::spec::wear::law::{Interaction, Material, Wear};
-use veridem::system::{Halt, System};
+use veridem::system::System;
 
 /// Diameter of the spheres, nm.
 const DIAMETER: f64 = 6.0;

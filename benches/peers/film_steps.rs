@@ -6,8 +6,8 @@
 //! film is: a line with the sides of the box, the number of pairs in contact and of those in range, and a line `aggregate x y z radius
 //! mass fixed` for each sphere. Units: nm, ag.
 
-use veridem::build::film::{Bonding, FilmPlan};
 use veridem::forces::Instructions;
+use veridem::initial::film::{Bonding, FilmPlan};
 use veridem::simulation::{Integrator, Settings, Simulation};
 use veridem::spec::titania::{Tabulated, Titania};
 use veridem::spec::wear::def_sphere::sphere_mass;
@@ -25,7 +25,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     let law = Titania::paper(1.0, 1e3, 1.0);
     let side = (spheres as f64 / PER_AREA).sqrt();
-    let film = FilmPlan { drift: 10.0, ..FilmPlan::paper(spheres, [side; 2]) }.build(1)?;
+    let film = FilmPlan { drift: 10.0, ..FilmPlan::paper(spheres, [side; 2]) }
+        .build(1, &veridem::interrupt::Interrupt::default())?;
     let bonding = if bonding == "rigid" { Bonding::Rigid } else { Bonding::Necks };
     let mut system = film.system(bonding, |d| {
         let r = law.contact_radius(d);

@@ -4,8 +4,8 @@
 
 mod crystal;
 
+use veridem::error::Halt;
 use veridem::forces::Instructions;
-use veridem::system::Halt;
 
 fn main() -> Result<(), Halt> {
     let numbers: Vec<usize> = std::env::args().skip(1).map(|word| word.parse().expect("whole numbers")).collect();

@@ -1,19 +1,14 @@
-//! The case file: what the user asks for, read, checked and expressed in engine units.
+//! The language of case files: sections, quantities with units, and the places of errors. It knows no paper.
 
-mod derived;
-mod film;
+pub mod check;
+mod outline;
 pub mod quantity;
 mod read;
-pub mod schema;
+mod schema;
 pub mod section;
-mod soot;
-mod titania;
+pub mod springs;
 pub mod units;
-pub(crate) mod validation;
 
-pub use derived::{Critical, OF_WEAR, Scales};
-pub use film::*;
-pub use read::{located, unmarked};
-pub use schema::*;
-pub use soot::*;
-pub use titania::*;
+pub use outline::{Outline, Words};
+pub use read::{located, parse, read_text, unmarked};
+pub use schema::{Case, InSteps, Limits, Output, keys};

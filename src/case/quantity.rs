@@ -101,6 +101,15 @@ impl<K: Kind> Quantity<K> {
     }
 }
 
+/// A quantity that is written in the source, not by a user.
+///
+/// # Panics
+///
+/// If the text is no quantity of that kind.
+pub fn quantity<K: Kind>(text: &str) -> Quantity<K> {
+    Quantity::parse(text).expect("a quantity of the right kind")
+}
+
 /// A quantity with its unit, or a multiple of the scale `S`.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Scaled<K, S> {

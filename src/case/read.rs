@@ -1,31 +1,38 @@
 //! Reads a case file and says exactly where it is wrong.
 
-use super::{Case, validation};
+use super::Case;
+use super::check::{self, Found};
+use super::section::Part;
 use crate::error::{Error, Problem};
 use serde::de::{DeserializeSeed, Deserializer, IgnoredAny, MapAccess, Visitor};
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-impl Case {
-    /// Reads and checks a case file; also returns its text.
-    pub fn read(file: &Path) -> Result<(Self, String), Error> {
-        let text = std::fs::read_to_string(file).map_err(|cause| Error::NoInput(file.into(), cause))?;
-        let case = Self::parse(file, &text)?;
-        Ok((case, text))
-    }
+/// The text of a case file.
+pub fn read_text(file: &Path) -> Result<String, Error> {
+    std::fs::read_to_string(file).map_err(|cause| Error::NoInput(file.into(), cause))
+}
 
-    /// Reads and checks the text of a case file.
-    pub fn parse(file: &Path, text: &str) -> Result<Self, Error> {
-        let mut case: Self =
-            serde_yaml::from_str(unmarked(text)).map_err(|error| Error::Input(vec![problem(file, &error)]))?;
-        case.choose_necks();
-        let found = validation::problems(&case);
-        if found.is_empty() {
-            return Ok(case);
-        }
-        let problem = |(key, what): (String, String)| Problem { file: PathBuf::new(), line: None, key, what };
-        Err(located(Error::Input(found.into_iter().map(problem).collect()), file, text))
-    }
+/// Reads the text of a case file whose sections are known, completes and checks it; `problems` finds what is wrong with it beyond its grammar.
+pub fn parse<M: Part, S: Part, E: Part>(
+    file: &Path,
+    text: &str,
+    complete: impl Fn(&mut Case<M, S, E>),
+    problems: impl Fn(&Case<M, S, E>, &mut Found),
+) -> Result<Case<M, S, E>, Error> {
+    let mut case: Case<M, S, E> =
+        serde_yaml::from_str(unmarked(text)).map_err(|error| Error::Input(vec![problem(file, &error)]))?;
+    complete(&mut case);
+    let mut found = Found::new();
+    problems(&case, &mut found);
+    check::general(&case.output, &case.limits, &mut found);
+    if found.is_empty() { Ok(case) } else { Err(wrong(found, file, text)) }
+}
+
+/// The error of a case file with these problems.
+pub(super) fn wrong(found: Found, file: &Path, text: &str) -> Error {
+    let problem = |(key, what): (String, String)| Problem { file: PathBuf::new(), line: None, key, what };
+    located(Error::Input(found.into_iter().map(problem).collect()), file, text)
 }
 
 /// The text without the byte order mark that some editors put before it.
@@ -43,7 +50,7 @@ pub fn located(error: Error, file: &Path, text: &str) -> Error {
 }
 
 /// Puts an error of the YAML reader into our form. Its text is `path: message at line 3 column 5`.
-fn problem(file: &Path, error: &serde_yaml::Error) -> Problem {
+pub(super) fn problem(file: &Path, error: &serde_yaml::Error) -> Problem {
     let message = error.to_string();
     let location = error.location();
     let place =

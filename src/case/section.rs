@@ -43,6 +43,13 @@ macro_rules! plain_fields {
         }
     )*};
 }
+/// A section that somebody else reads.
+impl Field for () {
+    fn expects() -> String {
+        "a section".into()
+    }
+}
+
 plain_fields!(bool: "`true` or `false`", f64: "a number", u64: "a whole number", String: "a text", PathBuf: "a path");
 
 impl<K: Kind> Field for Quantity<K> {
@@ -82,10 +89,14 @@ impl<T: Field> Field for [T; 3] {
     }
 }
 
+/// What a type must be for a section to leave it open.
+pub trait Part: Field + serde::de::DeserializeOwned + Clone + fmt::Debug + PartialEq {}
+impl<T: Field + serde::de::DeserializeOwned + Clone + fmt::Debug + PartialEq> Part for T {}
+
 /// Reads the name of a key that must be known and not have been seen: so that a wrong one is reported where it stands.
 pub struct KeyName<'a> {
     /// The keys of the section.
-    pub known: &'static [&'static str],
+    pub known: &'a [&'static str],
     /// Those already read.
     pub seen: &'a [&'static str],
 }
@@ -136,33 +147,50 @@ pub fn defaults<T: for<'de> Deserialize<'de>>() -> T {
     T::deserialize(nothing).expect("every key of a section that may be left out has a default")
 }
 
-/// Reads the one key that a choice consists of.
-pub fn only_key<'de, A: MapAccess<'de>>(map: &mut A, known: &'static [&'static str]) -> Result<&'static str, A::Error> {
-    map.next_key_seed(KeyName { known, seen: &[] })?.ok_or_else(|| A::Error::custom(one_of(known)))
-}
-/// The message for a choice that was not made, or made twice.
-pub fn one_of(known: &[&str]) -> String {
-    format!("expected exactly one of the keys `{}`", known.join("`, `"))
+/// The error for a key that must be written and is not.
+pub fn missing<E: Error>(key: &str, expected: &str) -> E {
+    E::custom(format!("missing key `{key}`, expected {expected}"))
 }
 
-/// Declares a section: `key: Type,` must be written, `key: Type = default,` may be.
+/// Reads the one key that a choice consists of.
+pub fn only_key<'de, A: MapAccess<'de>>(map: &mut A, known: &[&'static str]) -> Result<&'static str, A::Error> {
+    map.next_key_seed(KeyName { known, seen: &[] })?.ok_or_else(|| A::Error::custom(one_of(known)))
+}
+
+/// The message for a choice that was not made, or made twice.
+pub fn one_of(known: &[&str]) -> String {
+    format!("expected {}", one_of_these(known))
+}
+
+/// What may stand behind a choice.
+pub fn one_of_these(known: &[&str]) -> String {
+    format!("exactly one of the keys `{}`", known.join("`, `"))
+}
+
+/// Declares a section: `key: Type,` must be written, `key: Type = default,` may be. Its keys may be of types that are left open.
+#[macro_export]
 macro_rules! section {
-    ($(#[doc = $about:literal])* pub struct $name:ident {
+    ($(#[doc = $about:literal])* pub struct $name:ident $(<$($open:ident),+>)? {
         $($(#[doc = $doc:literal])* $key:ident: $type:ty $(= $default:expr)?,)*
     }) => {
         $(#[doc = $about])*
         #[derive(Clone, Debug, PartialEq, serde::Serialize)]
-        pub struct $name { $($(#[doc = $doc])* pub $key: $type,)* }
+        pub struct $name $(<$($open),+>)? { $($(#[doc = $doc])* pub $key: $type,)* }
 
-        impl<'de> serde::Deserialize<'de> for $name {
-            fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-                struct Section;
-                impl<'de> serde::de::Visitor<'de> for Section {
-                    type Value = $name;
+        impl $(<$($open),+>)? $name $(<$($open),+>)? {
+            /// The names of its keys.
+            pub const KEYS: &'static [&'static str] = &[$(stringify!($key)),*];
+        }
+
+        impl<'de $($(, $open: $crate::case::section::Part)+)?> serde::Deserialize<'de> for $name $(<$($open),+>)? {
+            fn deserialize<Z: serde::Deserializer<'de>>(deserializer: Z) -> Result<Self, Z::Error> {
+                struct Section<T>(std::marker::PhantomData<T>);
+                impl<'de $($(, $open: $crate::case::section::Part)+)?> serde::de::Visitor<'de> for Section<$name $(<$($open),+>)?> {
+                    type Value = $name $(<$($open),+>)?;
                     fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
                         write!(f, "a section with the keys `{}`", [$(stringify!($key)),*].join("`, `"))
                     }
-                    fn visit_map<A: serde::de::MapAccess<'de>>(self, mut map: A) -> Result<$name, A::Error> {
+                    fn visit_map<Z: serde::de::MapAccess<'de>>(self, mut map: Z) -> Result<Self::Value, Z::Error> {
                         $(let mut $key: Option<$type> = None;)*
                         let (known, mut seen) = (&[$(stringify!($key)),*], Vec::new());
                         while let Some(key) = map.next_key_seed($crate::case::section::KeyName { known, seen: &seen })? {
@@ -174,18 +202,18 @@ macro_rules! section {
                         }
                         $(let $key = match $key $(.or_else(|| Some($default)))? {
                             Some(value) => value,
-                            None => return Err(serde::de::Error::custom(
-                                format!("missing key `{}`, expected {}", stringify!($key), <$type as $crate::case::section::Field>::expects())
+                            None => return Err($crate::case::section::missing(
+                                stringify!($key), &<$type as $crate::case::section::Field>::expects()
                             )),
                         };)*
                         Ok($name { $($key),* })
                     }
                 }
-                deserializer.deserialize_map(Section)
+                deserializer.deserialize_map(Section(std::marker::PhantomData))
             }
         }
 
-        impl $crate::case::section::Field for $name {
+        impl $(<$($open: $crate::case::section::Part),+>)? $crate::case::section::Field for $name $(<$($open),+>)? {
             fn expects() -> String {
                 "a section".into()
             }
@@ -194,7 +222,7 @@ macro_rules! section {
                     key: stringify!($key),
                     about: concat!($($doc,)*).trim().into(),
                     expects: <$type as $crate::case::section::Field>::expects(),
-                    default: section!(@default $type $(, $default)?),
+                    default: $crate::case::section::section!(@default $type $(, $default)?),
                     keys: <$type as $crate::case::section::Field>::keys(),
                 }),*]
             }
@@ -208,6 +236,7 @@ macro_rules! section {
 }
 
 /// Declares a choice: a mapping with exactly one of several keys.
+#[macro_export]
 macro_rules! choice {
     ($(#[doc = $about:literal])* pub enum $name:ident {
         $($(#[doc = $doc:literal])* $variant:ident = $key:literal: $type:ty,)*
@@ -231,7 +260,7 @@ macro_rules! choice {
                 impl<'de> serde::de::Visitor<'de> for Choice {
                     type Value = $name;
                     fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                        write!(f, "exactly one of the keys `{}`", [$($key),*].join("`, `"))
+                        f.write_str(&$crate::case::section::one_of_these(&[$($key),*]))
                     }
                     fn visit_map<A: serde::de::MapAccess<'de>>(self, mut map: A) -> Result<$name, A::Error> {
                         const KEYS: &[&str] = &[$($key),*];
@@ -251,7 +280,7 @@ macro_rules! choice {
 
         impl $crate::case::section::Field for $name {
             fn expects() -> String {
-                format!("exactly one of the keys `{}`", [$($key),*].join("`, `"))
+                $crate::case::section::one_of_these(&[$($key),*])
             }
             fn keys() -> Vec<$crate::case::section::Key> {
                 vec![$($crate::case::section::Key {
@@ -267,6 +296,7 @@ macro_rules! choice {
 }
 
 /// Declares a choice between words.
+#[macro_export]
 macro_rules! words {
     ($(#[doc = $about:literal])* pub enum $name:ident { $($(#[doc = $doc:literal])* $variant:ident = $word:literal,)* }) => {
         $(#[doc = $about])*
@@ -299,4 +329,4 @@ macro_rules! words {
         }
     };
 }
-pub(crate) use {choice, section, words};
+pub use crate::{choice, section, words};

@@ -2,7 +2,7 @@
 
 use super::{Manner, print};
 use crate::error::Error;
-use crate::run::examine;
+use crate::papers::Papers;
 use std::path::PathBuf;
 
 /// The arguments.
@@ -13,8 +13,10 @@ pub struct Arguments {
 }
 
 /// Checks the case and prints it resolved.
-pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
-    let resolved = examine(&arguments.case)?.resolved();
+pub fn run(arguments: &Arguments, papers: Papers, manner: Manner) -> Result<(), Error> {
+    let job = papers.read(&arguments.case)?;
+    job.examine()?;
+    let resolved = job.resolved;
     if manner.json {
         let value: serde_json::Value = serde_yaml::from_str(&resolved).expect("a resolved case is plain data");
         print(&format!("{value:#}\n"))

@@ -1,8 +1,8 @@
 //! `veridem completions`: what the shell needs to complete our command line.
 
-use super::{CommandLine, print};
+use super::{command, print};
 use crate::error::Error;
-use clap::CommandFactory;
+use crate::papers::Papers;
 
 /// The arguments.
 #[derive(clap::Args)]
@@ -12,8 +12,8 @@ pub struct Arguments {
 }
 
 /// Writes the completions to standard output.
-pub fn run(arguments: &Arguments) -> Result<(), Error> {
+pub fn run(arguments: &Arguments, papers: Papers) -> Result<(), Error> {
     let mut script = Vec::new();
-    clap_complete::generate(arguments.shell, &mut CommandLine::command(), "veridem", &mut script);
+    clap_complete::generate(arguments.shell, &mut command(papers), "veridem", &mut script);
     print(&String::from_utf8_lossy(&script))
 }

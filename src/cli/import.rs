@@ -1,12 +1,10 @@
 //! `veridem import`: what an aggregate of another program looks like, and its spheres as extended XYZ.
 
 use super::{Manner, print};
-use crate::build::aggregate::import::{Imported, Options, extended_xyz, read, read_necks};
-use crate::build::aggregate::necks::necks;
-use crate::case::Aggregate;
 use crate::case::quantity::{Length, Quantity};
-use crate::case::section::defaults;
 use crate::error::Error;
+use crate::initial::aggregate::import::{Imported, Options, extended_xyz, read, read_necks};
+use crate::initial::aggregate::necks::{NECK_DISTANCE, necks};
 use crate::output::write_atomically;
 use std::path::PathBuf;
 
@@ -46,12 +44,11 @@ pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
     let format = arguments.format.as_ref().map(word).transpose()?;
     let options = Options { format, unit, radius, disconnected: arguments.disconnected };
     let imported = read(&arguments.file, &options)?;
-    let Aggregate { neck_distance, neck_cycles, .. } = defaults();
     let (necks, which) = match &arguments.necks {
         Some(file) => (read_necks(file, &imported.spheres)?.len(), String::new()),
         None => {
-            let found = necks(&imported.spheres, neck_distance.value, !neck_cycles);
-            (found.len(), format!(" across gaps below {neck_distance}, `neck_distance`"))
+            let found = necks(&imported.spheres, NECK_DISTANCE, true);
+            (found.len(), format!(" across gaps below {NECK_DISTANCE} nm, `neck_distance`"))
         }
     };
     if let Some(path) = &arguments.out {

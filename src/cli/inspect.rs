@@ -2,10 +2,9 @@
 
 use super::run::table;
 use super::{Manner, print};
-use crate::case::Case;
 use crate::error::Error;
-use crate::output::{Finding, Manifest, RunFolder, read};
-use crate::run::Series;
+use crate::output::{Finding, Manifest, RunFolder, Series, read};
+use crate::papers::Papers;
 use serde_json::json;
 use std::path::{Path, PathBuf};
 
@@ -21,17 +20,17 @@ pub struct Arguments {
 }
 
 /// Summarises or compares.
-pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
+pub fn run(arguments: &Arguments, papers: Papers, manner: Manner) -> Result<(), Error> {
     match (&arguments.run, &arguments.diff) {
         (_, Some(pair)) => compare(&pair[0], &pair[1], manner),
-        (Some(run), None) => summarise(run, manner),
+        (Some(run), None) => summarise(run, papers, manner),
         (None, None) => unreachable!("the command line demands one of the two"),
     }
 }
 
-fn summarise(root: &Path, manner: Manner) -> Result<(), Error> {
+fn summarise(root: &Path, papers: Papers, manner: Manner) -> Result<(), Error> {
     let folder = RunFolder::open(root)?;
-    let (case, _) = Case::read(&folder.case())?;
+    let title = papers.read(&folder.case())?.title;
     let manifest = Manifest::read(&folder)?;
     let (series, findings) = (Series::read(&folder)?, Finding::of_run(&folder)?);
     let last = series.rows.last().map(Vec::as_slice).unwrap_or_default();
@@ -39,11 +38,11 @@ fn summarise(root: &Path, manner: Manner) -> Result<(), Error> {
     if manner.json {
         let state: serde_json::Map<String, serde_json::Value> =
             state.into_iter().map(|(column, cell)| (column.clone(), json!(cell))).collect();
-        let summary = json!({ "title": case.title, "manifest": manifest, "state": state, "results": findings });
+        let summary = json!({ "title": title, "manifest": manifest, "state": state, "results": findings });
         return print(&format!("{summary:#}\n"));
     }
     let mut text =
-        format!("{}\n{:?}, {} rows, commit {}\n\n", case.title, manifest.status, series.rows.len(), manifest.commit);
+        format!("{}\n{:?}, {} rows, commit {}\n\n", title, manifest.status, series.rows.len(), manifest.commit);
     for (column, cell) in state {
         text.push_str(&format!("{column:36}  {cell}\n"));
     }

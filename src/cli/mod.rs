@@ -15,7 +15,8 @@ mod schema;
 mod sweep;
 
 use crate::error::Error;
-use clap::{Parser, Subcommand};
+use crate::papers::Papers;
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use std::process::ExitCode;
 
 /// Executable specification and fast engine of contact models for the discrete element method.
@@ -83,9 +84,15 @@ impl Manner {
     }
 }
 
-/// Runs the program: parses the command line, does what it says, and tells how it ended.
-pub fn main() -> ExitCode {
-    let command_line = CommandLine::parse();
+/// The command line of a program for these papers.
+pub fn command(papers: Papers) -> clap::Command {
+    CommandLine::command().mut_subcommand("reproduce", |command| reproduce::known(command, papers))
+}
+
+/// Runs the program for some papers: parses the command line, does what it says, and tells how it ended.
+pub fn main(papers: Papers) -> ExitCode {
+    let matches = command(papers).get_matches();
+    let command_line = CommandLine::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
     std::panic::set_hook(Box::new(|panic| {
         eprintln!("broken invariant: {panic}");
         std::process::exit(70);
@@ -96,18 +103,18 @@ pub fn main() -> ExitCode {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).use_current_thread();
     pool.build_global().expect("the thread pool is set up once, before it is used");
     let done = match command_line.command {
-        Command::Run(arguments) => run::run(&arguments, manner),
-        Command::Resume(arguments) => resume::run(&arguments, manner),
-        Command::Check(arguments) => check::run(&arguments, manner),
-        Command::Reproduce(arguments) => reproduce::run(&arguments, manner),
-        Command::Sweep(arguments) => sweep::run(&arguments, manner),
+        Command::Run(arguments) => run::run(&arguments, papers, manner),
+        Command::Resume(arguments) => resume::run(&arguments, papers, manner),
+        Command::Check(arguments) => check::run(&arguments, papers, manner),
+        Command::Reproduce(arguments) => reproduce::run(&arguments, papers, manner),
+        Command::Sweep(arguments) => sweep::run(&arguments, papers, manner),
         Command::Import(arguments) => import::run(&arguments, manner),
-        Command::Inspect(arguments) => inspect::run(&arguments, manner),
+        Command::Inspect(arguments) => inspect::run(&arguments, papers, manner),
         Command::Eq(arguments) => eq::run(&arguments, manner),
         #[cfg(feature = "verify")]
         Command::Golden(arguments) => golden::run(&arguments, manner),
-        Command::Schema(arguments) => schema::run(&arguments, manner),
-        Command::Completions(arguments) => completions::run(&arguments),
+        Command::Schema(arguments) => schema::run(&arguments, papers, manner),
+        Command::Completions(arguments) => completions::run(&arguments, papers),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

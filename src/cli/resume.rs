@@ -3,10 +3,10 @@
 use super::Manner;
 use super::progress::Progress;
 use super::run::{Limits, conclude};
-use crate::case::Case;
 use crate::error::Error;
 use crate::output::{Manifest, RunFolder, Status};
-use crate::run::{self, Control, Glance};
+use crate::papers::Papers;
+use crate::run::Glance;
 use std::path::PathBuf;
 
 /// The arguments.
@@ -19,10 +19,10 @@ pub struct Arguments {
 }
 
 /// Goes on from the latest checkpoint.
-pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
-    let control: Control = arguments.limits.control()?;
+pub fn run(arguments: &Arguments, papers: Papers, manner: Manner) -> Result<(), Error> {
+    let interrupt = arguments.limits.interrupt()?;
     let folder = RunFolder::open(&arguments.run)?;
-    let (case, _) = Case::read(&folder.case())?;
+    let job = papers.read(&folder.case())?;
     let manifest = Manifest::read(&folder)?;
     if manifest.status == Status::Finished {
         return Err(Error::Usage(format!("{}: has finished; there is nothing to resume", arguments.run.display())));
@@ -32,7 +32,7 @@ pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
     }
     let mut progress = Progress::new(manner);
     let mut show = |glance: Glance| progress.show(glance);
-    let findings = run::resume(&case, &folder, manifest, &control, &mut show);
+    let findings = job.resume(&folder, manifest, &interrupt, &mut show);
     progress.finish();
     conclude(&folder, &findings?, manner)
 }

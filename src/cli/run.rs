@@ -3,8 +3,9 @@
 use super::progress::Progress;
 use super::{Manner, print};
 use crate::error::Error;
+use crate::interrupt::Interrupt;
 use crate::output::{Finding, RunFolder};
-use crate::run::{Control, launch};
+use crate::papers::Papers;
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -39,20 +40,21 @@ pub struct Limits {
 
 impl Limits {
     /// The limits, and the signals, that stop this process.
-    pub fn control(&self) -> Result<Control, Error> {
+    pub fn interrupt(&self) -> Result<Interrupt, Error> {
         let time = self.max_time.map(Duration::try_from_secs_f64).transpose();
         let time = time.map_err(|error| Error::Usage(format!("--max-time: {error}")))?;
-        Control::new(time, self.stop_after_steps).map_err(|cause| Error::Io("signal handler".into(), cause))
+        Interrupt::new(time, self.stop_after_steps).map_err(|cause| Error::Io("signal handler".into(), cause))
     }
 }
 
 /// Runs the case.
-pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
-    let control = arguments.limits.control()?;
+pub fn run(arguments: &Arguments, papers: Papers, manner: Manner) -> Result<(), Error> {
+    let interrupt = arguments.limits.interrupt()?;
     let stem = || arguments.case.file_stem().unwrap_or_default().to_string_lossy().to_string();
     let root = arguments.out.join(arguments.name.clone().unwrap_or_else(stem));
+    let job = papers.read(&arguments.case)?;
     let mut progress = Progress::new(manner);
-    let ended = launch(&arguments.case, &root, arguments.force, &control, &mut |glance| progress.show(glance));
+    let ended = job.launch(&root, arguments.force, &interrupt, &mut |glance| progress.show(glance));
     progress.finish();
     let (folder, findings) = ended?;
     conclude(&folder, &findings, manner)

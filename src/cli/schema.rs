@@ -1,17 +1,17 @@
 //! `veridem schema`: every key of a case file, from the declarations that also read it.
 
 use super::{Manner, print};
-use crate::case::Case;
-use crate::case::section::{Field, Key};
+use crate::case::section::Key;
 use crate::error::Error;
+use crate::papers::Papers;
 
 /// The arguments.
 #[derive(clap::Args)]
 pub struct Arguments {}
 
 /// Lists the keys.
-pub fn run(_: &Arguments, manner: Manner) -> Result<(), Error> {
-    let keys = Case::keys();
+pub fn run(_: &Arguments, papers: Papers, manner: Manner) -> Result<(), Error> {
+    let keys = papers.keys();
     if manner.json {
         let json = serde_json::to_string_pretty(&keys).expect("keys are plain data");
         return print(&format!("{json}\n"));

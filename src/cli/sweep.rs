@@ -2,11 +2,13 @@
 
 use super::{Manner, print};
 use crate::case::units::decimal;
-use crate::case::{Case, unmarked};
+use crate::case::unmarked;
 use crate::error::{AtPath, Error};
+use crate::interrupt::Interrupt;
 use crate::output::{Finding, Manifest, RunFolder, write_atomically};
+use crate::papers::Papers;
 use crate::run::sweep::{Point, carry_out, distinct};
-use crate::run::{Control, Glance, launch};
+use crate::run::{Glance, Reader};
 use indicatif::{HumanDuration, ProgressBar, ProgressStyle};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
@@ -35,16 +37,17 @@ struct Axis {
 const TRIAL: Duration = Duration::from_secs(3);
 
 /// Runs every combination that has not been run yet and writes the summary.
-pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
-    let (_, text) = Case::read(&arguments.case)?;
+pub fn run(arguments: &Arguments, papers: Papers, manner: Manner) -> Result<(), Error> {
+    let read = |file: &Path, text: &str| papers.parse(file, text);
+    let text = papers.read(&arguments.case)?.text;
     let axes = axes(&arguments.keys)?;
-    let points = points(&arguments.case, &text, &axes)?;
+    let points = points(&arguments.case, &text, &axes, &read)?;
     let stem = arguments.case.file_stem().unwrap_or_default();
     let out = arguments.out.clone().unwrap_or_else(|| Path::new("run").join(stem));
     std::fs::create_dir_all(&out).at(&out)?;
     let mut tried = None;
     if !manner.quiet {
-        let (estimate, point) = estimate(&points, &out)?;
+        let (estimate, point) = estimate(&points, &out, &read)?;
         manner.say(estimate);
         tried = point.map(|point| &point.name);
     }
@@ -52,8 +55,8 @@ pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
     let style = ProgressStyle::with_template("{bar:24} {pos}/{len} runs, {eta} left");
     bar.set_style(style.expect("the template is well formed"));
     let failures = Mutex::new(Vec::new());
-    let control = Control::new(None, None).map_err(|cause| Error::Io("signal handler".into(), cause))?;
-    carry_out(&points, &out, &control, &|point, outcome| {
+    let interrupt = Interrupt::new(None, None).map_err(|cause| Error::Io("signal handler".into(), cause))?;
+    carry_out(&points, &out, &interrupt, &read, &|point, outcome| {
         let failed = outcome.is_err();
         let outcome = match outcome {
             // What was tried may have come to its end by that.
@@ -74,7 +77,7 @@ pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
     print(&if manner.json { json(&axes, &rows) } else { table })?;
     let failures = failures.into_inner().expect("no worker panics");
     match failures.len() {
-        _ if control.stops(0) => Err(Error::Stopped(None)),
+        _ if interrupt.is_due() => Err(Error::Stopped(None)),
         0 => Ok(()),
         n => Err(Error::Verification(format!("{n} of {} runs did not finish", points.len()))),
     }
@@ -82,7 +85,7 @@ pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
 
 /// Runs the first combination that has not been begun for a moment, on one core, and says how long all will take, and which
 /// combination it was. Nothing of it is lost: it is gone on with later.
-fn estimate<'a>(points: &'a [Point], out: &Path) -> Result<(String, Option<&'a Point>), Error> {
+fn estimate<'a>(points: &'a [Point], out: &Path, read: Reader) -> Result<(String, Option<&'a Point>), Error> {
     let workers = rayon::current_num_threads();
     let new: Vec<&Point> = points.iter().filter(|point| !out.join(&point.name).exists()).collect();
     let Some(&point) = new.first() else { return Ok((format!("{} runs, all begun before", points.len()), None)) };
@@ -96,8 +99,10 @@ fn estimate<'a>(points: &'a [Point], out: &Path) -> Result<(String, Option<&'a P
     };
     let begun = Instant::now();
     let one = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
-    let ended =
-        one.install(|| launch(&point.write(out)?, &out.join(&point.name), false, &Control::lasting(TRIAL), &mut show));
+    let ended = one.install(|| {
+        let job = read(&point.write(out)?, &point.text)?;
+        job.launch(&out.join(&point.name), false, &Interrupt::lasting(TRIAL), &mut show)
+    });
     let (each, what) = match (ended, pace) {
         (Ok(_), _) => (begun.elapsed(), String::new()),
         (Err(Error::Stopped(_)), Some((step, steps))) => {
@@ -153,7 +158,7 @@ fn axis(argument: &str) -> Result<Axis, Error> {
 }
 
 /// All combinations, each with its case; what is wrong with any of them is found before the first is run.
-fn points(file: &Path, text: &str, axes: &[Axis]) -> Result<Vec<Point>, Error> {
+fn points(file: &Path, text: &str, axes: &[Axis], read: Reader) -> Result<Vec<Point>, Error> {
     let base = serde_yaml::from_str(unmarked(text)).expect("the case has been read before");
     let count = axes.iter().map(|axis| axis.values.len()).product();
     let points: Vec<Point> = (0..count)
@@ -164,7 +169,7 @@ fn points(file: &Path, text: &str, axes: &[Axis]) -> Result<Vec<Point>, Error> {
                 number /= choices.len();
             }
             values.reverse();
-            Point::new(file, &base, &values)
+            Point::new(file, &base, &values, read)
         })
         .collect::<Result<_, Error>>()?;
     distinct(&points)?;

@@ -1,11 +1,14 @@
 //! Pictures: curves, snapshots, and the page that shows them beside a table of results.
 
+pub mod page;
 pub mod plot;
 pub mod report;
 pub mod snapshot;
 
+pub use page::Report;
 pub use plot::{Axis, Curve, Mark, Plot};
-pub use report::Report;
+
+pub use report::{Graph, picture};
 pub use snapshot::snapshot;
 
 /// The colours of curves and bodies, told apart by readers with any colour vision (Okabe and Ito, with an olive for their yellow).

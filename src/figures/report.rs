@@ -1,71 +1,153 @@
-//! One page with everything a reader looks at first: a table of results and the figures.
+//! The report of a run: its findings, graphs of what it has recorded, and its pictures.
 
-use std::fmt::Write;
+use super::{Axis, Curve, Mark, Plot, Report, snapshot};
+use crate::error::{AtPath, Error};
+use crate::output::columns::{self, AT_SURFACES, RELATIVE_RESIDUAL, TIME};
+use crate::output::{Column, Event, Finding, RunFolder, Series, between, write_atomically};
+use crate::system::System;
+use std::collections::BTreeMap;
 
-/// A page under construction.
-pub struct Report {
-    html: String,
+/// Draws the particles as they are now, with one of the axes pointing upwards.
+pub fn picture(folder: &RunFolder, name: &str, system: &System, upwards: usize) -> Result<(), Error> {
+    let mut turned;
+    let system = if upwards == 1 {
+        system
+    } else {
+        turned = system.clone();
+        turned.domain.sides.swap(1, upwards);
+        turned.domain.periodic.swap(1, upwards);
+        turned.particles.x.iter_mut().for_each(|x| x.0.swap(1, upwards));
+        &turned
+    };
+    let height = system.domain.sides[1];
+    let path = folder.figures().join(name).with_extension("svg");
+    write_atomically(&path, snapshot(system, [-0.1 * height, 1.2 * height]).as_bytes())
 }
 
-impl Report {
-    /// An empty page.
-    pub fn new(title: &str) -> Self {
-        let title = escaped(title);
-        let html = format!(
-            "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{title}</title>\n<style>\n\
-             body {{ font: 16px/1.45 sans-serif; max-width: 72em; margin: 2em auto; padding: 0 1em; color: #222 }}\n\
-             table {{ border-collapse: collapse; margin: 1em 0 }}\n\
-             th, td {{ text-align: left; padding: .3em .8em; border-bottom: 1px solid #ddd; vertical-align: top }}\n\
-             figure {{ display: inline-block; margin: .5em; vertical-align: top }} figcaption {{ font-size: 85%; max-width: 640px }}\n\
-             </style></head><body>\n<h1>{title}</h1>\n"
-        );
-        Self { html }
-    }
+/// A graph of a report: one column of the series against another.
+#[derive(Clone, Copy, Debug)]
+pub struct Graph {
+    /// Its name, of the figure's file too.
+    pub name: &'static str,
+    /// The stages that it shows; none for all together.
+    pub stages: &'static [&'static str],
+    /// The horizontal axis.
+    pub x: Column,
+    /// The vertical axis.
+    pub y: Column,
+    /// Words of events that are marked where they happened in the last of the stages.
+    pub marks: &'static [&'static str],
+}
 
-    /// A headline.
-    pub fn heading(&mut self, text: &str) {
-        let _ = writeln!(self.html, "<h2>{}</h2>", escaped(text));
-    }
+/// The graph of every run.
+const LEDGER: Graph = Graph { name: "ledger", stages: &[], x: TIME, y: RELATIVE_RESIDUAL, marks: &[] };
 
-    /// A paragraph.
-    pub fn paragraph(&mut self, text: &str) {
-        let _ = writeln!(self.html, "<p>{}</p>", escaped(text));
-    }
+/// More events of a kind would hide the curve.
+const MOST_MARKS: usize = 200;
+/// What the energies of all causes are drawn together as.
+const ENERGIES: &str = "energies";
 
-    /// A table.
-    pub fn table<Row: AsRef<[String]>>(&mut self, head: &[&str], rows: &[Row]) {
-        let line = |tag: &str, cells: &mut dyn Iterator<Item = &str>| {
-            let cells: String = cells.map(|cell| format!("<{tag}>{}</{tag}>", escaped(cell))).collect();
-            format!("<tr>{cells}</tr>\n")
-        };
-        self.html.push_str("<table>\n");
-        self.html.push_str(&line("th", &mut head.iter().copied()));
-        for row in rows {
-            self.html.push_str(&line("td", &mut row.as_ref().iter().map(String::as_str)));
+/// Makes figures and report of a finished run from what it has recorded.
+///
+/// # Errors
+///
+/// If the records cannot be read, or figures and report not be written.
+pub fn report(title: &str, graphs: &[Graph], folder: &RunFolder, findings: &[Finding]) -> Result<(), Error> {
+    let mut page = Report::new(title);
+    let rows: Vec<[String; 4]> =
+        findings.iter().map(|f| [f.name.clone(), f.value.clone(), f.unit.clone(), f.target.clone()]).collect();
+    page.table(&["quantity", "value", "unit", "target"], &rows);
+    let (series, events) = (Series::read(folder)?, Event::all(folder)?);
+    let done = series.stages();
+    for &Graph { name, stages, x, y, marks } in graphs.iter().chain(&[LEDGER]) {
+        let these: Vec<&str> =
+            done.iter().copied().filter(|name| stages.iter().any(|stage| is_a(name, stage))).collect();
+        let label = |stage| if these.len() > 1 { stage } else { "" };
+        let of = if stages.is_empty() { &[""][..] } else { &these };
+        let curves = of.iter().map(|stage| Curve::new(label(stage), Mark::Line, series.curve(stage, x, y)));
+        let mut curves: Vec<Curve> = curves.filter(|curve| curve.points.len() > 1).collect();
+        for stage in these.iter().filter(|stage| stages.last().is_some_and(|last| is_a(stage, last))) {
+            let marked =
+                marks.iter().map(|word| Curve::new(*word, Mark::Points, marked(&series, &events, stage, word, x, y)));
+            curves.extend(marked.filter(|curve| (1..=MOST_MARKS).contains(&curve.points.len())));
         }
-        self.html.push_str("</table>\n");
+        let (x, y) = (Axis::linear(&x.to_string()), Axis::linear(&y.to_string()));
+        draw(folder, &mut page, name, Plot { title: name.into(), x, y, curves })?;
     }
-
-    /// A picture, drawn into the page so that the page can be moved alone.
-    pub fn figure(&mut self, svg: &str, caption: &str) {
-        // An image keeps the names inside one picture apart from those of the next.
-        let source = svg.replace('%', "%25").replace('#', "%23").replace('"', "'").replace('\n', " ");
-        let _ = writeln!(
-            self.html,
-            "<figure><img alt=\"{0}\" src=\"data:image/svg+xml,{source}\"><figcaption>{0}</figcaption></figure>",
-            escaped(caption)
-        );
+    let (x, y) = (Axis::linear(&TIME.to_string()), Axis::linear("change of energy [aJ]"));
+    draw(folder, &mut page, ENERGIES, Plot { title: ENERGIES.into(), x, y, curves: energies(&series) })?;
+    for (name, svg) in pictures(folder, graphs)? {
+        page.figure(&svg, &name);
     }
-
-    /// The finished page.
-    pub fn finish(mut self) -> String {
-        self.html.push_str("</body></html>\n");
-        self.html
-    }
+    write_atomically(&folder.report(), page.finish().as_bytes())
 }
 
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+fn draw(folder: &RunFolder, page: &mut Report, name: &str, plot: Plot) -> Result<(), Error> {
+    if plot.curves.is_empty() {
+        return Ok(());
+    }
+    let svg = plot.svg();
+    write_atomically(&folder.figures().join(name).with_extension("svg"), svg.as_bytes())?;
+    page.figure(&svg, &format!("{} against {}", plot.y.label, plot.x.label));
+    Ok(())
+}
+
+/// Snapshots made during the run, in the order of their names.
+fn pictures(folder: &RunFolder, graphs: &[Graph]) -> Result<BTreeMap<String, String>, Error> {
+    let mut found = BTreeMap::new();
+    for entry in std::fs::read_dir(folder.figures()).at(&folder.figures())? {
+        let path = entry.at(&folder.figures())?.path();
+        let name = path.file_stem().unwrap_or_default().to_string_lossy().to_string();
+        if name != ENERGIES && !graphs.iter().chain(&[LEDGER]).any(|graph| graph.name == name) {
+            found.insert(name, std::fs::read_to_string(&path).at(&path)?);
+        }
+    }
+    Ok(found)
+}
+
+/// Whether the name of a stage is that of a kind of stages, or the same with a number.
+fn is_a(name: &str, kind: &str) -> bool {
+    name.strip_prefix(kind).is_some_and(|rest| rest.is_empty() || rest.starts_with(' '))
+}
+
+/// Where the events with a word were on the curve of a stage.
+fn marked(series: &Series, events: &[Event], stage: &str, word: &str, x: Column, y: Column) -> Vec<(f64, f64)> {
+    let [x, y] = [x, y].map(|column| series.curve(stage, TIME, column));
+    let these = events.iter().filter(|event| event.stage == stage && event.event.contains(word));
+    these.filter_map(|event| Some((between(&x, event.time_ns)?, between(&y, event.time_ns)?))).collect()
+}
+
+/// How the energies of all causes, and all that was lost, have changed since the beginning, aJ against time; without what is too little to be seen.
+fn energies(series: &Series) -> Vec<Curve> {
+    let change = |column: &str| -> Vec<(f64, f64)> {
+        let points = series.curve_of("", &TIME.to_string(), column);
+        points.iter().map(|point| (point.0, 1e-3 * (point.1 - points[0].1))).collect()
+    };
+    let at_surfaces = AT_SURFACES.to_string();
+    let cause = |column| columns::cause_of_stored(column).or((column == at_surfaces).then_some("at surfaces"));
+    let held = |column| Some((cause(column)?, change(column)));
+    let mut curves: Vec<(&str, Vec<(f64, f64)>)> = series.columns.iter().filter_map(|column| held(column)).collect();
+    curves.push(("lost", lost(series)));
+    let size = |points: &[(f64, f64)]| points.iter().map(|point| point.1.abs()).fold(0.0, f64::max);
+    let largest = curves.iter().map(|curve| size(&curve.1)).fold(0.0, f64::max);
+    let seen = curves.into_iter().filter(|curve| largest > 0.0 && size(&curve.1) > 0.01 * largest);
+    seen.map(|(name, points)| Curve::new(name, Mark::Line, points)).collect()
+}
+
+/// All that was lost, aJ against time: the account of every stage begins with nothing.
+fn lost(series: &Series) -> Vec<(f64, f64)> {
+    let causes = series.columns.iter().filter(|column| columns::is_lost(column));
+    let mut before = 0.0;
+    let mut points = Vec::new();
+    for stage in series.stages() {
+        let sums =
+            causes.clone().map(|column| series.curve_of(stage, &TIME.to_string(), column)).reduce(|sums, points| {
+                sums.into_iter().zip(points).map(|((time, sum), (_, lost))| (time, sum + lost)).collect()
+            });
+        points.extend(sums.unwrap_or_default().into_iter().map(|(time, lost)| (time, before + 1e-3 * lost)));
+        before = points.last().map_or(0.0, |&(_, lost)| lost);
+    }
+    points
 }
 
 #[cfg(test)]
@@ -73,14 +155,29 @@ mod tests {
     use super::*;
 
     #[test]
-    fn text_is_escaped_and_pictures_cannot_end_their_attribute() {
-        let mut report = Report::new("a < b");
-        report.table(&["x"], &[["1 & 2".to_string()]]);
-        report.figure("<svg fill=\"#fff\">\n</svg>", "one \"two\"");
-        let html = report.finish();
-        assert!(html.contains("<h1>a &lt; b</h1>"));
-        assert!(html.contains("<td>1 &amp; 2</td>"));
-        assert!(html.contains("src=\"data:image/svg+xml,<svg fill='%23fff'> </svg>\""));
-        assert!(html.contains("alt=\"one &quot;two&quot;\""));
+    fn what_is_lost_adds_up_over_stages_and_each_keeps_its_own_curves() {
+        let columns = [
+            "stage",
+            "time [ns]",
+            "lost to drag [zJ]",
+            "lost at surfaces [zJ]",
+            "energy at surfaces [zJ]",
+            "spin energy [zJ]",
+        ];
+        let rows = [
+            ["pulling", "0", "0", "0", "-1000", "5000"],
+            ["pulling", "1", "1000", "2000", "-3000", "0"],
+            ["pulling 2", "1", "0", "0", "-3000", "0"],
+            ["pulling 2", "2", "500", "0", "-3000", "0"],
+        ];
+        let rows = rows.map(|row| row.map(String::from).to_vec()).to_vec();
+        let series = Series { columns: columns.map(String::from).to_vec(), rows };
+        assert_eq!(series.stages(), ["pulling", "pulling 2"]);
+        let curves = energies(&series).into_iter().map(|curve| (curve.label, curve.points[3].1));
+        assert_eq!(
+            curves.collect::<Vec<_>>(),
+            [("at surfaces".into(), -2.0), ("spin".into(), -5.0), ("lost".into(), 3.5)]
+        );
+        assert!(is_a("pulling 2", "pulling") && !is_a("pulling up", "pull"));
     }
 }

@@ -128,7 +128,7 @@ fn visible(discs: &[Disc], height: f64) -> impl Iterator<Item = &Disc> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::build::hcp;
+    use crate::initial::hcp;
 
     #[test]
     fn only_the_rear_half_is_drawn_and_hidden_spheres_are_left_out() {

@@ -5,10 +5,13 @@
 //! the owners afterwards, again in a fixed order. The cut depends on the particles alone, so the sums, and with them every
 //! bit of the trajectory, do not depend on how many threads share the work.
 
+use super::Load;
 use super::pairs::{FarPairs, Pairs, Places, seat};
-use super::{Bond, Load, Neighbour, Springs};
+use crate::error::Reason;
+use crate::geometry::Neighbour;
 use crate::spec::{PairModel, Vec3};
-use crate::system::{Domain, Image, Particles, Reason};
+use crate::system::{Bond, Springs};
+use crate::system::{Domain, Image, Particles};
 use num_traits::Zero;
 use rayon::prelude::*;
 use std::ops::Range;

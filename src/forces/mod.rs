@@ -2,10 +2,8 @@
 
 mod act;
 mod blocks;
-mod grid;
 mod instructions;
 mod kernel;
-mod memory;
 mod order;
 mod pairs;
 mod surfaces;
@@ -13,10 +11,8 @@ mod totals;
 mod transpose;
 
 pub use blocks::{Block, CAPACITY, LANES, bond, partition, places};
-pub use grid::{Neighbour, neighbours, neighbours_but};
 pub use instructions::{Instructions, SideBySide};
 pub use kernel::{Load, evaluate, side_by_side};
-pub use memory::{Bond, Springs};
 pub use order::spatial_order;
 pub use pairs::{FarPairs, Pairs};
 pub use surfaces::{Leaning, each_touch, lean};

@@ -1,10 +1,12 @@
 //! The pairs of a block, laid out for the pair loop.
 
+use super::Load;
 use super::blocks::{CAPACITY, LANES, NOWHERE, bond, no_loads};
-use super::{Bond, Load, Neighbour, Springs};
+use crate::geometry::Neighbour;
 use crate::spec::numbers::Lanes;
 use crate::spec::wear::eq17_effective_mass::effective_mass;
 use crate::spec::{Flat, PairModel};
+use crate::system::{Bond, Springs};
 use crate::system::{Image, Particles};
 use std::ops::Range;
 

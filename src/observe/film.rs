@@ -2,9 +2,9 @@
 
 mod pores;
 
-use crate::build::film::{Film, FilmSphere};
-use crate::build::sphere_volume;
-use crate::forces::neighbours;
+use crate::geometry::neighbours;
+use crate::initial::film::{Film, FilmSphere};
+use crate::initial::sphere_volume;
 use crate::spec::Vec3;
 use crate::system::Domain;
 use std::f64::consts::PI;

@@ -1,15 +1,10 @@
 //! What is measured: stress, strain, elasticity, packing, clusters, the motion of bodies, and the fate of a junction.
 
-pub mod capacity;
-pub mod clusters;
-pub mod fate;
 pub mod film;
 pub mod force_curve;
-pub mod hull;
 pub mod morphology;
 pub mod packing;
 pub mod patch;
-pub mod projection;
 pub mod rotation;
 pub mod statistics;
 pub mod strain;

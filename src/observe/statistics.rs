@@ -64,7 +64,7 @@ fn within(theta: f64, freedom: usize) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::build::random::Stream;
+    use crate::random::Stream;
 
     #[test]
     fn students_t_has_its_tabulated_values() {

@@ -6,8 +6,8 @@
 //! body it touches, but it does not stay so.
 
 use super::Link;
-use super::clusters::Clusters;
 use super::rotation::RigidMotion;
+use crate::geometry::clusters::Clusters;
 use crate::spec::Vec3;
 use crate::system::System;
 

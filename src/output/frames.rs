@@ -85,7 +85,7 @@ fn outline(surface: &Surface, domain: &Domain) -> (Vec<Vec3<f64>>, Vec<[u32; 3]>
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::build::surface::tetrahedron;
+    use crate::papers::soot::tip::tetrahedron;
     use crate::system::{Course, Particles};
 
     #[test]

@@ -15,6 +15,10 @@ pub enum Status {
     Stopped,
     /// The simulation left its domain.
     Halted,
+    /// A stage did not come to the end that it should.
+    Failed,
+    /// A file could not be read or written; it can be resumed.
+    Interrupted,
     /// It is complete.
     Finished,
 }

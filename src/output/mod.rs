@@ -1,15 +1,19 @@
 //! The run folder: what a run leaves behind, and how it is written so that nothing half-written is ever mistaken for a result.
 
 mod checkpoint;
+pub mod columns;
 mod files;
 mod folder;
 mod frames;
 mod manifest;
+mod reading;
 mod series;
 
 pub use checkpoint::{Checkpoints, Kept, keep, kept};
+pub use columns::Column;
 pub use files::{Appending, read, sha256_file, write_atomically};
 pub use folder::RunFolder;
 pub use frames::{SURFACES, extended_xyz, frame_name, wavefront};
 pub use manifest::{Manifest, Status};
+pub use reading::{Event, Series, between};
 pub use series::{Cell, Finding, row};

@@ -1,12 +1,10 @@
 //! The papers' claims, tested: `veridem reproduce`.
 
 mod setting;
-pub mod soot;
-pub mod titania;
-pub mod wear;
 
 pub use setting::Setting;
 
+use crate::error::Error;
 use crate::figures::{Axis, Curve, Plot};
 
 /// How much is computed.
@@ -38,6 +36,9 @@ pub struct Claim {
     pub measured: String,
     /// Whether they agree.
     pub verdict: Verdict,
+    /// Whether it follows from the equations alone: the program is wrong if it does not hold.
+    #[serde(skip)]
+    pub exact: bool,
 }
 
 /// Whether a claim agrees with what came out.
@@ -60,7 +61,12 @@ impl Claim {
         holds: bool,
     ) -> Self {
         let verdict = if holds { Verdict::Holds } else { Verdict::Differs };
-        Self { id, claim: claim.into(), paper: paper.into(), measured: measured.into(), verdict }
+        Self { id, claim: claim.into(), paper: paper.into(), measured: measured.into(), verdict, exact: false }
+    }
+
+    /// The same, following from the equations alone.
+    pub fn exact(self) -> Self {
+        Self { exact: true, ..self }
     }
 
     /// A claim that the figure of the `paper`, in its `unit`, is met to within one of its last place: printed figures are rounded or
@@ -99,9 +105,21 @@ impl Figure {
     }
 }
 
-/// The claims about one kind of system.
-#[derive(Clone, Debug, Default)]
+/// A chapter of the claims of a paper: those about one kind of system.
 pub struct Chapter {
+    /// Its name, a word of the command line.
+    pub name: &'static str,
+    /// What it is about, with the section of the paper.
+    pub about: &'static str,
+    /// Its headline.
+    pub title: &'static str,
+    /// Computes it.
+    pub compute: fn(&Setting) -> Result<Evidence, Error>,
+}
+
+/// The evidence of a chapter: claims beside what was measured, and figures.
+#[derive(Clone, Debug, Default)]
+pub struct Evidence {
     /// What was left out against the paper, if anything.
     pub note: String,
     /// The claims.
@@ -111,7 +129,7 @@ pub struct Chapter {
 }
 
 /// `|a / b - 1| <= tolerance`; false for a NaN.
-pub(crate) fn near(a: f64, b: f64, tolerance: f64) -> bool {
+pub fn near(a: f64, b: f64, tolerance: f64) -> bool {
     (a / b - 1.0).abs() <= tolerance
 }
 

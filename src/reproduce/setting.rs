@@ -2,8 +2,9 @@
 
 use super::Extent;
 use crate::error::{AtPath, Error};
+use crate::interrupt::Interrupt;
 use crate::output::{Manifest, RunFolder};
-use crate::run::Control;
+use crate::run::Reader;
 use crate::run::sweep::{Point, carry_out};
 use indicatif::HumanDuration;
 use std::path::PathBuf;
@@ -16,6 +17,10 @@ pub struct Setting<'a> {
     pub extent: Extent,
     /// Where runs are kept that take long: what has finished is not run again, and what was stopped is gone on with.
     pub runs: PathBuf,
+    /// Reads the cases of those runs.
+    pub read: Reader<'a>,
+    /// Stops it.
+    pub interrupt: &'a Interrupt,
     /// Hears how it is going.
     pub tell: &'a (dyn Fn(String) + Sync),
 }
@@ -32,9 +37,8 @@ impl Setting<'_> {
     /// Runs, or goes on with, whatever has not finished, one run on each core.
     pub fn keep(&self, points: &[Point]) -> Result<Kept, Error> {
         std::fs::create_dir_all(&self.runs).at(&self.runs)?;
-        let control = Control::new(None, None).map_err(|cause| Error::Io("signal handler".into(), cause))?;
         let (begin, state) = (Instant::now(), Mutex::new((0, 0, None)));
-        carry_out(points, &self.runs, &control, &|_, outcome| {
+        carry_out(points, &self.runs, self.interrupt, self.read, &|_, outcome| {
             let (done, new, failure) = &mut *state.lock().expect("no worker panics");
             match outcome {
                 Ok(was_left) => {
@@ -63,6 +67,6 @@ impl Setting<'_> {
                 "warning: another build of this program has made {n} of these runs, or a part of them"
             )),
         }
-        Ok(Kept { folders, stopped: control.stops(0) })
+        Ok(Kept { folders, stopped: self.interrupt.is_due() })
     }
 }

@@ -1,64 +1,69 @@
 //! What every row of the series holds, whatever the stage.
 
-use super::Study;
-use crate::output::Cell;
-use crate::simulation::Simulation;
+use super::{Stage, Study};
+use crate::output::columns::{
+    DISCRETE_RESIDUAL, KINETIC, LARGEST_OVERLAP, LOST_TO_BREAKING, LOST_TO_DRAG, PHYSICAL_RESIDUAL, RELATIVE_RESIDUAL,
+    SIDES, STAGE, STEP, STRESS, TIME, WORK_OF_BOX, WORK_OF_LOADS, WORK_OF_WALLS, lost, stored,
+};
+use crate::output::{Cell, Column};
 use crate::spec::{Named, PairModel};
 
-const COLUMNS: [&str; 15] = [
-    "lost to drag [zJ]",
-    "lost to breaking [zJ]",
-    "work of walls [zJ]",
-    "work of loads [zJ]",
-    "work of box [zJ]",
-    "discrete residual [zJ]",
-    "physical residual [zJ]",
-    "relative residual",
-    "largest overlap",
-    "stress xx [MPa]",
-    "stress yy [MPa]",
-    "stress zz [MPa]",
-    "side x [nm]",
-    "side y [nm]",
-    "side z [nm]",
+/// The columns of the accounts, between what pairs lose and the stress.
+const ACCOUNTS: [Column; 9] = [
+    LOST_TO_DRAG,
+    LOST_TO_BREAKING,
+    WORK_OF_WALLS,
+    WORK_OF_LOADS,
+    WORK_OF_BOX,
+    DISCRETE_RESIDUAL,
+    PHYSICAL_RESIDUAL,
+    RELATIVE_RESIDUAL,
+    LARGEST_OVERLAP,
 ];
 
-/// The columns of the series.
+/// The headers of the series.
 pub fn columns<S: Study>(study: &S) -> Vec<String> {
-    let stored = <S::Model as PairModel>::Stored::<f64>::names().into_iter();
-    let stored = stored.map(|cause| format!("{cause} energy [zJ]"));
-    let lost = <S::Model as PairModel>::Losses::<f64>::names().into_iter().map(|cause| format!("lost to {cause} [zJ]"));
-    let first = ["stage", "step", "time [ns]", "kinetic energy [zJ]"].into_iter().map(String::from);
-    let last = COLUMNS.into_iter().chain(study.columns()).map(String::from);
-    first.chain(stored).chain(lost).chain(last).collect()
+    let held = <S::Model as PairModel>::Stored::<f64>::names().into_iter().map(|cause| stored(&cause));
+    let gone = <S::Model as PairModel>::Losses::<f64>::names().into_iter().map(|cause| lost(&cause));
+    let first = [STAGE, STEP, TIME, KINETIC].into_iter().map(|column| column.to_string());
+    let last = ACCOUNTS.into_iter().chain(STRESS).chain(SIDES).chain(study.columns()).map(|column| column.to_string());
+    first.chain(held).chain(gone).chain(last).collect()
 }
 
-/// A row, and what of it those who wait want to see: the relative residual of the ledger and the largest overlap.
-pub fn measure<S: Study>(
-    study: &S,
-    stage: &str,
-    simulation: &Simulation<S::Model>,
-    watch: &mut S::Watch,
-) -> (Vec<Cell>, (f64, f64)) {
-    let (system, ledger) = (simulation.system(), simulation.ledger());
-    let residual = ledger.physical_residual() / ledger.turnover().max(f64::MIN_POSITIVE);
-    let overlap = simulation.largest_overlap().map_or(0.0, |(_, ratio)| ratio);
-    let energies =
-        [system.time, ledger.kinetic].into_iter().chain(ledger.stored.clone()).chain(ledger.lost_by_pairs.clone());
-    let accounts = [
-        ledger.lost_drag,
-        ledger.lost_to_breaking,
-        ledger.work_walls,
-        ledger.work_loads,
-        ledger.work_box,
-        ledger.discrete_residual(),
-        ledger.physical_residual(),
-        residual,
-        overlap,
-    ];
-    let numbers = energies.chain(accounts).chain(simulation.stress()).chain(system.domain.sides);
-    let mut cells = vec![Cell::Name(stage.into()), Cell::Count(system.step)];
-    cells.extend(numbers.map(Cell::Number));
-    cells.extend(study.look(watch, simulation));
-    (cells, (residual, overlap))
+/// A row of the series, and the numbers of it that those who wait want to see.
+pub struct Row {
+    /// The cells.
+    pub cells: Vec<Cell>,
+    /// Relative residual of the physical account.
+    pub residual: f64,
+    /// Largest overlap over the sum of the radii.
+    pub overlap: f64,
+}
+
+impl<S: Study> Stage<'_, S> {
+    /// Measures.
+    pub fn measure(&mut self) -> Row {
+        let simulation = &self.simulation;
+        let (system, ledger) = (simulation.system(), simulation.ledger());
+        let residual = ledger.physical_residual() / ledger.turnover().max(f64::MIN_POSITIVE);
+        let overlap = simulation.largest_overlap().map_or(0.0, |(_, ratio)| ratio);
+        let energies =
+            [system.time, ledger.kinetic].into_iter().chain(ledger.stored.clone()).chain(ledger.lost_by_pairs.clone());
+        let accounts: [f64; ACCOUNTS.len()] = [
+            ledger.lost_drag,
+            ledger.lost_to_breaking,
+            ledger.work_walls,
+            ledger.work_loads,
+            ledger.work_box,
+            ledger.discrete_residual(),
+            ledger.physical_residual(),
+            residual,
+            overlap,
+        ];
+        let numbers = energies.chain(accounts).chain(simulation.stress()).chain(system.domain.sides);
+        let mut cells = vec![Cell::Name(self.name.clone()), Cell::Count(system.step)];
+        cells.extend(numbers.map(Cell::Number));
+        cells.extend(self.study.look(&mut self.watch, simulation));
+        Row { cells, residual, overlap }
+    }
 }

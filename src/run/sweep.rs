@@ -1,8 +1,8 @@
 //! Many runs side by side, each in a folder of its own.
 
-use super::{Control, complete};
-use crate::case::Case;
+use super::Reader;
 use crate::error::Error;
+use crate::interrupt::Interrupt;
 use crate::output::write_atomically;
 use rayon::ThreadPoolBuilder;
 use serde_yaml::Value;
@@ -25,7 +25,7 @@ pub struct Point {
 
 impl Point {
     /// The case of a file with other values for some keys; whatever is wrong with it is found here.
-    pub fn new(file: &Path, base: &Value, values: &[(&str, &str)]) -> Result<Self, Error> {
+    pub fn new(file: &Path, base: &Value, values: &[(&str, &str)], read: Reader) -> Result<Self, Error> {
         let mut case = base.clone();
         for (key, value) in values {
             set(&mut case, key, value)?;
@@ -36,7 +36,7 @@ impl Point {
         let text = serde_yaml::to_string(&case).expect("a case is plain data");
         let whole: Vec<String> = values.iter().map(|(key, value)| format!("{key}={value}")).collect();
         let place = format!("{} with {}", file.file_name().unwrap_or_default().display(), whole.join(" "));
-        let resolved = Case::parse(&file.with_file_name(place), &text).map_err(without_lines)?.resolved();
+        let resolved = read(&file.with_file_name(place), &text).map_err(without_lines)?.resolved;
         let values = values.iter().map(|(_, value)| value.to_string()).collect();
         Ok(Self { name: parts.join(","), values, text, resolved })
     }
@@ -87,12 +87,13 @@ pub fn set(case: &mut Value, key: &str, value: &str) -> Result<(), Error> {
     Ok(())
 }
 
-/// Runs, or goes on with, whatever has not finished, one on each core; `ended` is told whether there was anything left to do. Once the
-/// control stops the runs, no other is begun.
+/// Runs, or goes on with, whatever has not finished, one on each core; `ended` is told whether there was anything left to do. Once
+/// they are interrupted, no other is begun.
 pub fn carry_out(
     points: &[Point],
     out: &Path,
-    control: &Control,
+    interrupt: &Interrupt,
+    read: Reader,
     ended: &(dyn Fn(&Point, Result<bool, Error>) + Sync),
 ) {
     let next = AtomicUsize::new(0);
@@ -100,10 +101,10 @@ pub fn carry_out(
         for _ in 0..rayon::current_num_threads().min(points.len()) {
             scope.spawn(|| {
                 let core = ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
-                while !control.stops(0)
+                while !interrupt.is_due()
                     && let Some(point) = points.get(next.fetch_add(1, Ordering::Relaxed))
                 {
-                    let run = || complete(&point.write(out)?, &out.join(&point.name), control);
+                    let run = || read(&point.write(out)?, &point.text)?.complete(&out.join(&point.name), interrupt);
                     ended(point, core.install(run));
                 }
             });

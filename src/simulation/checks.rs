@@ -1,8 +1,8 @@
 //! What a simulation must satisfy to go on.
 
 use super::Simulation;
+use crate::error::{Halt, Reason};
 use crate::spec::{PairModel, Vec3};
-use crate::system::{Halt, Reason};
 
 impl<M: PairModel> Simulation<M> {
     pub(super) fn halt(&self, reason: Reason) -> Halt {

@@ -1,10 +1,13 @@
 //! Who is listed as whose neighbour, and in which order everything lies in memory.
 
 use super::Simulation;
-use crate::forces::{self, Neighbour, Springs};
+use crate::error::{Halt, Reason};
+use crate::forces;
+use crate::geometry::{Neighbour, neighbours_but};
 use crate::motion::{self, Grips, Moved};
 use crate::spec::{Flat, PairModel, Vec3};
-use crate::system::{Domain, Halt, Pose, Reason, System};
+use crate::system::Springs;
+use crate::system::{Domain, Pose, System};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
@@ -81,7 +84,7 @@ impl<M: PairModel> Simulation<M> {
         // A body may meet its own copy across the side of the box.
         let within = |p, q, image| same(&particles.wall, p, q) || same(&particles.body, p, q) && image == [0; 3];
         let reach = |r_i, r_j| model.range(r_i, r_j) + skin;
-        forces::neighbours_but(&self.listed.x, &particles.radius, &domain, reach, within)
+        neighbours_but(&self.listed.x, &particles.radius, &domain, reach, within)
     }
 
     /// Puts the members of bodies that have no partner behind all others: they need not be moved until neighbours are listed again.

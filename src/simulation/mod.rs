@@ -12,13 +12,15 @@ mod verlet;
 
 pub use crate::motion::Integrator;
 pub use ledger::{Ledger, SurfaceAccount};
+pub use necks::EXAMINED;
 pub use pairs::Pair;
 pub use snapshot::Snapshot;
 
+use crate::error::Halt;
 use crate::forces::{self, Block, Instructions, Totals};
 use crate::motion::{self, BoxRelaxation, Grips, Moved, Spheres};
 use crate::spec::{PairModel, Vec3};
-use crate::system::{Halt, System};
+use crate::system::System;
 use listing::Listed;
 use rayon::prelude::*;
 use verlet::Held;
@@ -42,6 +44,23 @@ pub struct Settings {
     pub far_every: u64,
     /// Vector instructions of the pair loop.
     pub instructions: Instructions,
+}
+
+impl Settings {
+    /// A time step in ns, and of all else what is plain: velocities half a step behind positions, no damping, neighbours listed
+    /// no farther than their range, no limit of overlap, fixed sides, the widest vector instructions.
+    pub fn new(dt: f64) -> Self {
+        Self {
+            dt,
+            integrator: Integrator::HalfStep,
+            damping: 0.0,
+            skin: 0.0,
+            max_overlap: f64::INFINITY,
+            relax_box: None,
+            far_every: 1,
+            instructions: Instructions::best(),
+        }
+    }
 }
 
 /// A system under a contact model.

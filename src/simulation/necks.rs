@@ -1,9 +1,12 @@
 //! Necks that break.
 
 use super::{Integrator, Simulation};
+use crate::error::Halt;
 use crate::forces::bond;
 use crate::spec::{Contact, Flat, PairModel};
-use crate::system::Halt;
+
+/// Steps from one look at the strength of necks to the next: a small part of the period of their springs at any published time step.
+pub const EXAMINED: u64 = 5;
 
 impl<M: PairModel> Simulation<M> {
     /// Breaks every neck of which `breaks` holds, given the pair, its springs, and what it holds. The contacts that take

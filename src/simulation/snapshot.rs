@@ -4,10 +4,11 @@
 //! the same order of sums, and goes on with the same bits.
 
 use super::{Held, Ledger, Listed, Settings, Simulation};
-use crate::forces::Springs;
+use crate::error::Halt;
 use crate::motion::Grips;
 use crate::spec::{Flat, PairModel};
-use crate::system::{Halt, System};
+use crate::system::Springs;
+use crate::system::System;
 use serde::{Deserialize, Serialize};
 
 /// All that a simulation is, besides its model and settings.

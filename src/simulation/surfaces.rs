@@ -1,9 +1,9 @@
 //! Surfaces: what they do to the spheres in a step, and what their contacts hold.
 
 use super::{Simulation, SurfaceAccount};
+use crate::error::{Halt, Reason};
 use crate::forces::{Leaning, each_touch, lean};
 use crate::spec::{Flat, PairModel};
-use crate::system::{Halt, Reason};
 use rayon::prelude::*;
 
 /// Below this number of blocks one core has looked at all surfaces sooner than others have been called.

@@ -2,11 +2,11 @@
 //! and the velocities of half a step before, with which the springs advance, too.
 
 use super::Simulation;
+use crate::error::Halt;
 use crate::forces::{Leaning, Totals};
 use crate::motion::{gathered, verlet};
 use crate::spec::numbers::Lanes;
 use crate::spec::{Flat, PairModel};
-use crate::system::Halt;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 

@@ -2,7 +2,7 @@
 
 mod body;
 mod domain;
-mod halt;
+mod history;
 pub mod mesh;
 mod steering;
 mod surface;
@@ -10,12 +10,11 @@ mod wall;
 
 pub use body::{Body, Pose, turned};
 pub use domain::{Domain, Image};
-pub use halt::{Halt, Reason};
+pub use history::{Bond, Springs};
 pub use steering::Steering;
 pub use surface::{Course, Forces, Grips, Shape, Surface};
 pub use wall::{Motion, Wall};
 
-use crate::forces::Springs;
 use crate::spec::Vec3;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};

@@ -1,11 +1,14 @@
 //! Aggregates of soot for the tests of the engine.
 
 use std::path::Path;
-use veridem::build::aggregate::necks::necks;
-use veridem::build::aggregate::{Method, Radii, Recipe, Sphere, aggregate};
-use veridem::build::surface::tetrahedron;
-use veridem::case::Case;
 use veridem::forces::Instructions;
+use veridem::geometry::Sphere;
+use veridem::initial::aggregate::necks::necks;
+use veridem::initial::aggregate::{Method, Radii, Recipe, aggregate};
+use veridem::interrupt::Interrupt;
+use veridem::papers::parse;
+use veridem::papers::soot::tip::tetrahedron;
+use veridem::papers::soot::{self, case::parts};
 use veridem::simulation::{Integrator, Settings, Simulation};
 use veridem::spec::Vec3;
 use veridem::spec::soot::{Along, SUBSTRATE, Soot, TIP};
@@ -23,7 +26,7 @@ pub const DT: f64 = 20e-6;
 /// The published interactions with the softer necks.
 pub fn law() -> Soot {
     let text = "title: t\nmodel: {soot: {necks: S}}\nsample: {aggregate: {}}\nexperiment: {restructuring: {}}\n";
-    Case::parse(Path::new("published"), text).expect("a case of defaults").soot().expect("a case of soot").0.law(Along)
+    parts(&parse::<soot::Soot>(Path::new("published"), text).expect("a case of defaults")).0.law(Along)
 }
 
 /// The same without a coating.
@@ -36,7 +39,7 @@ pub fn dry() -> Soot {
 /// An aggregate about the origin, those of its contacts joined by necks whose numbers satisfy `joined`.
 pub fn system(joined: impl Fn(usize) -> bool) -> System {
     let recipe = Recipe { number: SPHERES, d_f: 1.8, k_f: 1.4, radii: Radii::Equal(RADIUS), method: Method::Clusters };
-    let spheres = aggregate(&recipe, 1).expect("an ordinary aggregate");
+    let spheres = aggregate(&recipe, 1, &Interrupt::default()).expect("an ordinary aggregate");
     let mut particles = Particles::default();
     for &Sphere { centre, radius } in &spheres {
         particles.push(centre, radius, MASS, 0);

@@ -1,10 +1,10 @@
 //! Pore sizes: the largest empty ball that holds a point (Gelb & Gubbins, Langmuir 15, 305, 1999), by Monte Carlo.
 
 use super::radius;
-use crate::build::directions::direction;
-use crate::build::film::Film;
-use crate::build::film::column::Column;
-use crate::build::random::Stream;
+use crate::geometry::directions::direction;
+use crate::initial::film::Film;
+use crate::initial::film::column::Column;
+use crate::random::Stream;
 use crate::spec::Vec3;
 
 /// Empty balls that are looked for.

@@ -1,6 +1,9 @@
 //! The values are independent: computed with 50 digits from the definitions.
 
 use super::*;
+use crate::geometry::{Extent, gyration_radius, square_gyration_radius};
+use crate::initial::aggregate::components;
+use crate::spec::Real;
 use proptest::prelude::*;
 
 fn spheres(places: &[[f64; 3]], radius: f64) -> Vec<Sphere> {

@@ -1,0 +1,121 @@
+//! What can go wrong on the way from the user to the engine and back, and how the process ends then.
+//!
+//! A wrong input is a [`Problem`]; a simulation that left its domain is a [`Halt`]; a broken invariant is a panic.
+
+mod halt;
+
+pub use halt::{Halt, Reason};
+
+use std::fmt;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// Something in the user's input that cannot be used.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Problem {
+    /// The file, as the user named it.
+    pub file: PathBuf,
+    /// The line, counted from 1, where it can be told.
+    pub line: Option<usize>,
+    /// The key, with the sections it lies in; empty for the file as a whole.
+    pub key: String,
+    /// What was found and what was expected.
+    pub what: String,
+}
+
+impl fmt::Display for Problem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if !self.file.as_os_str().is_empty() {
+            write!(f, "{}:", self.file.display())?;
+        }
+        if let Some(line) = self.line {
+            write!(f, "{line}:")?;
+        }
+        if !self.key.is_empty() {
+            write!(f, " {}:", self.key)?;
+        }
+        write!(f, " {}", self.what)
+    }
+}
+
+/// Why a command did not succeed.
+#[derive(Debug)]
+pub enum Error {
+    /// The input is wrong; nothing was written.
+    Input(Vec<Problem>),
+    /// An input file cannot be opened.
+    NoInput(PathBuf, io::Error),
+    /// The command line asks for something that cannot be done.
+    Usage(String),
+    /// The simulation left its domain.
+    Halted(Halt, Option<PathBuf>),
+    /// A verification failed.
+    Verification(String),
+    /// A file could not be written, or its reading broke off.
+    Io(PathBuf, io::Error),
+    /// A run was stopped, and goes on from its checkpoint; or several were, that the same command goes on with.
+    Stopped(Option<PathBuf>),
+}
+
+impl Error {
+    /// The status that the process ends with.
+    pub fn exit_code(&self) -> u8 {
+        match self {
+            Self::Usage(_) => 2,
+            Self::Verification(_) => 4,
+            Self::Halted(..) => 5,
+            Self::Input(_) => 65,
+            Self::NoInput(..) => 66,
+            Self::Io(..) => 74,
+            Self::Stopped(_) => 75,
+        }
+    }
+
+    /// One problem with the value of a key of the case, found when the file is no longer at hand.
+    pub fn of_key(key: impl Into<String>, what: impl Into<String>) -> Self {
+        Self::Input(vec![Problem { file: PathBuf::new(), line: None, key: key.into(), what: what.into() }])
+    }
+
+    /// One problem with a file as a whole.
+    pub fn input(file: &Path, what: impl Into<String>) -> Self {
+        Self::Input(vec![Problem { file: file.into(), line: None, key: String::new(), what: what.into() }])
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Input(problems) => {
+                let lines: Vec<String> = problems.iter().map(Problem::to_string).collect();
+                f.write_str(&lines.join("\n"))
+            }
+            Self::NoInput(path, cause) => write!(f, "{}: cannot be read: {cause}", path.display()),
+            Self::Usage(what) | Self::Verification(what) => f.write_str(what),
+            Self::Halted(halt, None) => write!(f, "halted at {halt}"),
+            Self::Halted(halt, Some(state)) => write!(f, "halted at {halt}; the state is in {}", state.display()),
+            Self::Io(path, cause) => write!(f, "{}: {cause}", path.display()),
+            Self::Stopped(Some(run)) => write!(f, "stopped; go on with `veridem resume {}`", run.display()),
+            Self::Stopped(None) => f.write_str("stopped; the same command goes on"),
+        }
+    }
+}
+
+impl std::error::Error for Error {}
+
+impl From<Halt> for Error {
+    fn from(halt: Halt) -> Self {
+        Self::Halted(halt, None)
+    }
+}
+
+/// Names the path in an I/O failure.
+pub trait AtPath<T> {
+    /// The path that the failure is about.
+    fn at(self, path: &Path) -> Result<T, Error>;
+}
+
+impl<T> AtPath<T> for io::Result<T> {
+    fn at(self, path: &Path) -> Result<T, Error> {
+        self.map_err(|cause| Error::Io(path.into(), cause))
+    }
+}

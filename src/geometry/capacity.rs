@@ -1,0 +1,83 @@
+//! The electrostatic capacity of touching spheres, which stands for their hydrodynamic radius: a walk on spheres.
+
+use super::{Sphere, centre_of_mass};
+use crate::geometry::directions::{cone, direction};
+use crate::random::Stream;
+use crate::spec::titania::def_capacity::{self, return_cosine, return_probability};
+
+/// A walk has hit when it is this near a surface, as a part of the radius of the sphere on which it began.
+const SKIN: f64 = 1e-6;
+
+/// The capacity (nm): `walks` Brownian walks from a sphere about the spheres hit them or escape. Its relative standard error is the
+/// root of `(1 - p) / (p walks)`, where `p` is the share that hits.
+pub fn capacity(spheres: &[Sphere], walks: usize, stream: &mut Stream) -> f64 {
+    let centre = centre_of_mass(spheres);
+    let about: Vec<Sphere> = spheres.iter().map(|s| Sphere { centre: s.centre - centre, ..*s }).collect();
+    let begin = about.iter().map(|s| s.centre.norm() + s.radius).fold(0.0, f64::max);
+    let hits = (0..walks).filter(|_| walk_hits(&about, begin, stream)).count();
+    def_capacity::capacity(hits as f64 / walks as f64, begin)
+}
+
+/// One walk: each step leads to anywhere on the largest ball that is free.
+fn walk_hits(spheres: &[Sphere], begin: f64, stream: &mut Stream) -> bool {
+    let mut at = direction(stream) * begin;
+    loop {
+        let free = spheres.iter().map(|s| (at - s.centre).norm() - s.radius).fold(f64::INFINITY, f64::min);
+        if free < SKIN * begin {
+            return true;
+        }
+        at = at + direction(stream) * free;
+        let rho = at.norm();
+        if rho > begin {
+            let back = return_probability(begin, rho);
+            if stream.uniform() >= back {
+                return false;
+            }
+            at = cone(at * (1.0 / rho), return_cosine(stream.uniform(), back), stream) * begin;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spec::Vec3;
+
+    fn at(places: &[[f64; 3]]) -> Vec<Sphere> {
+        places.iter().map(|&x| Sphere { centre: Vec3(x), radius: 1.0 }).collect()
+    }
+
+    /// Five standard errors.
+    fn agrees(spheres: &[Sphere], exact: f64, begin: f64) {
+        let walks = 20_000;
+        let found = capacity(spheres, walks, &mut Stream::new(3, "test"));
+        let p = exact / begin;
+        let error = 5.0 * begin * (p * (1.0 - p) / walks as f64).sqrt();
+        assert!((found - exact).abs() < error, "{found} is not {exact} within {error}");
+    }
+
+    #[test]
+    fn the_capacity_of_a_sphere_is_its_radius() {
+        let one = [Sphere { centre: Vec3([5.0, -3.0, 1.0]), radius: 2.5 }];
+        assert_eq!(capacity(&one, 10, &mut Stream::new(1, "test")), 2.5);
+    }
+
+    #[test]
+    fn two_touching_spheres_have_the_capacity_of_maxwell() {
+        agrees(&at(&[[0.0; 3], [2.0, 0.0, 0.0]]), 2.0 * 2f64.ln(), 2.0);
+    }
+
+    #[test]
+    fn two_distant_spheres_shield_each_other_as_two_charges() {
+        // Bispherical harmonics: C = 2 sinh(a) sum (-1)^(n+1) / sinh(n a) for two unit spheres 2 cosh(a) apart.
+        let a = 6f64.acosh();
+        let sum: f64 = (1..60).map(|n: i32| (-1f64).powi(n + 1) / (f64::from(n) * a).sinh()).sum();
+        agrees(&at(&[[0.0; 3], [12.0, 0.0, 0.0]]), 2.0 * a.sinh() * sum, 7.0);
+    }
+
+    #[test]
+    fn a_hidden_sphere_changes_nothing() {
+        let shell = [Sphere { centre: Vec3::zero(), radius: 3.0 }, Sphere { centre: Vec3::zero(), radius: 1.0 }];
+        assert_eq!(capacity(&shell, 10, &mut Stream::new(1, "test")), 3.0);
+    }
+}

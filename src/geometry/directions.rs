@@ -1,0 +1,120 @@
+//! Directions: random ones, evenly spread ones, frames; and the free part of a circle.
+
+use crate::random::Stream;
+use crate::spec::{Real, Vec3};
+
+/// A random angle of a full turn.
+pub fn turn(stream: &mut Stream) -> f64 {
+    2.0 * f64::pi() * stream.uniform()
+}
+
+/// A random direction.
+pub fn direction(stream: &mut Stream) -> Vec3<f64> {
+    let z = 2.0 * stream.uniform() - 1.0;
+    cone(Vec3([0.0, 0.0, 1.0]), z, stream)
+}
+
+/// A random direction at an angle to the axis.
+pub fn cone(axis: Vec3<f64>, cosine: f64, stream: &mut Stream) -> Vec3<f64> {
+    axis * cosine + frame(axis, turn(stream))[1] * (1.0 - cosine.squared()).max(0.0).sqrt()
+}
+
+/// A right-handed orthonormal frame with a given first axis, turned about it.
+pub fn frame(axis: Vec3<f64>, angle: f64) -> [Vec3<f64>; 3] {
+    let [x, y, z] = axis.0.map(f64::abs);
+    let least = if x <= y && x <= z {
+        [1.0, 0.0, 0.0]
+    } else if y <= z {
+        [0.0, 1.0, 0.0]
+    } else {
+        [0.0, 0.0, 1.0]
+    };
+    let across = axis.cross(Vec3(least));
+    let across = across * (1.0 / across.norm());
+    let third = axis.cross(across);
+    let (s, c) = (Real::sin(angle), Real::cos(angle));
+    [axis, across * c + third * s, third * c - across * s]
+}
+
+/// So many directions, spread evenly along a spiral.
+pub fn spread(number: usize) -> Vec<Vec3<f64>> {
+    let golden = f64::pi() * (3.0 - 5f64.sqrt());
+    let point = |k: usize| {
+        let z = 1.0 - (2 * k + 1) as f64 / number as f64;
+        let (rho, angle) = ((1.0 - z * z).sqrt(), golden * k as f64);
+        Vec3([rho * Real::cos(angle), rho * Real::sin(angle), z])
+    };
+    (0..number).map(point).collect()
+}
+
+/// The parts of a circle that are covered.
+#[derive(Default)]
+pub struct Covered(Vec<(f64, f64)>);
+
+impl Covered {
+    /// Covers the angles from `from` on; `length` is at most a full turn.
+    pub fn cover(&mut self, from: f64, length: f64) {
+        let full = 2.0 * f64::pi();
+        let from = from - full * (from / full).floor();
+        self.0.push((from, from + length));
+        if from + length > full {
+            self.0.push((0.0, from + length - full));
+        }
+    }
+
+    /// Where each gap begins, between 0 and a full turn, and how long it is.
+    pub fn gaps(mut self) -> Vec<(f64, f64)> {
+        let full = 2.0 * f64::pi();
+        self.0.sort_unstable_by(|s, t| s.0.total_cmp(&t.0));
+        self.0.push((full, full));
+        let mut end = 0.0;
+        let mut gaps = Vec::new();
+        for (from, to) in self.0 {
+            if from > end {
+                gaps.push((end, from - end));
+            }
+            end = end.max(to);
+        }
+        gaps
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use quickcheck::quickcheck;
+    use std::f64::consts::TAU;
+
+    quickcheck! {
+        fn gaps_are_what_no_arc_covers(arcs: Vec<(u8, u8)>, probe: u16) -> bool {
+            // Arcs of whole 256ths of a turn; the probe is in the middle of one.
+            let part = TAU / 256.0;
+            let mut covered = Covered::default();
+            for &(from, length) in &arcs {
+                covered.cover(f64::from(from) * part, f64::from(length) * part);
+            }
+            let place = probe % 256;
+            let inside = arcs.iter().any(|&(from, length)| (place + 256 - u16::from(from)) % 256 < u16::from(length));
+            let angle = (f64::from(place) + 0.5) * part;
+            let free = covered.gaps().iter().any(|&(from, length)| angle > from && angle < from + length);
+            inside != free
+        }
+
+        fn frames_are_right_handed_and_orthonormal(seed: u64) -> bool {
+            let mut stream = Stream::new(seed, "test");
+            let axis = direction(&mut stream);
+            let [e, f, g] = frame(axis, turn(&mut stream));
+            let unit = [e, f, g].iter().all(|v| (v.norm() - 1.0).abs() < 1e-14);
+            unit && e.dot(f).abs() < 1e-14 && (e.cross(f) - g).norm() < 1e-14
+        }
+    }
+
+    #[test]
+    fn spread_directions_have_the_moments_of_all_directions() {
+        let all = spread(400);
+        for axis in 0..3 {
+            let mean = |power: i32| all.iter().map(|v| v.0[axis].powi(power)).sum::<f64>() / 400.0;
+            assert!(mean(1).abs() < 1e-3 && (mean(2) - 1.0 / 3.0).abs() < 1e-3);
+        }
+    }
+}

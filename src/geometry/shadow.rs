@@ -1,0 +1,120 @@
+//! The shadow of spheres: the area of a union of discs, exact by Green's theorem.
+
+use crate::geometry::Sphere;
+use crate::geometry::directions::{Covered, frame, spread};
+use crate::spec::{Real, Vec3};
+
+/// Mean area (nm^2) of the shadows in so many directions, spread evenly.
+pub fn mean_projected_area(spheres: &[Sphere], directions: usize) -> f64 {
+    spread(directions).into_iter().map(|along| projected_area(spheres, along)).sum::<f64>() / directions as f64
+}
+
+/// Area (nm^2) of the shadow of spheres along a unit vector.
+pub fn projected_area(spheres: &[Sphere], along: Vec3<f64>) -> f64 {
+    let [_, e, f] = frame(along, 0.0);
+    let discs: Vec<Disc> =
+        spheres.iter().map(|s| Disc { x: s.centre.dot(e), y: s.centre.dot(f), r: s.radius }).collect();
+    (0..discs.len()).map(|i| share(&discs, i)).sum()
+}
+
+struct Disc {
+    x: f64,
+    y: f64,
+    r: f64,
+}
+
+/// Half the integral of `x dy - y dx` along that part of the rim of the `i`-th disc that no other covers.
+fn share(discs: &[Disc], i: usize) -> f64 {
+    let own = &discs[i];
+    let mut covered = Covered::default();
+    for (j, other) in discs.iter().enumerate().filter(|&(j, _)| j != i) {
+        let (x, y) = (other.x - own.x, other.y - own.y);
+        let square = x * x + y * y;
+        if square >= (own.r + other.r).squared() {
+            continue;
+        }
+        if square <= (own.r - other.r).squared() {
+            // One holds the other; of equal discs the first counts.
+            if other.r > own.r || (other.r == own.r && j < i) {
+                return 0.0;
+            }
+            continue;
+        }
+        let cosine = (square + own.r.squared() - other.r.squared()) / (2.0 * own.r * square.sqrt());
+        let half = Real::acos(cosine.clamp(-1.0, 1.0));
+        covered.cover(libm::atan2(y, x) - half, 2.0 * half);
+    }
+    let arc = |(from, length): (f64, f64)| {
+        let to = from + length;
+        let (sines, cosines) = (Real::sin(to) - Real::sin(from), Real::cos(to) - Real::cos(from));
+        0.5 * own.r * (own.r * length + own.x * sines - own.y * cosines)
+    };
+    covered.gaps().into_iter().map(arc).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+    use std::f64::consts::PI;
+
+    const DOWN: Vec3<f64> = Vec3([0.0, 0.0, 1.0]);
+
+    fn sphere(x: [f64; 3], radius: f64) -> Sphere {
+        Sphere { centre: Vec3(x), radius }
+    }
+
+    fn random_spheres() -> impl Strategy<Value = Vec<Sphere>> {
+        let one = ([-2.0..2.0, -2.0..2.0, -2.0..2.0], 0.2..1.5).prop_map(|(x, r)| sphere(x, r));
+        prop::collection::vec(one, 1..9)
+    }
+
+    proptest! {
+        #[test]
+        fn the_shadow_is_the_area_that_chords_cover(spheres in random_spheres()) {
+            let lines = 4000;
+            let step = 8.0 / f64::from(lines);
+            let [_, e, f] = frame(DOWN, 0.0);
+            let mut area = 0.0;
+            for k in 0..lines {
+                let y = -4.0 + (f64::from(k) + 0.5) * step;
+                let mut chords: Vec<(f64, f64)> = spheres.iter().filter_map(|s| {
+                    let half = s.radius.powi(2) - (s.centre.dot(f) - y).powi(2);
+                    (half > 0.0).then(|| (s.centre.dot(e) - half.sqrt(), s.centre.dot(e) + half.sqrt()))
+                }).collect();
+                chords.sort_by(|a, b| a.0.total_cmp(&b.0));
+                let mut end = f64::NEG_INFINITY;
+                for (from, to) in chords {
+                    area += step * (to - from.max(end)).max(0.0);
+                    end = end.max(to);
+                }
+            }
+            prop_assert!((projected_area(&spheres, DOWN) - area).abs() < 1e-3);
+        }
+
+        #[test]
+        fn a_shadow_is_the_same_from_behind_and_anywhere(spheres in random_spheres(), shift in -3.0..3.0f64) {
+            let area = projected_area(&spheres, DOWN);
+            let moved: Vec<Sphere> = spheres.iter().map(|s| sphere([s.centre.0[0] + shift, s.centre.0[1] - shift, s.centre.0[2]], s.radius)).collect();
+            prop_assert!((projected_area(&spheres, -DOWN) - area).abs() < 1e-12);
+            prop_assert!((projected_area(&moved, DOWN) - area).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn shadows_of_one_sphere_are_its_circle() {
+        let one = [sphere([3.0, 1.0, -2.0], 1.5)];
+        assert!((mean_projected_area(&one, 56) - PI * 2.25).abs() < 1e-13);
+        let twice = [sphere([0.0; 3], 1.0), sphere([0.0, 0.0, 2.0], 1.0)];
+        assert!((projected_area(&twice, DOWN) - PI).abs() < 1e-13);
+    }
+
+    #[test]
+    fn the_mean_shadow_of_two_touching_spheres_is_known() {
+        // Two circles less the mean of their lens over all directions, pi - 2 - 2/3.
+        let two = [sphere([0.0; 3], 1.0), sphere([2.0, 0.0, 0.0], 1.0)];
+        let exact = PI + 8.0 / 3.0;
+        assert!((mean_projected_area(&two, 4000) - exact).abs() < 1e-3);
+        assert!((mean_projected_area(&two, 56) / exact - 1.0).abs() < 0.01);
+    }
+}

@@ -1,0 +1,77 @@
+//! Sets of spheres: their mass, centre, gyration radius, and the pairs that are near each other.
+
+use super::neighbours;
+use crate::spec::{Real, Vec3};
+use crate::system::Domain;
+
+/// A primary particle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sphere {
+    /// Centre, nm.
+    pub centre: Vec3<f64>,
+    /// Radius, nm.
+    pub radius: f64,
+}
+
+impl Sphere {
+    /// Distance of the surfaces of two spheres, nm.
+    pub fn gap(&self, other: &Self) -> f64 {
+        crate::spec::soot::eq03_geometry::gap(self.centre, other.centre, self.radius, other.radius)
+    }
+}
+
+/// Whether the spheres' own extent counts in the gyration radius.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Extent {
+    /// Only the centres count, as in the fractal law.
+    Centres,
+    /// Each sphere adds its squared radius, so that one alone has its radius as gyration radius (Filippov, Zurita & Rosner 2000).
+    Radii,
+}
+
+/// Mass of a sphere, in units in which one of radius 1 nm has mass 1.
+pub fn mass(sphere: &Sphere) -> f64 {
+    let r = sphere.radius;
+    r * r * r
+}
+
+/// Centre of mass, nm.
+pub fn centre_of_mass(spheres: &[Sphere]) -> Vec3<f64> {
+    let (mut sum, mut total) = (Vec3::zero(), 0.0);
+    for s in spheres {
+        sum = sum + s.centre * mass(s);
+        total += mass(s);
+    }
+    sum * (1.0 / total)
+}
+
+/// Square of [`gyration_radius`], nm^2.
+pub fn square_gyration_radius(spheres: &[Sphere], extent: Extent) -> f64 {
+    let centre = centre_of_mass(spheres);
+    let total: f64 = spheres.iter().map(mass).sum();
+    let mut sum = [0.0; 3];
+    for s in spheres {
+        let own = match extent {
+            Extent::Centres => 0.0,
+            Extent::Radii => s.radius.squared() / 3.0,
+        };
+        for (sum, from_centre) in sum.iter_mut().zip((s.centre - centre).0) {
+            *sum += from_centre.squared() * (mass(s) / total);
+            *sum += own * mass(s) / total;
+        }
+    }
+    sum.iter().sum()
+}
+
+/// Root mean square distance from the centre of mass, weighted by mass, nm.
+pub fn gyration_radius(spheres: &[Sphere], extent: Extent) -> f64 {
+    square_gyration_radius(spheres, extent).sqrt()
+}
+
+/// The pairs `i < j` whose centres are closer than `reach` of their radii, which must not decrease with either, in ascending order.
+pub fn pairs_within(spheres: &[Sphere], reach: impl Fn(f64, f64) -> f64 + Sync) -> Vec<(usize, usize)> {
+    let x: Vec<Vec3<f64>> = spheres.iter().map(|s| s.centre).collect();
+    let radii: Vec<f64> = spheres.iter().map(|s| s.radius).collect();
+    let open = Domain { sides: [1.0; 3], periodic: [false; 3] };
+    neighbours(&x, &radii, &open, reach).into_iter().map(|pair| (pair.p as usize, pair.q as usize)).collect()
+}

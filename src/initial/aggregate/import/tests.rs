@@ -1,0 +1,216 @@
+use super::*;
+use crate::initial::aggregate::{Method, Radii, Recipe, aggregate};
+use crate::interrupt::Interrupt;
+use quickcheck::quickcheck;
+use std::path::PathBuf;
+
+fn file(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/aggregates").join(name)
+}
+
+const UNIT: Options = Options { format: None, unit: Some(1.0), radius: None, disconnected: false };
+const RADIUS: Options = Options { format: None, unit: None, radius: Some(14.0), disconnected: false };
+const BOTH: Options = Options { format: None, unit: Some(1.0), radius: Some(14.0), disconnected: false };
+const NEITHER: Options = Options { format: None, unit: None, radius: None, disconnected: false };
+
+#[test]
+fn three_spheres_are_the_same_in_every_format() {
+    let expected: Vec<Sphere> =
+        [[-28.0, 0.0, 0.0], [0.0; 3], [0.0, 28.0, 0.0]].map(|x| Sphere { centre: Vec3(x), radius: 14.0 }).to_vec();
+    for (name, format, options) in [
+        ("flage.xml", Format::Flage, RADIUS),
+        ("mstm.txt", Format::Mstm, RADIUS),
+        ("fracval.dat", Format::FracVal, UNIT),
+        ("pyfracval.dat", Format::PyFracVal, UNIT),
+        ("soot_dem.vtk", Format::Vtk, RADIUS),
+        ("lammps.data", Format::Lammps, UNIT),
+        ("plain.xyz", Format::Xyz, BOTH),
+        ("extended.xyz", Format::Xyz, UNIT),
+    ] {
+        let found = read(&file(name), &options).unwrap();
+        assert_eq!((found.format, &found.spheres), (format, &expected), "{name}");
+        let Report { number, smallest_gap, overlaps, components, d_f, .. } = found.report;
+        assert_eq!((number, smallest_gap, overlaps, components, d_f), (3, Some(0.0), 0, 1, None));
+        let trouble = read(&file(name), &NEITHER).unwrap_err().to_string();
+        let key = if found.format == Format::Flage || found.format == Format::Vtk { "radius" } else { "unit" };
+        assert!(trouble.contains(&format!(" {key}: is missing, expected the ")), "{name}: {trouble}");
+    }
+}
+
+#[test]
+fn rounding_to_single_precision_is_no_overlap() {
+    let recipe = Recipe { number: 400, d_f: 1.8, k_f: 1.4, radii: Radii::Equal(14.0), method: Method::Clusters };
+    let mut spheres = aggregate(&recipe, 1, &Interrupt::default()).unwrap();
+    for sphere in &mut spheres {
+        sphere.centre = Vec3(sphere.centre.0.map(|x| f64::from((x + 1000.0) as f32)));
+    }
+    let report = Report::of(&spheres, 1);
+    assert!(report.overlaps == 0 && report.smallest_gap < Some(-28e-6), "{report}");
+    let pair = |gap| [0.0, 28.0 + gap].map(|x| Sphere { centre: Vec3([x, 0.0, 0.0]), radius: 14.0 });
+    assert_eq!([-1e-5, -1e-4].map(|gap| Report::of(&pair(gap), 1).overlaps), [0, 1]);
+}
+
+#[test]
+fn image_flags_of_lammps_place_a_sphere_in_another_copy_of_the_box() {
+    let box_of =
+        |tilt| format!("0 100 xlo xhi\n0 100 ylo yhi\n0 50 zlo zhi\n{tilt} 0 0 xy xz yz\n\nAtoms # sphere\n\n");
+    let rows = "1 1 28 1 90 0 0 0 0 0\n2 1 28 1 18 0 50 1 0 -1\n";
+    let found = parse(Path::new("a.data"), &(box_of("0") + rows), &UNIT).unwrap();
+    assert_eq!(found.spheres[1].centre, Vec3([118.0, 0.0, 0.0]));
+    let trouble = parse(Path::new("a.data"), &(box_of("5") + rows), &UNIT).unwrap_err().to_string();
+    assert!(trouble.starts_with("a.data:9: found image flags, expected none: the box is tilted"), "{trouble}");
+}
+
+#[test]
+fn a_fifth_column_of_plain_xyz_is_the_radius_only_if_it_is_the_last() {
+    let radii = |text: &str, options: &Options| {
+        let found = parse(Path::new("a.xyz"), text, options).map_err(|trouble| trouble.to_string());
+        found.map(|found| found.spheres.iter().map(|s| s.radius).collect::<Vec<_>>())
+    };
+    assert_eq!(radii("1\n\nC 0 0 0 7\n", &UNIT), Ok(vec![7.0]));
+    assert_eq!(radii("1\n\nC 0 0 0 -0.765 1 0\n", &BOTH), Ok(vec![14.0]));
+    let trouble = radii("1\n\nC 0 0 0 0.7 1 0\n", &UNIT).unwrap_err();
+    assert!(trouble.contains("radius: is missing") && trouble.contains("fifth column"), "{trouble}");
+}
+
+#[test]
+fn a_mark_of_the_encoding_and_foreign_letters_are_no_hindrance() {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, options, comment) in [
+        ("flage.xml", RADIUS, &b"<!-- \xe9 -->"[..]),
+        ("mstm.txt", RADIUS, b"# \xe9\n"),
+        ("plain.xyz", BOTH, b""),
+        ("soot_dem.vtk", RADIUS, b"\xe9"),
+    ] {
+        let text = std::fs::read(file(name)).unwrap();
+        let marked = folder.path().join(name);
+        std::fs::write(&marked, [&b"\xef\xbb\xbf"[..], &text, comment].concat()).unwrap();
+        assert_eq!(read(&marked, &options).unwrap().spheres, read(&file(name), &options).unwrap().spheres, "{name}");
+    }
+}
+
+#[test]
+fn a_unit_replaces_the_radius_where_the_file_has_radii() {
+    let metres = Options { unit: Some(14.0), ..NEITHER };
+    assert_eq!(read(&file("mstm.txt"), &metres).unwrap().spheres, read(&file("mstm.txt"), &RADIUS).unwrap().spheres);
+    assert!(read(&file("mstm.txt"), &BOTH).unwrap_err().to_string().contains("expected one of them"));
+}
+
+#[test]
+fn necks_are_read_from_the_places_in_a_matrix() {
+    let spheres = read(&file("soot_dem.vtk"), &RADIUS).unwrap().spheres;
+    assert_eq!(read_necks(&file("soot_dem_necks.vtk"), &spheres).unwrap(), [(0, 1), (1, 2)]);
+    let trouble = read_necks(&file("soot_dem_necks.vtk"), &spheres[..2]).unwrap_err().to_string();
+    assert!(trouble.contains("necks.vtk:15: found `3`, expected i * 2 + j"), "{trouble}");
+}
+
+#[test]
+fn necks_of_another_aggregate_are_refused() {
+    let spheres = read(&file("soot_dem.vtk"), &RADIUS).unwrap().spheres;
+    let folder = tempfile::tempdir().unwrap();
+    for (connections, expected) in [
+        ("2 1 int\n2\n6\n", ":2: found 2, a neck of the spheres 0 and 2, whose gap is 11.598 nm, expected at most 0.1"),
+        ("2 1 int\n1\n5\n", ":2: found 1, a neck of the spheres 0 and 1, but not 3, expected each neck from both ends"),
+        ("4294967296 4294967296 int\n1\n", ":1: found 4294967296 times 4294967296 connections"),
+    ] {
+        let necks = folder.path().join("necks.vtk");
+        std::fs::write(&necks, format!("connections {connections}")).unwrap();
+        let trouble = read_necks(&necks, &spheres).unwrap_err().to_string();
+        assert!(trouble.contains(expected), "{trouble}");
+    }
+}
+
+#[test]
+fn errors_name_file_line_and_what_was_expected() {
+    for (text, expected) in [
+        ("", "found nothing"),
+        ("1 0 0 0\n1 0 2\n", ":2: found 3 columns, expected 4"),
+        ("1 0 0 0\n1 0 2 x\n", ":2: found `x`, expected a number"),
+        ("2\n\nC 0 0 0\nC 1e300 0 0\n", ":4: found a coordinate of 7.14"),
+        ("1 0 0 0\n1 0 0 1e300\n", ":2: found a coordinate of 1e300 radii, expected at most 1e6"),
+        ("3\n\nC 0 0 0\nC 0 0 2\n", ":5: found 2 spheres, expected 3"),
+        ("1\n\nC 0 0\n", ":3: found 3 columns, expected at least 4"),
+        ("1\n\nC 0 0 0\nC 0 0 2\n", ":4: found more rows than the 1 spheres"),
+        (
+            "<geometry_complex>\n<particle><position>1, 2</position></particle></geometry_complex>",
+            ":2: found 2 numbers, expected the 3",
+        ),
+        ("<a>\n</b>", ":2: is not well-formed XML"),
+        (
+            "# vtk DataFile Version 4.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 2 FLOAT\n0 0 0 1",
+            ":6: the file ends here, expected coordinates of 2 points",
+        ),
+        ("# vtk DataFile Version 4.0\nt\nBINARY\n", ":3: found `BINARY`"),
+        ("2 atoms\n\nAtoms # sphere\n\n1 1 1 1 0 0 0\n", ":1: found `2 atoms` and 1 rows"),
+        ("Atoms # sphere\n\n1 1 1 1 0 0 0 1 0 0\n", ":3: found image flags, expected none"),
+        ("Atoms # sphere\n\n1 1 1 1 0 0 0 1\n", ":3: found 8 columns, expected 7, or 10 with image flags"),
+        ("Atoms # sphere\n\n2 1 1 1 0 0 0\n2 1 1 1 1 0 0\n", ":4: found the id 2 again"),
+        ("1 atoms\n\nAtoms # full\n", ":3: found `Atoms # full`"),
+        ("3 40 0 5\n1 2 9 6\n", "format: is missing, expected `mstm`"),
+    ] {
+        let trouble = parse(Path::new("a.txt"), text, &BOTH).unwrap_err().to_string();
+        assert!(trouble.starts_with("a.txt:") && trouble.contains(expected), "{text}: {trouble}");
+    }
+}
+
+#[test]
+fn a_format_may_be_given_where_the_rows_do_not_tell() {
+    let rows = "2 4 2 2\n2 2 2 2\n";
+    let read = |format| parse(Path::new("a.txt"), rows, &Options { format, unit: Some(1.0), ..Options::default() });
+    assert!(read(None).unwrap_err().to_string().contains("format: is missing"));
+    let first = |format| read(Some(format)).unwrap().spheres[0].centre;
+    assert_eq!(first(Format::Mstm), Vec3([4.0, 2.0, 2.0]));
+    assert_eq!(first(Format::FracVal), Vec3([2.0, 4.0, 2.0]));
+}
+
+#[test]
+fn anything_may_stand_between_the_numbers_of_flage() {
+    let text = "<!DOCTYPE g>\n<g><particle><position>X=0.0sep <!-- y -->1e0; Z:-2</position></particle></g>";
+    let found = parse(Path::new("a.xml"), text, &Options { radius: Some(14.0), ..Options::default() }).unwrap();
+    assert_eq!(found.spheres[0].centre, Vec3([0.0, 14.0, -28.0]));
+}
+
+#[test]
+fn parts_that_do_not_touch_are_refused_unless_asked_for() {
+    let text = "2\n\nC 0 0 0\nC 0 0 30\n";
+    let trouble = parse(Path::new("a.xyz"), text, &BOTH).unwrap_err().to_string();
+    assert!(trouble.contains("found 2 parts that do not touch"), "{trouble}");
+    let found = parse(Path::new("a.xyz"), text, &Options { disconnected: true, ..BOTH }).unwrap();
+    assert_eq!((found.report.components, found.report.smallest_gap), (2, Some(2.0)));
+}
+
+#[test]
+fn the_report_estimates_the_dimension_of_a_chain_and_of_an_aggregate() {
+    let chain: Vec<Sphere> =
+        (0..300).map(|k| Sphere { centre: Vec3([f64::from(k) * 2.0, 0.0, 0.0]), radius: 1.0 }).collect();
+    let d_f = Report::of(&chain, 1).d_f.unwrap();
+    assert!((d_f - 1.0).abs() < 0.1, "{d_f}");
+    let recipe = Recipe { number: 600, d_f: 1.8, k_f: 1.4, radii: Radii::Equal(1.0), method: Method::Clusters };
+    let d_f = Report::of(&aggregate(&recipe, 1, &Interrupt::default()).unwrap(), 1).d_f.unwrap();
+    assert!((d_f - 1.8).abs() < 0.3, "{d_f}");
+}
+
+quickcheck! {
+    fn what_is_written_is_read_back(seed: u64) -> bool {
+        let radii = Radii::LogNormal { median: 14.0, deviation: 1.3 };
+        let spheres = aggregate(&Recipe { number: 25, d_f: 1.8, k_f: 1.4, radii, method: Method::Clusters }, seed, &Interrupt::default()).unwrap();
+        let rows = |row: &dyn Fn(usize, [f64; 3], f64) -> String| -> String {
+            spheres.iter().enumerate().map(|(k, s)| row(k + 1, s.centre.0, s.radius)).collect()
+        };
+        let files = [
+            (Format::Flage, format!("<geometry_complex><data_particle>{}</data_particle></geometry_complex>", rows(&|_, [x, y, z], r| {
+                format!("<particle><position>{x} , {y} , {z}</position><radius>{r}</radius></particle>")
+            }))),
+            (Format::Mstm, rows(&|_, [x, y, z], r| format!("{r} {x} {y} {z}\n"))),
+            (Format::FracVal, rows(&|_, [x, y, z], r| format!("{x:e} {y:e} {z:e} {r:e}\n"))),
+            (Format::PyFracVal, format!("# generation_info:\n{}", rows(&|_, [x, y, z], r| format!("{x:.17e} {y:.17e} {z:.17e} {r:.17e}\n")))),
+            (Format::Lammps, format!("25 atoms\n\nAtoms # bpm/sphere\n\n{}", rows(&|k, [x, y, z], r| format!("{k} 1 1 {} 1.7 {x} {y} {z}\n", 2.0 * r)))),
+            (Format::Xyz, extended_xyz(&spheres)),
+            (Format::Xyz, format!("25\n\n{}", rows(&|_, [x, y, z], r| format!("C {x} {y} {z} {r}\n")))),
+        ];
+        files.iter().all(|(format, text)| {
+            let found = parse(Path::new("a"), text, &UNIT).unwrap();
+            found.format == *format && found.spheres == spheres
+        })
+    }
+}

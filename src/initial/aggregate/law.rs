@@ -1,0 +1,86 @@
+//! Fractal laws: how large an aggregate of given spheres is.
+
+use crate::geometry::Extent;
+use crate::geometry::Sphere;
+use crate::initial::sphere_volume;
+use crate::spec::Real;
+use crate::spec::soot::eq24_fractal;
+use crate::spec::titania::def_aggregate::{fractal_diameter, sauter_diameter};
+
+/// A law with its prefactor and dimension.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Law {
+    /// Prefactor.
+    pub k_f: f64,
+    /// Fractal dimension.
+    pub d_f: f64,
+    /// What it compares.
+    pub form: Form,
+}
+
+/// What a law takes for the size of an aggregate and for that of its spheres.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// The gyration radius of the centres and the geometric mean of the radii: Eq. 24 of the soot paper.
+    Soot,
+    /// The gyration radius by which one sphere has its own radius and the Sauter diameter: Section 5.3 of the titania paper.
+    Titania,
+}
+
+/// Sums over spheres.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Sums {
+    /// How many they are.
+    pub number: usize,
+    /// Logarithms of the radii.
+    pub logarithms: f64,
+    /// Squares of the radii.
+    pub squares: f64,
+    /// Cubes of the radii: the mass, in units in which a sphere of radius 1 has mass 1.
+    pub cubes: f64,
+}
+
+impl Sums {
+    /// The sums over some spheres.
+    pub fn of(spheres: &[Sphere]) -> Self {
+        let sum = |part: fn(f64) -> f64| spheres.iter().map(|s| part(s.radius)).sum();
+        Self {
+            number: spheres.len(),
+            logarithms: sum(Real::ln),
+            squares: sum(|r| r.squared()),
+            cubes: sum(|r| r * r * r),
+        }
+    }
+
+    /// The sums over these spheres and others.
+    pub fn with(&self, others: &Self) -> Self {
+        Self {
+            number: self.number + others.number,
+            logarithms: self.logarithms + others.logarithms,
+            squares: self.squares + others.squares,
+            cubes: self.cubes + others.cubes,
+        }
+    }
+}
+
+impl Law {
+    /// The gyration radius that the law demands.
+    pub fn gyration_radius(&self, sums: &Sums) -> f64 {
+        let n = sums.number as f64;
+        match self.form {
+            Form::Soot => eq24_fractal::gyration_radius(self.k_f, n, Real::exp(sums.logarithms / n), self.d_f),
+            Form::Titania => {
+                let (volume, surface) = (sums.cubes * sphere_volume(1.0), 4.0 * f64::pi() * sums.squares);
+                0.5 * fractal_diameter(self.k_f, n, sauter_diameter(volume, surface), self.d_f)
+            }
+        }
+    }
+
+    /// The extent of the spheres that counts in its gyration radius.
+    pub fn extent(&self) -> Extent {
+        match self.form {
+            Form::Soot => Extent::Centres,
+            Form::Titania => Extent::Radii,
+        }
+    }
+}

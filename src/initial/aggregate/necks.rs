@@ -1,0 +1,108 @@
+//! Which spheres of an aggregate are joined by necks.
+
+use crate::geometry::Sphere;
+use crate::geometry::clusters::Clusters;
+use crate::geometry::pairs_within;
+use crate::random::Stream;
+
+/// A neck between the `i`-th and the `j`-th sphere, `i < j`.
+pub type Neck = (usize, usize);
+
+/// The gap that a neck bridges where nothing else is asked for, nm: enough for rounding.
+pub const NECK_DISTANCE: f64 = 0.01;
+
+/// Spheres touch whose gap is below this part of the sum of their radii: what rounding leaves in files of single precision.
+const TOUCHING: f64 = 1e-6;
+
+/// The pairs of spheres whose surfaces are less than `d_crit` (nm) apart or overlap by less, in ascending order. If `acyclic`,
+/// a neck between spheres that others already hang together by is left out: the necks then form a forest. Spheres that touch come first, or one
+/// that is merely near would be joined by a neck that begins stretched, in place of one that touches.
+pub fn necks(spheres: &[Sphere], d_crit: f64, acyclic: bool) -> Vec<Neck> {
+    let near_within = |i: usize, j: usize, gap: f64| spheres[i].gap(&spheres[j]).abs() < gap;
+    let mut all: Vec<Neck> = pairs_within(spheres, |s, t| s + t + d_crit);
+    all.retain(|&(i, j)| near_within(i, j, d_crit));
+    if acyclic {
+        let mut trees = Clusters::new(spheres.len(), []);
+        let touch = |i: usize, j: usize| near_within(i, j, TOUCHING * (spheres[i].radius + spheres[j].radius));
+        all.sort_by_key(|&(i, j)| !touch(i, j));
+        all.retain(|&(i, j)| trees.join(i, j));
+        all.sort_unstable();
+    }
+    all
+}
+
+/// `floor(n * fraction)` of the `n` necks, in their order, a whole share not being lost to rounding: the others are removed one at a time, each time any one that is left
+/// with the same probability.
+pub fn keep_fraction(necks: &[Neck], fraction: f64, seed: u64) -> Vec<Neck> {
+    let mut stream = Stream::new(seed, "neck removal");
+    let mut left = necks.to_vec();
+    // The fraction and the product are rounded by half of EPSILON each: 100 * 0.29 falls just short of 29.
+    let share = necks.len() as f64 * fraction.clamp(0.0, 1.0) * (1.0 + 2.0 * f64::EPSILON);
+    let kept = share.floor() as usize;
+    while left.len() > kept {
+        left.remove((stream.uniform() * left.len() as f64) as usize);
+    }
+    left
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spec::Vec3;
+    use quickcheck::quickcheck;
+
+    fn at(places: &[[f64; 3]]) -> Vec<Sphere> {
+        places.iter().map(|&x| Sphere { centre: Vec3(x), radius: 1.0 }).collect()
+    }
+
+    #[test]
+    fn a_neck_that_would_close_a_cycle_is_left_out_by_order_of_the_indices() {
+        let triangle = at(&[[0.0; 3], [2.0, 0.0, 0.0], [1.0, 3f64.sqrt(), 0.0], [-2.1, 0.0, 0.0]]);
+        assert_eq!(necks(&triangle, 0.05, false), [(0, 1), (0, 2), (1, 2)]);
+        assert_eq!(necks(&triangle, 0.05, true), [(0, 1), (0, 2)]);
+        assert_eq!(necks(&triangle, 0.2, true), [(0, 1), (0, 2), (0, 3)]);
+    }
+
+    #[test]
+    fn spheres_that_touch_are_joined_before_those_that_are_merely_near() {
+        let apex = [1.001, (4.0 - 1.001 * 1.001f64).sqrt(), 0.0];
+        assert_eq!(necks(&at(&[[0.0; 3], [2.002, 0.0, 0.0], apex]), 0.01, true), [(0, 2), (1, 2)]);
+    }
+
+    #[test]
+    fn a_deep_overlap_is_no_neck() {
+        assert!(necks(&at(&[[0.0; 3], [1.5, 0.0, 0.0]]), 0.1, false).is_empty());
+    }
+
+    #[test]
+    fn every_neck_is_removed_equally_often() {
+        let all: Vec<Neck> = (0..8).map(|i| (i, i + 1)).collect();
+        let mut kept = [0.0; 8];
+        for seed in 0..4000 {
+            for (i, _) in keep_fraction(&all, 0.5, seed) {
+                kept[i] += 1.0;
+            }
+        }
+        // Five standard deviations of the binomial distribution.
+        assert!(kept.iter().all(|&k: &f64| (k - 2000.0).abs() < 5.0 * 1000f64.sqrt()), "{kept:?}");
+    }
+
+    #[test]
+    fn a_whole_share_is_not_lost_to_rounding() {
+        let kept = |n: usize, fraction| keep_fraction(&vec![(0, 1); n], fraction, 1).len();
+        assert_eq!([0.29, 0.57, 0.58].map(|fraction| kept(100, fraction)), [29, 57, 58]);
+        assert_eq!([0.25, 0.5, 0.9].map(|fraction| kept(149, fraction)), [37, 74, 134]);
+    }
+
+    quickcheck! {
+        fn the_floor_of_the_share_is_kept_in_order_and_repeatably(n: u8, percent: u8, seed: u64) -> bool {
+            let all: Vec<Neck> = (0..usize::from(n)).map(|i| (i, i + 1)).collect();
+            let fraction = f64::from(percent % 101) / 100.0;
+            let kept = keep_fraction(&all, fraction, seed);
+            kept.len() == usize::from(n) * usize::from(percent % 101) / 100
+                && kept.is_sorted()
+                && kept.iter().all(|neck| all.contains(neck))
+                && kept == keep_fraction(&all, fraction, seed)
+        }
+    }
+}

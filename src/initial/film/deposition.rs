@@ -1,0 +1,111 @@
+//! Aggregates fall one by one.
+//!
+//! An aggregate begins anywhere above the highest point of the film, where every place is as likely as any other, and goes from ball
+//! to ball: as far in one step as there is room, exactly (`exit_cosine` of the specification). What it is about to touch it touches.
+
+use super::aggregates::Aggregate;
+use super::column::{Column, Nearest, Room};
+use super::{Failure, Film, FilmPlan, FilmSphere, Ungrown};
+use crate::geometry::Sphere;
+use crate::geometry::directions::{cone, direction, frame, turn};
+use crate::interrupt::Interrupt;
+use crate::random::Stream;
+use crate::spec::Vec3;
+use crate::spec::titania::def_diffusion::exit_cosine;
+
+/// An aggregate touches what is nearer than this part of the largest radius.
+const GRAZE: f64 = 1e-4;
+/// Orientations that are tried before an aggregate is too wide for the column.
+const TURNS: usize = 100;
+const DOWN: Vec3<f64> = Vec3([0.0, 0.0, -1.0]);
+
+/// The film of some aggregates.
+pub fn deposited(
+    plan: &FilmPlan,
+    aggregates: Vec<Aggregate>,
+    seed: u64,
+    interrupt: &Interrupt,
+) -> Result<Film, Failure> {
+    let mut stream = Stream::new(seed, "film deposition");
+    let largest = 0.5 * f64::from(plan.diameters.largest);
+    let mut column = Column::new(plan.sides, largest);
+    let mut film = Film { spheres: Vec::new(), on_floor: Vec::new(), sides: plan.sides, thickness: 0.0 };
+    for Aggregate { mut spheres, diffusion } in aggregates {
+        if interrupt.is_due() {
+            return Err(Failure::Ungrown(Ungrown::Interrupted));
+        }
+        orient(&mut spheres, plan.sides, &mut stream)?;
+        let path = Path { drift: plan.drift, diffusion, graze: GRAZE * largest };
+        let (at, on_floor) = path.fall(&column, &spheres, plan.sides, &mut stream);
+        let folded = |a: usize| at.0[a] - (at.0[a] / plan.sides[a]).floor() * plan.sides[a];
+        let at = Vec3([folded(0), folded(1), at.0[2]]);
+        let aggregate = film.on_floor.len() as u32;
+        for s in spheres {
+            let centre = s.centre + at;
+            column.add(centre, s.radius);
+            film.spheres.push(FilmSphere { centre, diameter: 2.0 * s.radius, aggregate });
+        }
+        film.on_floor.push(on_floor);
+    }
+    film.thickness = column.top();
+    Ok(film)
+}
+
+/// Turns an aggregate at random, so that it does not touch its own periodic image.
+fn orient(spheres: &mut [Sphere], sides: [f64; 2], stream: &mut Stream) -> Result<(), Failure> {
+    for _ in 0..TURNS {
+        let axes = frame(direction(stream), turn(stream));
+        for s in spheres.iter_mut() {
+            let [x, y, z] = s.centre.0;
+            s.centre = axes[0] * x + axes[1] * y + axes[2] * z;
+        }
+        if !meets_itself(spheres, sides) {
+            return Ok(());
+        }
+    }
+    let reach = spheres.iter().map(|s| s.centre.norm() + s.radius).fold(0.0, f64::max);
+    Err(Failure::Wide { number: spheres.len(), extent: 2.0 * reach })
+}
+
+fn meets_itself(spheres: &[Sphere], sides: [f64; 2]) -> bool {
+    let extent = [0, 1].map(|a| {
+        let high = spheres.iter().map(|s| s.centre.0[a] + s.radius).fold(f64::NEG_INFINITY, f64::max);
+        high - spheres.iter().map(|s| s.centre.0[a] - s.radius).fold(f64::INFINITY, f64::min)
+    });
+    let copies = [0, 1].map(|a| (extent[a] / sides[a]).floor() as i64);
+    let shifts = (-copies[0]..=copies[0]).flat_map(|i| (-copies[1]..=copies[1]).map(move |j| (i, j)));
+    shifts.filter(|&shift| shift != (0, 0)).any(|(i, j)| {
+        let shift = Vec3([i as f64 * sides[0], j as f64 * sides[1], 0.0]);
+        let meets = |s: &Sphere, t: &Sphere| (s.centre + shift - t.centre).norm() <= s.radius + t.radius;
+        spheres.iter().any(|s| spheres.iter().any(|t| meets(s, t)))
+    })
+}
+
+/// How an aggregate moves.
+pub struct Path {
+    /// Velocity downwards.
+    pub drift: f64,
+    /// Coefficient of diffusion.
+    pub diffusion: f64,
+    /// How near it may come to what it does not touch.
+    pub graze: f64,
+}
+
+impl Path {
+    /// Where the centre of mass comes to rest, and whether on the floor.
+    pub fn fall(&self, column: &Column, spheres: &[Sphere], sides: [f64; 2], stream: &mut Stream) -> (Vec3<f64>, bool) {
+        let lowest = spheres.iter().map(|s| s.centre.0[2] - s.radius).fold(f64::INFINITY, f64::min);
+        let mut at = Vec3([sides[0] * stream.uniform(), sides[1] * stream.uniform(), column.top() - lowest]);
+        loop {
+            let anything = Room { gap: f64::INFINITY, nearest: Nearest::Unknown };
+            let room = spheres.iter().fold(anything, |room, s| column.room(at + s.centre, s.radius, room));
+            match room.nearest {
+                Nearest::Floor if room.gap < self.graze => return (at + DOWN * room.gap, true),
+                Nearest::Sphere(towards) if room.gap < self.graze => return (at + towards * room.gap, false),
+                _ => {}
+            }
+            let cosine = exit_cosine(1.0 - stream.uniform(), self.drift, room.gap, self.diffusion).clamp(-1.0, 1.0);
+            at = at + cone(DOWN, cosine, stream) * room.gap;
+        }
+    }
+}

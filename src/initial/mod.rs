@@ -1,0 +1,28 @@
+//! Ways to place spheres: lattices, random packings, aggregates grown and imported, films, surfaces from files.
+
+pub mod aggregate;
+pub mod film;
+pub mod lattice;
+pub mod packing;
+pub mod stl;
+
+pub use lattice::hcp;
+pub use packing::{Sizes, random_packing};
+
+use crate::spec::wear::def_box::mass_factor;
+use crate::spec::wear::def_sphere::sphere_mass;
+use crate::system::System;
+
+/// Volume of a sphere.
+pub fn sphere_volume(r: f64) -> f64 {
+    sphere_mass(1.0, r)
+}
+
+/// Rescales all masses alike, so that the density of the whole box, holes included, is `density`.
+pub fn set_system_density(system: &mut System, density: f64) {
+    let total: f64 = system.particles.mass.iter().sum();
+    let factor = mass_factor(density, system.domain.volume(), total);
+    for m in &mut system.particles.mass {
+        *m *= factor;
+    }
+}

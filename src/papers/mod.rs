@@ -1,0 +1,198 @@
+//! What the papers add to the engine: each is one room, and one line of a list.
+
+pub mod soot;
+pub mod titania;
+pub mod wear;
+
+use crate::case::check::Found;
+use crate::case::section::{Field, Key, Part};
+use crate::case::{self, Case, Outline, Words};
+use crate::error::Error;
+use crate::figures::Graph;
+use crate::reproduce::Chapter;
+use crate::run::{Job, Runnable};
+use serde_yaml::{Mapping, Value};
+use std::path::{Path, PathBuf};
+
+/// The papers of this program.
+pub const PAPERS: Papers = Papers(&[&wear::Wear, &soot::Soot, &titania::Titania]);
+
+/// A case of a paper.
+pub type CaseOf<P> = Case<<P as Paper>::Model, <P as Paper>::Sample, <P as Paper>::Experiment>;
+
+/// Reads and checks the text of a case of a paper.
+///
+/// # Errors
+///
+/// Everything that is wrong with the case, by line and key.
+pub fn parse<P: Paper>(file: &Path, text: &str) -> Result<CaseOf<P>, Error> {
+    case::parse(file, text, P::complete, P::check)
+}
+
+/// All that a paper adds to the engine.
+pub trait Paper: Sync {
+    /// Its name: the key below `model` in case files, and a word of the command line.
+    const NAME: &'static str;
+    /// Authors and year.
+    const REFERENCE: &'static str;
+    /// The headline of its claims.
+    const TITLE: &'static str;
+    /// The graphs of its reports.
+    const GRAPHS: &'static [Graph] = &[];
+    /// The chapters of its claims.
+    const CHAPTERS: &'static [Chapter] = &[];
+
+    /// The section below `model`: a choice of one key, which is the name.
+    type Model: Part;
+    /// The sections below `sample`.
+    type Sample: Part;
+    /// The sections below `experiment`.
+    type Experiment: Part;
+
+    /// Fills in what a case leaves open and no key has a default for.
+    fn complete(_case: &mut CaseOf<Self>) {}
+    /// Finds what is wrong with a case beyond its grammar.
+    fn check(case: &CaseOf<Self>, found: &mut Found);
+    /// What follows from a checked case, with units.
+    fn derived(case: &CaseOf<Self>) -> Vec<(String, String)>;
+    /// The files that a case reads.
+    fn reads(_case: &CaseOf<Self>) -> Vec<PathBuf> {
+        Vec::new()
+    }
+    /// The files that a case writes beside its run folder, with the sections that ask for them.
+    fn saves(_case: &CaseOf<Self>) -> Vec<(String, PathBuf)> {
+        Vec::new()
+    }
+    /// The study of a checked case.
+    fn study(case: CaseOf<Self>) -> Box<dyn Runnable>;
+}
+
+/// Any paper.
+pub trait AnyPaper: Sync {
+    /// [`Paper::NAME`].
+    fn name(&self) -> &'static str;
+    /// [`Paper::REFERENCE`].
+    fn reference(&self) -> &'static str;
+    /// [`Paper::TITLE`].
+    fn title(&self) -> &'static str;
+    /// [`Paper::CHAPTERS`].
+    fn chapters(&self) -> &'static [Chapter];
+    /// The keys below `model`, `sample` and `experiment`.
+    fn sections(&self) -> [Vec<Key>; 3];
+    /// Reads and checks a case of the paper.
+    ///
+    /// # Errors
+    ///
+    /// Everything that is wrong with it, by line and key.
+    fn read(&self, file: &Path, text: &str) -> Result<Job, Error>;
+}
+
+impl<P: Paper> AnyPaper for P {
+    fn name(&self) -> &'static str {
+        P::NAME
+    }
+    fn reference(&self) -> &'static str {
+        P::REFERENCE
+    }
+    fn title(&self) -> &'static str {
+        P::TITLE
+    }
+    fn chapters(&self) -> &'static [Chapter] {
+        P::CHAPTERS
+    }
+    fn sections(&self) -> [Vec<Key>; 3] {
+        [P::Model::keys(), P::Sample::keys(), P::Experiment::keys()]
+    }
+    fn read(&self, file: &Path, text: &str) -> Result<Job, Error> {
+        let case = parse::<P>(file, text)?;
+        Ok(Job {
+            file: file.into(),
+            text: text.into(),
+            title: case.title.clone(),
+            seed: case.seed,
+            output: case.output.clone(),
+            resolved: resolved(&case, P::derived(&case)),
+            reads: P::reads(&case),
+            saves: P::saves(&case),
+            graphs: P::GRAPHS,
+            study: P::study(case),
+        })
+    }
+}
+
+/// A case with every default, and below `derived` what follows from it.
+fn resolved(case: &impl serde::Serialize, derived: Vec<(String, String)>) -> String {
+    let mut root = serde_yaml::to_value(case).expect("a case is plain data");
+    let mapping = root.as_mapping_mut().expect("a case is a mapping");
+    let text = |(key, value): (String, String)| (Value::String(key), Value::String(value));
+    mapping.insert("derived".into(), Value::Mapping(derived.into_iter().map(text).collect::<Mapping>()));
+    serde_yaml::to_string(&root).expect("a mapping can be written")
+}
+
+/// A list of papers.
+#[derive(Clone, Copy)]
+pub struct Papers(pub &'static [&'static dyn AnyPaper]);
+
+impl Papers {
+    /// The paper of a name.
+    pub fn find(&self, name: &str) -> Option<&'static dyn AnyPaper> {
+        self.0.iter().copied().find(|paper| paper.name() == name)
+    }
+
+    /// Reads and checks a case file.
+    ///
+    /// # Errors
+    ///
+    /// If the file cannot be read, and everything that is wrong with the case, by line and key.
+    pub fn read(&self, file: &Path) -> Result<Job, Error> {
+        self.parse(file, &case::read_text(file)?)
+    }
+
+    /// Reads and checks the text of a case file.
+    ///
+    /// # Errors
+    ///
+    /// Everything that is wrong with the case, by line and key.
+    pub fn parse(&self, file: &Path, text: &str) -> Result<Job, Error> {
+        let all = self.0.iter().map(|paper| words(*paper)).fold(Words::default(), |mut all, own| {
+            all.model.extend(own.model);
+            all.sample.extend(own.sample);
+            all.experiment.extend(own.experiment);
+            all
+        });
+        let outline = Outline::read(file, text, &all)?;
+        let paper = self.find(outline.model).expect("the outline holds one of the names");
+        outline.suits(&words(paper), file, text)?;
+        paper.read(file, text)
+    }
+
+    /// Every key of a case file.
+    pub fn keys(&self) -> Vec<Key> {
+        let mut keys = case::keys();
+        for (place, name) in ["model", "sample", "experiment"].into_iter().enumerate() {
+            let key = keys.iter_mut().find(|key| key.key == name).expect("every case has these sections");
+            key.keys = self.0.iter().flat_map(|paper| std::mem::take(&mut paper.sections()[place])).collect();
+            let names: Vec<&str> = key.keys.iter().map(|key| key.key).collect();
+            key.expects = case::section::one_of_these(&names);
+        }
+        keys
+    }
+}
+
+/// The words of a paper below `model`, `sample` and `experiment`.
+fn words(paper: &dyn AnyPaper) -> Words {
+    let [model, sample, experiment] = paper.sections().map(|keys| keys.into_iter().map(|key| key.key).collect());
+    Words { model, sample, experiment }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_only_key_of_a_model_is_the_name_of_its_paper() {
+        for paper in PAPERS.0 {
+            assert_eq!(words(*paper).model, [paper.name()]);
+        }
+    }
+}

@@ -1,0 +1,157 @@
+//! What a case of the soot paper must satisfy beyond its grammar.
+
+use super::case::{
+    Aggregate, Case, Deposition, Indentation, NeckStrength, Restructuring, Solid, Soot, SootStage, key, parts,
+};
+use crate::case::check::{Found, expect};
+use crate::case::springs::{necks, springs};
+use crate::case::units::{decimal, in_unit};
+use crate::spec::soot::eq24_fractal::gyration_radius;
+
+/// No packing of three to a few hundred equal spheres is denser: gyration radius over radius and cube root of their number, 0.77 of four and of twelve about one, 0.86 of endless close packings.
+const DENSEST: f64 = 0.77;
+
+/// Spheres of an aggregate: a few gigabytes.
+const MOST: u64 = 10_000_000;
+
+/// All that is wrong with a case of the soot paper.
+pub fn problems(case: &Case, found: &mut Found) {
+    let (soot, sample, stages): (&Soot, &Aggregate, _) = parts(case);
+    interactions(soot, found);
+    let at = |key: &str| format!("sample.aggregate.{key}");
+    let r = sample.radius.value;
+    let most = format!("1 to {MOST}");
+    expect(found, (1..=MOST).contains(&sample.spheres), &at("spheres"), sample.spheres, &most);
+    expect(found, r > 0.0, &at("radius"), &sample.radius, "more than zero");
+    let dimension = sample.fractal_dimension;
+    expect(found, (1.0..=3.0).contains(&dimension), &at("fractal_dimension"), decimal(dimension), "1 to 3");
+    expect(found, sample.prefactor > 0.0, &at("prefactor"), decimal(sample.prefactor), "more than zero");
+    let deviation = sample.deviation;
+    expect(found, deviation >= 1.0 && deviation.is_finite(), &at("deviation"), decimal(deviation), "at least 1");
+    let fraction = sample.neck_fraction;
+    expect(found, (0.0..=1.0).contains(&fraction), &at("neck_fraction"), decimal(fraction), "0 to 1");
+    let distance = &sample.neck_distance;
+    expect(found, distance.value > 0.0, &at("neck_distance"), distance, "more than zero");
+    if found.is_empty() && sample.radii() == Some([r, r]) {
+        let number = sample.spheres as f64;
+        let (wanted, least) = (gyration_radius(sample.prefactor, number, r, dimension), DENSEST * r * number.cbrt());
+        let what = format!("one that leaves a gyration radius of {} at least", in_unit(least, "nm"));
+        expect(found, wanted >= least || number < 3.0, &at("prefactor"), decimal(sample.prefactor), &what);
+    }
+    if found.is_empty() {
+        expect(found, !stages.is_empty(), "experiment.sequence", "nothing", "at least one stage");
+        let mut deposited = sample.deposited.is_some();
+        for (number, stage) in stages.iter().enumerate() {
+            let key = key(case, number, stage);
+            self::stage(stage, &key, found);
+            let follows = deposited || !matches!(stage, SootStage::Indentation(_));
+            expect(found, follows, &key, "an indentation", "a deposition before it");
+            deposited |= matches!(stage, SootStage::Deposition(_));
+        }
+        if let Some(radii) = sample.radii() {
+            let keys = stages.iter().enumerate().map(|(number, stage)| (stage, key(case, number, stage)));
+            sized(soot, radii, keys, found);
+        }
+    }
+}
+
+/// What is wrong with the steps of these stages, the cutoff and the necks for spheres from the smallest to the largest of these radii.
+pub fn sized<'a>(
+    soot: &Soot,
+    radii: [f64; 2],
+    stages: impl Iterator<Item = (&'a SootStage, String)>,
+    found: &mut Found,
+) {
+    let ([least, largest], limit) = (radii, soot.step_limit(radii));
+    let text = format!("more than zero and less than the stability limit of two spheres, {}", in_unit(limit, "fs"));
+    for (stage, key) in stages {
+        let dt = stage.dt();
+        expect(found, dt.value > 0.0 && dt.value < limit, &format!("{key}.dt"), dt, &text);
+    }
+    let text = format!("more than the distance of two touching spheres, {}", in_unit(2.0 * largest, "nm"));
+    expect(found, soot.cutoff.value > 2.0 * largest, "model.soot.cutoff", &soot.cutoff, &text);
+    if let Some(NeckStrength { neck_radius, .. }) = &soot.break_stress {
+        let text = format!("at most the radius of the smallest sphere, {}", in_unit(least, "nm"));
+        expect(found, neck_radius.value <= least, "model.soot.break_stress.neck_radius", neck_radius, &text);
+    }
+}
+
+fn stage(stage: &SootStage, key: &str, found: &mut Found) {
+    let at = |name: &str| format!("{key}.{name}");
+    let mut positive = |name: &str, value: f64, text: String| {
+        expect(found, value > 0.0, &at(name), text, "more than zero");
+    };
+    positive("duration", stage.duration().number(), stage.duration().to_string());
+    match stage {
+        SootStage::Deposition(Deposition { velocity, gap, .. }) => {
+            positive("velocity", velocity.value, velocity.to_string());
+            positive("gap", gap.number(), gap.to_string());
+        }
+        SootStage::Indentation(Indentation { velocity, gap, turn_rate, turn, cantilever, .. }) => {
+            positive("gap", gap.number(), gap.to_string());
+            positive("velocity", velocity.value, velocity.to_string());
+            positive("turn_rate", turn_rate.value, turn_rate.to_string());
+            positive("turn", turn.value, turn.to_string());
+            positive("cantilever", cantilever.value, cantilever.to_string());
+        }
+        SootStage::Restructuring(_) => {}
+    }
+    if let SootStage::Indentation(Indentation { keep_necks, .. })
+    | SootStage::Restructuring(Restructuring { keep_necks, .. }) = stage
+    {
+        expect(found, (0.0..=1.0).contains(keep_necks), &at("keep_necks"), decimal(*keep_necks), "0 to 1");
+    }
+    if let Some(Solid { unit, .. }) = stage.solid() {
+        let name = if matches!(stage, SootStage::Deposition(_)) { "substrate.unit" } else { "tip.unit" };
+        expect(found, unit.value > 0.0, &at(name), unit, "more than zero");
+    }
+    let every = stage.attraction_every();
+    expect(found, every > 0, &at("attraction_every"), every, "at least 1");
+    let (dt, duration) = (stage.dt(), stage.duration());
+    let least = format!("at least a time step, {dt}");
+    expect(found, duration.value(dt.value) >= dt.value, &at("duration"), duration, &least);
+}
+
+fn interactions(soot: &Soot, found: &mut Found) {
+    let at = |key: &str| format!("model.soot.{key}");
+    for (key, value, text) in [
+        ("density", soot.density.value, soot.density.to_string()),
+        ("saturation", soot.saturation.value, soot.saturation.to_string()),
+        ("capillary_reach", soot.capillary_reach.value, soot.capillary_reach.to_string()),
+        ("capillary_sharpness", soot.capillary_sharpness.value, soot.capillary_sharpness.to_string()),
+    ] {
+        expect(found, value > 0.0, &at(key), text, "more than zero");
+    }
+    for (key, value, text) in [
+        ("hamaker_constant", soot.hamaker_constant.value, soot.hamaker_constant.to_string()),
+        (
+            "substrate_hamaker_constant",
+            soot.substrate_hamaker_constant.value,
+            soot.substrate_hamaker_constant.to_string(),
+        ),
+        ("tip_hamaker_constant", soot.tip_hamaker_constant.value, soot.tip_hamaker_constant.to_string()),
+        ("capillary_force", soot.capillary_force.value, soot.capillary_force.to_string()),
+    ] {
+        expect(found, value >= 0.0, &at(key), text, "zero or more");
+    }
+    for (motion, (rest, moving)) in soot.friction.at_rest.iter().zip(soot.friction.in_motion).enumerate() {
+        let key = |name: &str| at(&format!("friction.{name}[{motion}]"));
+        expect(found, *rest >= 0.0, &key("at_rest"), decimal(*rest), "zero or more");
+        let most = format!("zero or more and at most that at rest, {}", decimal(*rest));
+        expect(found, (0.0..=*rest).contains(&moving), &key("in_motion"), decimal(moving), &most);
+    }
+    springs(&soot.contact, "model.soot.contact", found);
+    if soot.necks.is_some() && soot.neck_springs.is_some() {
+        found.push((at("necks"), "expected nothing here beside `neck_springs`, which say it all".into()));
+    }
+    necks("model.soot", &soot.neck_springs, &soot.break_energy, found);
+    if let Some(NeckStrength { tension, shear, neck_radius }) = &soot.break_stress {
+        for (key, value, text) in [
+            ("tension", tension.value, tension.to_string()),
+            ("shear", shear.value, shear.to_string()),
+            ("neck_radius", neck_radius.value, neck_radius.to_string()),
+        ] {
+            expect(found, value > 0.0, &at(&format!("break_stress.{key}")), text, "more than zero");
+        }
+    }
+}

@@ -1,0 +1,172 @@
+//! Aggregates that differ only in their seed, under one coating.
+
+use crate::error::Error;
+use crate::observe::statistics::Mean;
+use crate::output::columns::TIME;
+use crate::output::{RunFolder, Series};
+use crate::papers::soot::case::Torsion;
+use crate::papers::soot::watch::columns::{CONVEXITY, COORDINATION};
+use crate::reproduce::Setting;
+use crate::run::Reader;
+use crate::run::sweep::{Point, set};
+use serde_yaml::Value;
+use std::path::Path;
+
+/// The case that all are made of.
+const CASE: &str = include_str!("../../../../cases/soot/restructuring.yaml");
+const FILE: &str = "cases/soot/restructuring.yaml";
+
+/// What is done to every aggregate.
+#[derive(Clone, Copy, Debug)]
+pub struct Protocol<'a> {
+    /// Number of aggregates.
+    pub aggregates: u64,
+    /// Where the case is another.
+    pub keys: &'a [(&'a str, &'a str)],
+}
+
+/// How often they are looked at, ns.
+pub const LOOK: f64 = 0.5;
+
+/// The members of an ensemble share this.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Kind {
+    /// Part of the contacts that are necks.
+    pub neck_fraction: f64,
+    /// How a twist is resisted.
+    pub torsion: Torsion,
+}
+
+/// What became of the members on average: at the beginning, and after every [`LOOK`].
+#[derive(Clone, Debug)]
+pub struct Ensemble {
+    /// What they share.
+    pub kind: Kind,
+    /// How many there are.
+    pub members: usize,
+    /// Coordination number.
+    pub coordination: Vec<Mean>,
+    /// Convexity.
+    pub convexity: Vec<Mean>,
+    /// Rise of the coordination number from beginning to end, over its beginning.
+    pub rise: Mean,
+}
+
+/// One ensemble of each kind; the aggregates of all are the same, and each runs on one core. Whoever stops it gets the ensembles of those
+/// aggregates of which all kinds have finished, two at least.
+pub fn ensembles(protocol: &Protocol, kinds: &[Kind], setting: &Setting) -> Result<Vec<Ensemble>, Error> {
+    let kept = setting.keep(&points(protocol, kinds, setting.read)?)?;
+    let courses = kept.folders.iter().map(|folder| folder.as_ref().map(course).transpose());
+    let courses: Vec<Option<Course>> = courses.collect::<Result<_, Error>>()?;
+    let whole: Vec<&[Option<Course>]> =
+        courses.chunks(kinds.len()).filter(|kinds| kinds.iter().all(Option::is_some)).collect();
+    if kept.stopped && whole.len() < 2 {
+        return Err(Error::Stopped(None));
+    }
+    let of_kind = |k: usize| whole.iter().filter_map(|kinds| kinds[k].as_ref()).collect::<Vec<_>>();
+    Ok(kinds.iter().enumerate().map(|(k, &kind)| Ensemble::of(kind, &of_kind(k))).collect())
+}
+
+/// All kinds of the first aggregate, then of the next: whoever stops has whole ones.
+fn points(protocol: &Protocol, kinds: &[Kind], read: Reader) -> Result<Vec<Point>, Error> {
+    let mut base: Value = serde_yaml::from_str(CASE).expect("the case is well formed");
+    let look = format!("{LOOK} ns");
+    for (key, value) in protocol.keys.iter().copied().chain([("output.series", &*look), ("output.frames", "1 µs")]) {
+        set(&mut base, key, value)?;
+    }
+    let seeds = (1..=protocol.aggregates).map(|seed| seed.to_string());
+    let members = seeds.flat_map(|seed| kinds.iter().map(move |kind| (seed.clone(), kind)));
+    members
+        .map(|(seed, kind)| {
+            let (fraction, torsion) = (kind.neck_fraction.to_string(), word(kind.torsion));
+            let keys =
+                [("seed", &*seed), ("sample.aggregate.neck_fraction", &*fraction), ("model.soot.torsion", &*torsion)];
+            Point::new(Path::new(FILE), &base, &keys, read)
+        })
+        .collect()
+}
+
+/// A word of a case.
+fn word(torsion: Torsion) -> String {
+    serde_yaml::to_string(&torsion).expect("a word is plain data").trim().into()
+}
+
+/// Coordination number and convexity of one aggregate.
+type Course = [Vec<f64>; 2];
+
+/// What is recorded of a run.
+fn course(folder: &RunFolder) -> Result<Course, Error> {
+    let series = Series::read(folder)?;
+    let column = |column| series.curve("", TIME, column).into_iter().map(|point| point.1).collect();
+    Ok([COORDINATION, CONVEXITY].map(column))
+}
+
+impl Ensemble {
+    fn of(kind: Kind, courses: &[&Course]) -> Self {
+        let looks = courses.iter().map(|course| course[0].len()).min().unwrap_or(0);
+        let mean = |of: usize| {
+            let at = |look: usize| Mean::of(&courses.iter().map(|course| course[of][look]).collect::<Vec<_>>());
+            (0..looks).map(at).collect()
+        };
+        let rises = courses.iter().map(|[coordination, _]| coordination[looks - 1] / coordination[0] - 1.0);
+        let rise = Mean::of(&rises.collect::<Vec<_>>());
+        Self { kind, members: courses.len(), coordination: mean(0), convexity: mean(1), rise }
+    }
+}
+
+/// The mean at the end.
+pub fn terminal(means: &[Mean]) -> Mean {
+    *means.last().expect("an ensemble is looked at before its first step")
+}
+
+/// Time after which no less than 95 % of the change are done, ns.
+pub fn settled(means: &[Mean]) -> f64 {
+    let (first, last) = (means[0].value, terminal(means).value);
+    let under_way = |mean: &Mean| (last - mean.value).abs() > 0.05 * (last - first).abs();
+    means.iter().rposition(under_way).map_or(0.0, |look| (look + 1) as f64 * LOOK)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::interrupt::Interrupt;
+    use crate::papers::AnyPaper;
+    use crate::papers::soot::Soot;
+    use crate::reproduce::Extent;
+
+    #[test]
+    fn a_change_is_settled_when_it_is_within_a_twentieth_of_its_end_for_good() {
+        let course = |values: &[f64]| values.iter().map(|&value| Mean { value, margin: 0.0 }).collect::<Vec<_>>();
+        assert_eq!(settled(&course(&[1.0, 1.96, 1.5, 1.96, 2.0])), 3.0 * LOOK);
+        assert_eq!(settled(&course(&[1.0, 1.0])), 0.0);
+        assert_eq!(settled(&course(&[2.0, 0.0])), LOOK);
+        assert_eq!(settled(&course(&[1.0])), 0.0);
+    }
+
+    #[test]
+    fn a_coating_brings_the_same_aggregates_together_in_every_ensemble() {
+        let keys = [
+            ("model.soot.necks", "S"),
+            ("experiment.restructuring.dt", "50 fs"),
+            ("experiment.restructuring.duration", "1 ns"),
+        ];
+        let protocol = Protocol { aggregates: 2, keys: &keys };
+        let place = tempfile::tempdir().expect("a place");
+        let setting = Setting {
+            extent: Extent::Reduced,
+            runs: place.path().join("runs"),
+            read: &|file, text| Soot.read(file, text),
+            interrupt: &Interrupt::default(),
+            tell: &|_| {},
+        };
+        let kind = |neck_fraction| Kind { neck_fraction, torsion: Torsion::Spring };
+        let found = || ensembles(&protocol, &[kind(0.0), kind(1.0)], &setting).expect("a stable step");
+        let (found, again) = (found(), found());
+        let first = |k: usize| found[k].coordination[0];
+        assert_eq!((found[0].members, found[0].coordination.len()), (2, 3));
+        assert_eq!(first(0), first(1));
+        assert!((298.0 / 150.0..2.1).contains(&first(0).value), "a tree, and some near misses");
+        assert!(terminal(&found[0].coordination).value > first(0).value);
+        assert_eq!(found[0].convexity, again[0].convexity);
+    }
+}

@@ -1,0 +1,205 @@
+//! Section 3.1: aggregates are deposited, and torn at by a tip.
+
+use crate::case::Limits;
+use crate::case::quantity::{Scaled, quantity};
+use crate::case::section::defaults;
+use crate::error::Error;
+use crate::figures::{Axis, Curve, Mark, Plot};
+use crate::interrupt::Interrupt;
+use crate::observe::force_curve::ForceCurve;
+use crate::observe::statistics::Mean;
+use crate::papers::soot::Plan;
+use crate::papers::soot::case::{Aggregate, Indentation, NeckSet, Soot, SootStage};
+use crate::papers::soot::watch::{Deposit, height};
+use crate::reproduce::{Claim, Evidence, Figure, Setting};
+use crate::run::{Course, Driver, Sink, Stage, Step};
+use crate::spec::soot::Along;
+use crate::spec::soot::eq21_hamaker_plane::plane_force;
+use rayon::prelude::*;
+use std::ops::ControlFlow;
+
+/// How often the force curve is kept, ns: a fraction of the time constant of the cantilever.
+const LOOK: f64 = 0.5;
+/// Aggregates.
+const AGGREGATES: u64 = 20;
+/// Curves that are drawn.
+const DRAWN: usize = 4;
+
+/// What is done to every aggregate. All else are the authors' published inputs.
+struct Protocol {
+    spheres: u64,
+    keep_necks: f64,
+    indentation: &'static str,
+}
+
+/// What became of one aggregate.
+struct Member {
+    deposit: Deposit,
+    kinetic: f64,
+    lowered: f64,
+    curve: ForceCurve,
+}
+
+/// Claims and force curves of Figs. 4 and 6.
+pub fn chapter(setting: &Setting) -> Result<Evidence, Error> {
+    let extent = setting.extent;
+    let reduced = "aggregates of 60 spheres instead of 120, 90 % of the necks kept instead of 98 %, so that more are broken, \
+                   indentations of 200 ns instead of 500 ns";
+    let protocol = Protocol {
+        spheres: extent.of(60, 120),
+        keep_necks: extent.of(0.9, 0.98),
+        indentation: extent.of("200 ns", "500 ns"),
+    };
+    let seeds: Vec<u64> = (1..=AGGREGATES).collect();
+    let members = seeds
+        .into_par_iter()
+        .with_max_len(1)
+        .map(|seed| member(&plan(&protocol, seed), setting.interrupt))
+        .collect::<Result<Vec<_>, Error>>()?;
+    Ok(Evidence { note: extent.of(reduced, "").into(), claims: claims(&members), figures: vec![figure(&members)] })
+}
+
+fn plan(protocol: &Protocol, seed: u64) -> Plan<Along> {
+    let duration = |text: &str| Scaled::Absolute(quantity(text));
+    Plan {
+        seed,
+        max_overlap: defaults::<Limits>().overlap,
+        soot: Soot { necks: Some(NeckSet::S), cutoff: quantity("42 nm"), ..defaults() },
+        reading: Along,
+        sample: Aggregate { spheres: protocol.spheres, neck_fraction: 1.0, ..defaults() },
+        stages: vec![
+            SootStage::Deposition(defaults()),
+            SootStage::Indentation(Indentation {
+                keep_necks: protocol.keep_necks,
+                duration: duration(protocol.indentation),
+                ..defaults()
+            }),
+        ],
+        keys: Vec::new(),
+    }
+}
+
+/// One aggregate, deposited and indented.
+fn member(plan: &Plan<Along>, interrupt: &Interrupt) -> Result<Member, Error> {
+    let mut observer = Observer::default();
+    Driver::new(plan, interrupt).run(&mut observer)?;
+    let Observer { first, lowered, deposit, curve } = observer;
+    let (deposit, kinetic) = deposit.expect("a deposition comes first");
+    Ok(Member { deposit, kinetic, lowered: first - lowered, curve: curve.expect("an indentation has a force curve") })
+}
+
+/// What is seen of one aggregate.
+#[derive(Default)]
+struct Observer {
+    /// Height of the centre of mass at the beginning and the end of the deposition.
+    first: f64,
+    lowered: f64,
+    /// What became of the deposition, and the kinetic energy that it began with.
+    deposit: Option<(Deposit, f64)>,
+    curve: Option<ForceCurve>,
+}
+
+impl Sink<Plan<Along>> for Observer {
+    fn begin(&mut self, stage: &mut Stage<'_, Plan<Along>>, _: &Course) -> Result<(), Error> {
+        if stage.number == 0 {
+            self.first = height(stage.simulation.system());
+        }
+        Ok(())
+    }
+
+    /// Keeps a point of the force curve now and then, and ends the deposition when the aggregate rests.
+    fn step(&mut self, stage: &mut Stage<'_, Plan<Along>>, _: &Course, _: &Step) -> Result<ControlFlow<()>, Error> {
+        let every = (LOOK / stage.simulation.settings().dt).round() as u64;
+        if stage.simulation.system().step.is_multiple_of(every) {
+            stage.watch.keep(&stage.simulation);
+            if stage.number == 0 && stage.watch.deposit(&stage.simulation).rests {
+                return Ok(ControlFlow::Break(()));
+            }
+        }
+        Ok(ControlFlow::Continue(()))
+    }
+
+    fn end(&mut self, stage: &mut Stage<'_, Plan<Along>>, _: &Course) -> Result<(), Error> {
+        if stage.number == 0 {
+            self.lowered = height(stage.simulation.system());
+            self.deposit = Some((stage.watch.deposit(&stage.simulation), stage.watch.kinetic()));
+        } else {
+            self.curve = stage.watch.curve().cloned();
+        }
+        Ok(())
+    }
+}
+
+fn claims(members: &[Member]) -> Vec<Claim> {
+    let mean = |of: &dyn Fn(&Member) -> f64| Mean::of(&members.iter().map(of).collect::<Vec<_>>());
+    let rested = members.iter().filter(|member| member.deposit.rests).count();
+    let anchored = members.iter().filter(|member| member.deposit.rests && member.deposit.spheres >= 2).count();
+    let spheres = mean(&|member| member.deposit.spheres as f64);
+    let dissipated = mean(&|member| member.deposit.dissipated / member.kinetic);
+    let lowered = mean(&|member| member.lowered);
+    let peaks = mean(&|member| member.curve.peaks().len() as f64);
+    let highest = mean(&|member| 1e-3 * member.curve.highest());
+    let parted: Vec<f64> = members.iter().filter_map(|member| member.curve.rupture()).collect();
+    let rupture = Mean::of(&parted);
+    let soot: Soot = defaults();
+    let tip = plane_force(defaults::<Aggregate>().radius.value, soot.saturation.value, soot.tip_hamaker_constant.value);
+    let within = highest.value > 0.0 && highest.value < 1e-3 * tip;
+    vec![
+        Claim::new(
+            "Fig. 4",
+            "aggregates come to rest on the substrate: 0.1 % of their kinetic energy is left within 500 ns",
+            "adhesion by dissipation",
+            format!("{rested} of {}; {dissipated:.2} times the kinetic energy turned into heat", members.len()),
+            rested == members.len() && dissipated.value > 0.0,
+        ),
+        Claim::new(
+            "Section 3.1.1",
+            "they turn until they adhere at several contacts",
+            "all",
+            format!("{anchored} of {} on two spheres at least, {spheres:.1} on average", members.len()),
+            anchored == members.len(),
+        ),
+        Claim::new(
+            "Section 3.1.1",
+            "they go on towards the substrate after one branch has adhered: the centre of mass sinks by more than the gap at first, 1.4 nm",
+            "motion continues",
+            format!("{lowered:.1} nm"),
+            lowered.value - lowered.margin > 1.4,
+        ),
+        Claim::new(
+            "Fig. 6a",
+            "the force curve is a saw: more than one peak on average",
+            "several",
+            format!("{peaks:.1}"),
+            peaks.value > 1.0,
+        ),
+        Claim::new(
+            "Fig. 6a",
+            format!("the highest peak pulls, and less than what parts a sphere from the tip, {:.2} nN", 1e-3 * tip),
+            "a picture",
+            format!("{highest:.2} nN"),
+            within,
+        ),
+        Claim::new(
+            "Fig. 6a",
+            "in the end the tip, or what it holds, is severed from the substrate, at a displacement of more than a sphere",
+            "severed",
+            format!("{} of {}, at {rupture:.0} nm", parted.len(), members.len()),
+            parted.len() == members.len() && rupture.value > 28.0,
+        ),
+    ]
+}
+
+fn figure(members: &[Member]) -> Figure {
+    let curves = members.iter().take(DRAWN).enumerate().map(|(k, member)| {
+        // A tip that hits a sphere which cannot give way presses a thousand times as hard as it ever pulls.
+        let presses = |point: &&(f64, f64)| point.1 < -member.curve.highest();
+        let points = member.curve.retraction().iter().skip_while(presses);
+        let points = points.map(|&(displacement, reading)| (displacement, 1e-3 * reading));
+        Curve::new(format!("aggregate {}", k + 1), Mark::Line, points.collect())
+    });
+    let title = "force on the tip as it is drawn back, as the cantilever reads it (Fig. 6a)".to_string();
+    let (x, y) = (Axis::linear("tip displacement [nm]"), Axis::linear("pull [nN]"));
+    let plot = Plot { title: title.clone(), x, y, curves: curves.collect() };
+    Figure { name: "soot-force-curves".into(), caption: title, svg: plot.svg() }
+}

@@ -1,0 +1,72 @@
+//! Demidov, Gor & Khalizov 2024: soot aggregates with necks, deposited, indented, restructured.
+
+pub mod case;
+pub mod check;
+pub mod claims;
+mod stage;
+mod study;
+pub mod tip;
+pub mod watch;
+
+pub use study::Plan;
+
+use super::Paper;
+use crate::case::check::Found;
+use crate::figures::Graph;
+use crate::output::columns::{KINETIC, TIME};
+use crate::reproduce::Chapter;
+use crate::run::Runnable;
+use crate::spec::soot::{Along, Printed, Programmed};
+use case::{Case, Experiment, Model, Sample, Torsion};
+use std::path::PathBuf;
+use watch::columns::{CONVEXITY, COORDINATION, GYRATION_RADIUS, HEIGHT, PULL, READING, TIP_DISPLACEMENT};
+
+/// The paper.
+pub struct Soot;
+
+/// What necks do while the tip pulls.
+const MARKS: &[&str] = &["breaks"];
+
+impl Paper for Soot {
+    const NAME: &'static str = "soot";
+    const REFERENCE: &'static str = "Demidov, Gor & Khalizov 2024";
+    const TITLE: &'static str = "Discrete element method model of soot aggregates: claims and results";
+    const GRAPHS: &'static [Graph] = &[
+        Graph { name: "coordination", stages: &["restructuring"], x: TIME, y: COORDINATION, marks: &[] },
+        Graph { name: "convexity", stages: &["restructuring"], x: TIME, y: CONVEXITY, marks: &[] },
+        Graph { name: "gyration", stages: &["restructuring"], x: TIME, y: GYRATION_RADIUS, marks: &[] },
+        Graph { name: "height", stages: &["deposition"], x: TIME, y: HEIGHT, marks: &[] },
+        Graph { name: "deposition energy", stages: &["deposition"], x: TIME, y: KINETIC, marks: &[] },
+        Graph { name: "force curve", stages: &["indentation"], x: TIP_DISPLACEMENT, y: READING, marks: &[] },
+        Graph { name: "force on the tip", stages: &["indentation"], x: TIP_DISPLACEMENT, y: PULL, marks: MARKS },
+    ];
+    const CHAPTERS: &'static [Chapter] = claims::CHAPTERS;
+
+    type Model = Model;
+    type Sample = Sample;
+    type Experiment = Experiment;
+
+    fn complete(case: &mut Case) {
+        case::choose_necks(case);
+    }
+    fn check(case: &Case, found: &mut Found) {
+        check::problems(case, found);
+    }
+    fn derived(case: &Case) -> Vec<(String, String)> {
+        case::derived(case)
+    }
+    fn reads(case: &Case) -> Vec<PathBuf> {
+        case::reads(case)
+    }
+    fn saves(case: &Case) -> Vec<(String, PathBuf)> {
+        case::saves(case)
+    }
+    fn study(case: Case) -> Box<dyn Runnable> {
+        let Model::Soot(model) = &case.model;
+        match model.torsion {
+            Torsion::Spring => Box::new(Plan::of(&case, Along)),
+            Torsion::AsPrinted => Box::new(Plan::of(&case, Printed)),
+            Torsion::AsPublished => Box::new(Plan::of(&case, Programmed)),
+        }
+    }
+}

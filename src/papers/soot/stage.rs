@@ -1,0 +1,126 @@
+//! What a stage makes of the aggregate that it is given.
+
+use super::case::{Deposition, Indentation, Restructuring, Solid, SootStage};
+use super::tip::tetrahedron;
+use crate::error::Error;
+use crate::initial::aggregate::necks::keep_fraction;
+use crate::initial::stl::read_stl;
+use crate::random::Stream;
+use crate::spec::Vec3;
+use crate::spec::soot::{SUBSTRATE, TIP};
+use crate::system::mesh::Mesh;
+use crate::system::{Course, Particles, Shape, Surface, System};
+use std::collections::BTreeSet;
+use std::path::Path;
+
+/// What goes into every stage.
+pub struct Ground {
+    /// Seed of every random stream.
+    pub seed: u64,
+    /// Radius of the spheres, nm.
+    pub radius: f64,
+}
+
+/// The system that a stage begins with.
+pub fn set_up(stage: &SootStage, ground: &Ground, mut system: System) -> Result<System, Error> {
+    system.surfaces.retain(|surface| surface.material != TIP);
+    match stage {
+        SootStage::Deposition(test) => deposit(test, solid(stage)?, ground, &mut system),
+        SootStage::Indentation(test) => {
+            break_necks(test.keep_necks, ground.seed, &mut system);
+            indent(test, solid(stage)?, ground, &mut system)?;
+        }
+        SootStage::Restructuring(Restructuring { keep_necks, .. }) => {
+            break_necks(*keep_necks, ground.seed, &mut system);
+        }
+    }
+    Ok(system)
+}
+
+/// The surface that a stage asks for from a file, if any. The aggregate is put outside of it.
+pub fn solid(stage: &SootStage) -> Result<Option<Mesh>, Error> {
+    let Some(Solid { stl, unit }) = stage.solid() else { return Ok(None) };
+    let mesh = read_stl(stl, unit.value)?;
+    if mesh.is_closed() && mesh.volume() < 0.0 {
+        return Err(Error::input(stl, "its normals point inwards, expected them to point out of the body"));
+    }
+    Ok(Some(mesh))
+}
+
+fn deposit(test: &Deposition, solid: Option<Mesh>, ground: &Ground, system: &mut System) {
+    let particles = &mut system.particles;
+    let lowest = (0..particles.len()).map(|p| particles.x[p].0[2] - particles.radius[p]).fold(f64::INFINITY, f64::min);
+    let lowered = Vec3([0.0, 0.0, test.gap.value(ground.radius) - lowest]);
+    particles.x.iter_mut().for_each(|x| *x = *x + lowered);
+    particles.v.fill(Vec3([0.0, 0.0, -test.velocity.value]));
+    let shape = match solid {
+        None => Shape::Plane { point: Vec3::zero(), normal: Vec3([0.0, 0.0, 1.0]) },
+        Some(mesh) => {
+            let [low, high] = mesh.bounds();
+            let middle = (low + high) * 0.5;
+            let [a, b, _] = system.domain.sides;
+            Shape::Mesh(mesh.displaced(Vec3([0.5 * a - middle.0[0], 0.5 * b - middle.0[1], -high.0[2]])))
+        }
+    };
+    system.surfaces = vec![Surface::new("substrate", SUBSTRATE, shape, Course::Still)];
+}
+
+fn indent(test: &Indentation, solid: Option<Mesh>, ground: &Ground, system: &mut System) -> Result<(), Error> {
+    let (mesh, lowest) = match solid {
+        None => (tetrahedron(ground.radius), Vec3::zero()),
+        Some(mesh) => {
+            let lowest = mesh.vertices().iter().copied().reduce(|a, b| if b.0[2] < a.0[2] { b } else { a });
+            (mesh, lowest.expect("a surface has corners"))
+        }
+    };
+    let particles = &system.particles;
+    let course = Course::Tip { velocity: test.velocity.value, rate: test.turn_rate.value, turn: test.turn.value };
+    let above = |p: usize| {
+        let apex = particles.x[p] + Vec3([0.0, 0.0, particles.radius[p] + test.gap.value(ground.radius)]);
+        Surface::new("tip", TIP, Shape::Mesh(mesh.displaced(apex - lowest)), course)
+    };
+    let mut free: Vec<usize> = (0..particles.len())
+        .filter(|&p| is_unhindered(particles, p) && is_met_first(particles, p, &above(p)))
+        .collect();
+    free.sort_by_key(|&p| particles.id[p]);
+    let drawn = Stream::new(ground.seed, "indented sphere").uniform() * free.len() as f64;
+    let Some(&target) = free.get(drawn as usize) else {
+        let file = test.tip.as_ref().map(|tip| tip.stl.as_path()).unwrap_or(Path::new("tip"));
+        return Err(Error::input(file, "meets no sphere of the aggregate first with its lowest point"));
+    };
+    let tip = above(target);
+    system.surfaces.push(tip);
+    Ok(())
+}
+
+/// Whether no other sphere is above a sphere, as far as it reaches to the sides.
+fn is_unhindered(Particles { x, radius, .. }: &Particles, p: usize) -> bool {
+    let hides = |q: usize| {
+        let [a, b, c] = (x[q] - x[p]).0;
+        q != p && c > 0.0 && (a * a + b * b).sqrt() < radius[p] + radius[q]
+    };
+    !(0..x.len()).any(hides)
+}
+
+/// Whether a tip above a sphere is nearer to no other: its flanks are flat, and higher spheres may be in its way. The highest sphere is
+/// always met first.
+fn is_met_first(Particles { x, radius, .. }: &Particles, p: usize, tip: &Surface) -> bool {
+    let mut seen = Vec::new();
+    let mut gap = |q: usize| {
+        seen.clear();
+        tip.see(x[q], f64::INFINITY, 0.0, &mut seen);
+        seen[0].distance - radius[q]
+    };
+    let least = gap(p);
+    (0..x.len()).all(|q| q == p || gap(q) > least)
+}
+
+/// Removes necks; the contacts that take their place begin with relaxed springs.
+fn break_necks(keep: f64, seed: u64, system: &mut System) {
+    let all: Vec<(usize, usize)> = system.necks.iter().map(|&(i, j)| (i as usize, j as usize)).collect();
+    let kept = keep_fraction(&all, keep, seed).into_iter().map(|(i, j)| (i as u32, j as u32));
+    let kept: BTreeSet<(u32, u32)> = kept.collect();
+    let broken = |pair: (u32, u32)| system.necks.binary_search(&pair).is_ok() && !kept.contains(&pair);
+    system.springs.forget(broken);
+    system.necks = kept.into_iter().collect();
+}

@@ -1,0 +1,268 @@
+//! The stages of a case of the soot paper: an aggregate is deposited, indented, collapses under its coating.
+
+use super::case::{Aggregate, Case, Deposition, Growth, Import, Soot, SootStage, key, parts};
+use super::check::sized;
+use super::stage::{self, Ground};
+use super::watch::{self, Watch};
+use crate::case::quantity::{Length, Quantity};
+use crate::error::{Error, Halt};
+use crate::geometry::{Sphere, centre_of_mass};
+use crate::initial::aggregate::necks::{Neck, keep_fraction, necks};
+use crate::initial::aggregate::{Method, Radii, Recipe, aggregate, import};
+use crate::interrupt::Interrupt;
+use crate::output::{Cell, Column, Finding, Kept, keep, kept};
+use crate::run::Study;
+use crate::simulation::{EXAMINED, Settings, Simulation};
+use crate::spec::Vec3;
+use crate::spec::soot::{self, Reading};
+use crate::spec::wear::def_sphere::sphere_mass;
+use crate::system::{Domain, Particles, System};
+use serde::{Deserialize, Serialize};
+use std::path::PathBuf;
+
+/// The plan of a case.
+pub struct Plan<S> {
+    /// Seed of every random stream.
+    pub seed: u64,
+    /// Largest overlap allowed, as a part of the sum of the radii.
+    pub max_overlap: f64,
+    /// The interactions.
+    pub soot: Soot,
+    /// How springs are read.
+    pub reading: S,
+    /// The aggregate.
+    pub sample: Aggregate,
+    /// What is done to it, one after the other.
+    pub stages: Vec<SootStage>,
+    /// The keys of the stages in the case.
+    pub keys: Vec<String>,
+}
+
+/// How much farther than their range neighbours are listed, in radii: spheres that collapse take tens of thousands of steps for this way.
+const SKIN: f64 = 0.1;
+
+impl<S: Reading> Plan<S> {
+    /// The plan of a case of the soot paper.
+    pub fn of(case: &Case, reading: S) -> Self {
+        let (soot, sample, stages) = parts(case);
+        let (soot, sample) = (soot.clone(), sample.clone());
+        let keys = stages.iter().enumerate().map(|(number, stage)| key(case, number, stage)).collect();
+        Self { seed: case.seed, max_overlap: case.limits.overlap, soot, reading, sample, stages, keys }
+    }
+}
+
+/// A deposited aggregate on disk, with what it was made from.
+#[derive(Serialize, Deserialize)]
+struct Deposited {
+    origin: String,
+    system: System,
+}
+
+impl<S: Reading> Plan<S> {
+    /// What a deposited aggregate must agree in. Not the seed: another one indents the same aggregate elsewhere.
+    fn origin(&self) -> String {
+        let sample = Aggregate { deposited: None, ..self.sample.clone() };
+        serde_json::to_string(&(&self.soot, &sample)).expect("a case is plain data")
+    }
+
+    /// The spheres of the sample, about their centre of mass, and its necks.
+    fn aggregate(&self, interrupt: &Interrupt) -> Result<(Vec<Sphere>, Vec<Neck>), Error> {
+        let spheres = self.spheres(interrupt)?;
+        let joined = match self.sample.import.as_ref().and_then(|import| import.necks.as_ref()) {
+            Some(file) => import::read_necks(file, &spheres)?,
+            None => necks(&spheres, self.sample.neck_distance.value, !self.sample.neck_cycles),
+        };
+        Ok((spheres, keep_fraction(&joined, self.sample.neck_fraction, self.seed)))
+    }
+
+    /// Whether steps, cutoff and necks suit spheres from a file, one at least, with these radii.
+    fn suits(&self, radii: impl Iterator<Item = f64>) -> Result<(), Error> {
+        let radii = radii.fold([f64::INFINITY, 0.0], |[least, largest], r| [r.min(least), r.max(largest)]);
+        let mut found = Vec::new();
+        sized(&self.soot, radii, self.stages.iter().zip(self.keys.iter().cloned()), &mut found);
+        found.into_iter().next().map_or(Ok(()), |(key, what)| Err(Error::of_key(key, what)))
+    }
+
+    fn spheres(&self, interrupt: &Interrupt) -> Result<Vec<Sphere>, Error> {
+        let sample = &self.sample;
+        if let Some(Import { file, format, unit, radius, disconnected, .. }) = &sample.import {
+            let length = |quantity: &Option<Quantity<Length>>| quantity.as_ref().map(|length| length.value);
+            let (unit, radius) = (length(unit), length(radius));
+            let options = import::Options { format: *format, unit, radius, disconnected: *disconnected };
+            let spheres = centred(import::read(file, &options)?.spheres);
+            self.suits(spheres.iter().map(|sphere| sphere.radius))?;
+            return Ok(spheres);
+        }
+        let median = sample.radius.value;
+        let recipe = Recipe {
+            number: sample.spheres as usize,
+            d_f: sample.fractal_dimension,
+            k_f: sample.prefactor,
+            radii: if sample.deviation == 1.0 {
+                Radii::Equal(median)
+            } else {
+                Radii::LogNormal { median, deviation: sample.deviation }
+            },
+            method: match sample.growth {
+                Growth::Clusters => Method::Clusters,
+                Growth::Spheres => Method::Spheres,
+            },
+        };
+        aggregate(&recipe, self.seed, interrupt).map_err(|failure| failure.of("sample.aggregate"))
+    }
+}
+
+/// The radius that lengths are counted in: half of the spheres are smaller.
+fn median_radius(Particles { radius, .. }: &Particles) -> f64 {
+    let mut radii = radius.clone();
+    radii.sort_unstable_by(f64::total_cmp);
+    radii[radii.len() / 2]
+}
+
+/// The same spheres with their centre of mass at the origin.
+fn centred(mut spheres: Vec<Sphere>) -> Vec<Sphere> {
+    let centre = centre_of_mass(&spheres);
+    for sphere in &mut spheres {
+        sphere.centre = sphere.centre - centre;
+    }
+    spheres
+}
+
+impl<S: Reading> Study for Plan<S> {
+    type Model = soot::Soot<S>;
+    type Watch = Watch;
+
+    fn stages(&self) -> Vec<&'static str> {
+        self.stages.iter().map(SootStage::name).collect()
+    }
+
+    fn examine(&self) -> Result<(), Error> {
+        self.initial(&Interrupt::default()).map(drop)
+    }
+
+    fn reads_after(&self, stage: usize) -> Vec<PathBuf> {
+        self.stages.iter().skip(stage + 1).filter_map(|stage| Some(stage.solid()?.stl.clone())).collect()
+    }
+
+    fn initial(&self, interrupt: &Interrupt) -> Result<System, Error> {
+        // Files that a later stage needs are looked at before anything is computed.
+        self.stages.iter().try_for_each(|stage| stage::solid(stage).map(drop))?;
+        if let Some(path) = &self.sample.deposited {
+            let Deposited { origin, system } = kept(path, Kept::Sample)?;
+            if origin != self.origin() {
+                return Err(Error::input(path, "was made with another model or aggregate"));
+            }
+            self.suits(system.particles.radius.iter().copied())?;
+            return Ok(system);
+        }
+        let (spheres, kept) = self.aggregate(interrupt)?;
+        let mut particles = Particles::default();
+        let reach = spheres.iter().map(|sphere| sphere.centre.norm() + sphere.radius).fold(0.0, f64::max);
+        for &Sphere { centre, radius } in &spheres {
+            particles.push(centre + Vec3([reach; 3]), radius, sphere_mass(self.soot.density.value, radius), 0);
+        }
+        let domain = Domain { sides: [2.0 * reach; 3], periodic: [false; 3] };
+        let necks = kept.into_iter().map(|(i, j)| (i as u32, j as u32)).collect();
+        Ok(System { necks, ..System::new(particles, domain) })
+    }
+
+    fn set_up(&self, stage: usize, system: System) -> Result<System, Error> {
+        let ground = Ground { seed: self.seed, radius: median_radius(&system.particles) };
+        stage::set_up(&self.stages[stage], &ground, system)
+    }
+
+    fn model(&self, stage: usize) -> soot::Soot<S> {
+        self.soot.law_of(self.reading, &self.stages[stage])
+    }
+
+    fn settings(&self, stage: usize, system: &System) -> Settings {
+        let test = &self.stages[stage];
+        Settings {
+            integrator: test.integrator().engine(),
+            far_every: test.attraction_every(),
+            skin: SKIN * median_radius(&system.particles),
+            max_overlap: self.max_overlap,
+            ..Settings::new(test.dt().value)
+        }
+    }
+
+    fn steps(&self, stage: usize, dt: f64) -> u64 {
+        (self.stages[stage].duration().value(dt) / dt).round() as u64
+    }
+
+    /// The next stage goes on from here, with the springs of all contacts.
+    fn end(&self, stage: usize, simulation: Simulation<soot::Soot<S>>) -> Result<System, Error> {
+        let system = simulation.into_system_with_springs();
+        if let SootStage::Deposition(Deposition { save: Some(path), .. }) = &self.stages[stage] {
+            keep(path, Kept::Sample, &Deposited { origin: self.origin(), system: system.clone() })?;
+        }
+        Ok(system)
+    }
+
+    fn parts(&self, stage: usize) -> u64 {
+        if matches!(self.stages[stage], SootStage::Indentation(_)) { 4 } else { 2 }
+    }
+
+    fn columns(&self) -> Vec<Column> {
+        watch::columns::ALL.into()
+    }
+
+    fn watch(&self, stage: usize, simulation: &Simulation<soot::Soot<S>>) -> Watch {
+        Watch::begin(&self.stages[stage], simulation)
+    }
+
+    fn intervene(&self, _: usize, simulation: &mut Simulation<soot::Soot<S>>) -> Result<Vec<String>, Halt> {
+        let Soot { break_energy, break_stress, .. } = &self.soot;
+        if break_energy.is_none() && break_stress.is_none() || !simulation.system().step.is_multiple_of(EXAMINED) {
+            return Ok(Vec::new());
+        }
+        let law = *simulation.model();
+        let broken = simulation.break_necks(|contact, memory, held| {
+            break_energy.as_ref().is_some_and(|strength| held.necks > strength.value)
+                || break_stress.as_ref().is_some_and(|strength| {
+                    let (tension, shear) = law.neck_stress(contact, memory, strength.neck_radius.value);
+                    tension > strength.tension.value || shear > strength.shear.value
+                })
+        })?;
+        Ok(broken.iter().map(|(i, j)| format!("the neck of {i} and {j} breaks")).collect())
+    }
+
+    fn follow(&self, _: usize, watch: &mut Watch, simulation: &Simulation<soot::Soot<S>>) -> Vec<String> {
+        watch.follow(simulation);
+        Vec::new()
+    }
+
+    fn look(&self, watch: &mut Watch, simulation: &Simulation<soot::Soot<S>>) -> Vec<Cell> {
+        watch.look(simulation)
+    }
+
+    fn findings(
+        &self,
+        stage: usize,
+        watch: &Watch,
+        simulation: &Simulation<soot::Soot<S>>,
+    ) -> Result<Vec<Finding>, Error> {
+        let mut findings = watch.findings(&self.stages[stage], simulation);
+        if self.stages.len() > 1 {
+            let name = &self.names()[stage];
+            findings.iter_mut().for_each(|finding| finding.name = format!("{name}: {}", finding.name));
+        }
+        Ok(findings)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::papers::parse;
+    use crate::spec::soot::Along;
+    use std::path::Path;
+
+    #[test]
+    fn stages_that_come_again_are_numbered() {
+        let text = "title: x\nmodel: {soot: {}}\nsample: {aggregate: {spheres: 2}}\nexperiment:\n  sequence:\n    - deposition: {}\n    \
+                    - restructuring: {}\n    - restructuring: {}\n";
+        let case = parse::<crate::papers::soot::Soot>(Path::new("x.yaml"), text).expect("a case");
+        assert_eq!(Plan::of(&case, Along).names(), ["deposition", "restructuring", "restructuring 2"]);
+    }
+}

@@ -1,0 +1,149 @@
+//! The sections of a film of the titania paper and of its test under a tip. Defaults are the published values.
+
+use crate::case::InSteps;
+use crate::case::quantity::{Drag, Force, Length, Quantity, Scaled, Temperature, Time, Velocity, Viscosity, quantity};
+use crate::case::section::{defaults, section};
+use crate::initial::film::{Diameters, FilmPlan, Gas, Numbers};
+use std::path::PathBuf;
+
+section! {
+    /// Aggregates that came down one by one and stayed where they touched, Section 5.3.
+    pub struct Film {
+        /// Number of particles.
+        particles: u64 = 200_000,
+        /// Sides of the column.
+        sides: [Quantity<Length>; 2] = [quantity("1.5814 µm"), quantity("1.5814 µm")],
+        /// Nominal diameters of the particles, whole nanometres.
+        diameters: DiametersOfFilm = defaults(),
+        /// Numbers of particles of the aggregates.
+        aggregates: NumbersOfFilm = defaults(),
+        /// Particles of the clusters that aggregates are joined of.
+        cluster: u64 = 6,
+        /// Prefactor of the fractal law.
+        prefactor: f64 = 1.0,
+        /// Fractal dimension.
+        dimension: f64 = 1.8,
+        /// The gas that they came down in.
+        gas: GasOfFilm = defaults(),
+        /// Velocity at which they drifted down.
+        drift: Quantity<Velocity> = quantity("0.1 m/s"),
+        /// File to keep the relaxed film in.
+        save: Option<PathBuf> = None,
+        /// File with a relaxed film to start from; it must have been made with the same keys above, model, relaxation and seed.
+        load: Option<PathBuf> = None,
+    }
+}
+
+section! {
+    /// A log-normal distribution of diameters.
+    pub struct DiametersOfFilm {
+        /// Median.
+        median: Quantity<Length> = quantity("9 nm"),
+        /// Geometric standard deviation.
+        deviation: f64 = 1.45,
+        /// Smallest.
+        smallest: Quantity<Length> = quantity("3 nm"),
+        /// Largest.
+        largest: Quantity<Length> = quantity("23 nm"),
+    }
+}
+
+section! {
+    /// A log-normal distribution of numbers.
+    pub struct NumbersOfFilm {
+        /// Median.
+        median: f64 = 36.0,
+        /// Standard deviation of the logarithm.
+        deviation: f64 = 0.5,
+        /// Largest.
+        largest: u64 = 128,
+    }
+}
+
+section! {
+    /// Air, unless stated otherwise.
+    pub struct GasOfFilm {
+        /// Temperature.
+        temperature: Quantity<Temperature> = quantity("300 K"),
+        /// Viscosity.
+        viscosity: Quantity<Viscosity> = quantity("1.85e-5 Pa s"),
+        /// Mean free path of its molecules.
+        free_path: Quantity<Length> = quantity("68 nm"),
+    }
+}
+
+section! {
+    /// A film under the tip of a force microscope, Section 5.4.
+    pub struct Spectroscopy {
+        /// How long the film has to come to rest before.
+        relaxation: InSteps = Scaled::Absolute(quantity("100 ns")),
+        /// Drag on every particle meanwhile.
+        drag: Quantity<Drag> = quantity("1e-11 kg/s"),
+        /// The tip.
+        tip: Tip = defaults(),
+        /// Speed at which the tip comes down and goes up.
+        speed: Quantity<Velocity> = quantity("0.5 m/s"),
+        /// Force at which it turns.
+        setpoint: Quantity<Force> = quantity("2 nN"),
+        /// How long it takes to turn.
+        reversal: Quantity<Time> = quantity("0.2 us"),
+        /// Time over which forces are averaged.
+        average: Quantity<Time> = quantity("10 ns"),
+        /// How far it comes down at most.
+        depth: Quantity<Length>,
+        /// How far it goes up at most; 50 nm after the rupture of the film it stops.
+        retraction: Quantity<Length> = quantity("2 um"),
+        /// Time step.
+        dt: Quantity<Time> = quantity("0.5 ps"),
+    }
+}
+
+section! {
+    /// A pyramid of spheres, apex down.
+    pub struct Tip {
+        /// Nominal radius of its spheres.
+        radius: Quantity<Length> = quantity("20 nm"),
+        /// Side of its base.
+        side: Quantity<Length> = quantity("0.8 um"),
+        /// How far above the film it begins.
+        clearance: Quantity<Length> = quantity("2 nm"),
+    }
+}
+
+impl Film {
+    /// How it is built, in engine units.
+    pub fn plan(&self) -> FilmPlan {
+        let Self { particles, sides, diameters, aggregates, cluster, prefactor, dimension, gas, drift, .. } = self;
+        let whole = |d: &Quantity<Length>| d.value.round() as u32;
+        FilmPlan {
+            spheres: *particles as usize,
+            sides: [sides[0].value, sides[1].value],
+            diameters: Diameters {
+                median: diameters.median.value,
+                deviation: diameters.deviation,
+                smallest: whole(&diameters.smallest),
+                largest: whole(&diameters.largest),
+            },
+            numbers: Numbers {
+                median: aggregates.median,
+                deviation: aggregates.deviation,
+                largest: aggregates.largest as u32,
+            },
+            cluster: *cluster as usize,
+            k_f: *prefactor,
+            d_f: *dimension,
+            gas: Gas {
+                temperature: gas.temperature.value,
+                viscosity: gas.viscosity.value,
+                free_path: gas.free_path.value,
+            },
+            drift: drift.value,
+        }
+    }
+
+    /// All nominal diameters that its particles may have, nm.
+    pub fn sizes(&self) -> Vec<f64> {
+        let Diameters { smallest, largest, .. } = self.plan().diameters;
+        (smallest..=largest).map(f64::from).collect()
+    }
+}

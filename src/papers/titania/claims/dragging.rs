@@ -1,0 +1,251 @@
+//! Figs. 5, 6 and 8 of the titania paper: a particle of 8 nm dragged over a slab, sliding or rolling.
+
+use super::{SIZES, SLAB, paper, plan};
+use crate::case::quantity::{Scaled, quantity};
+use crate::error::Error;
+use crate::figures::{Curve, Mark};
+use crate::interrupt::Interrupt;
+use crate::papers::titania::case::Dragging;
+use crate::papers::titania::rolling_resistance;
+use crate::papers::titania::stage::Stage;
+use crate::papers::titania::study::Plan;
+use crate::reproduce::{Claim, Evidence, Figure, near};
+use crate::run::{self, Course, Driver, Sink, Step};
+use crate::simulation::Simulation;
+use crate::spec::titania::Titania;
+use rayon::prelude::*;
+use std::ops::ControlFlow;
+
+/// How long a particle is pressed on the slab before it is dragged, in steps.
+const SETTLING: f64 = 6000.0;
+const DT: f64 = 5e-4;
+/// How far it slides and rolls, nm.
+const SLID: f64 = 1.7;
+const ROLLED: f64 = 1.0;
+/// Farther than both.
+const FARTHEST: &str = "2 nm";
+
+/// A particle pressed on the slab and dragged; `see` is shown the states while it is dragged, the one at the beginning too, and ends it.
+fn drag(
+    load: f64,
+    velocity: f64,
+    rolls: bool,
+    interrupt: &Interrupt,
+    see: impl FnMut(&Simulation<Titania>) -> ControlFlow<()>,
+) -> Result<(), Error> {
+    let test = Dragging {
+        slab: quantity(&format!("{SLAB} nm")),
+        load: quantity(&format!("{load} pN")),
+        settling: Scaled::times(SETTLING),
+        velocity: quantity(&format!("{velocity} m/s")),
+        distance: quantity(FARTHEST),
+    };
+    let plan = plan(&paper(), DT, Stage::dragging(&test, SIZES[0], rolls, DT).into());
+    Driver::new(&plan, interrupt).run(&mut Dragged(see)).map(drop)
+}
+
+/// Shows a closure the second stage.
+struct Dragged<F>(F);
+
+impl<F: FnMut(&Simulation<Titania>) -> ControlFlow<()>> Sink<Plan> for Dragged<F> {
+    fn begin(&mut self, stage: &mut run::Stage<'_, Plan>, _: &Course) -> Result<(), Error> {
+        if stage.number == 1 {
+            let _ = (self.0)(&stage.simulation);
+        }
+        Ok(())
+    }
+    fn step(&mut self, stage: &mut run::Stage<'_, Plan>, _: &Course, _: &Step) -> Result<ControlFlow<()>, Error> {
+        Ok(if stage.number == 1 { (self.0)(&stage.simulation) } else { ControlFlow::Continue(()) })
+    }
+}
+
+fn travel(simulation: &Simulation<Titania>) -> f64 {
+    simulation.system().walls[1].travel.0[0]
+}
+
+/// Stick and slip of a particle that slides.
+struct Slid {
+    load: f64,
+    velocity: f64,
+    /// Mean distance between two slips, nm.
+    period: f64,
+    /// Mean force at a slip, pN.
+    peak: f64,
+    /// Mean of shear strength times contact area there, pN.
+    strength: f64,
+    /// Force against the way, pN and nm.
+    curve: Vec<(f64, f64)>,
+}
+
+fn slide(load: f64, velocity: f64, interrupt: &Interrupt) -> Result<Slid, Error> {
+    let (mut slips, mut curve): (Vec<[f64; 3]>, _) = (Vec::new(), Vec::new());
+    drag(load, velocity, false, interrupt, |simulation| {
+        let (way, tau_s) = (travel(simulation), simulation.model().tau_s);
+        if way >= SLID {
+            return ControlFlow::Break(());
+        }
+        for pair in simulation.pairs() {
+            let force = pair.outcome.wrench.force.0[0].abs();
+            curve.push((way, force));
+            if pair.outcome.losses.sliding > 0.0 {
+                slips.push([way, force, tau_s * Titania::area(&pair.contact)]);
+            }
+        }
+        ControlFlow::Continue(())
+    })?;
+    let n = slips.len() as f64;
+    let mean = |k: usize| slips.iter().map(|slip| slip[k]).sum::<f64>() / n;
+    let period = (slips.last().map_or(f64::NAN, |s| s[0]) - slips.first().map_or(f64::NAN, |s| s[0])) / (n - 1.0);
+    Ok(Slid { load, velocity, period, peak: mean(1), strength: mean(2), curve })
+}
+
+/// A particle that rolls without sliding.
+struct Rolled {
+    load: f64,
+    velocity: f64,
+    /// Least, mean and largest resistance, as a force at its centre, pN.
+    range: [f64; 3],
+    /// The resistance against the way, pN and nm.
+    curve: Vec<(f64, f64)>,
+}
+
+fn roll(load: f64, velocity: f64, interrupt: &Interrupt) -> Result<Rolled, Error> {
+    let mut curve = Vec::new();
+    drag(load, velocity, true, interrupt, |simulation| {
+        let way = travel(simulation);
+        // At the beginning nothing has been measured yet.
+        if simulation.system().step > 0 {
+            curve.push((way, rolling_resistance(simulation)));
+        }
+        if way < ROLLED { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    })?;
+    let forces = || curve.iter().map(|point| point.1);
+    let mean = forces().sum::<f64>() / curve.len() as f64;
+    let range = [forces().fold(f64::INFINITY, f64::min), mean, forces().fold(0.0, f64::max)];
+    Ok(Rolled { load, velocity, range, curve })
+}
+
+/// Loads, pN, and velocities, m/s; the last is the third again, slowly.
+const RUNS: [(f64, f64); 6] =
+    [(500.0, 1.0), (1000.0, 1.0), (2000.0, 1.0), (4000.0, 1.0), (8000.0, 1.0), (2000.0, 0.25)];
+const TYPICAL: usize = 2;
+
+/// What becomes of a particle that is dragged.
+pub fn dragging(chapter: &mut Evidence, interrupt: &Interrupt) -> Result<(), Error> {
+    let slid: Vec<Slid> =
+        RUNS.into_par_iter().map(|(load, velocity)| slide(load, velocity, interrupt)).collect::<Result<_, _>>()?;
+    let rolled: Vec<Rolled> =
+        RUNS.into_par_iter().map(|(load, velocity)| roll(load, velocity, interrupt)).collect::<Result<_, _>>()?;
+    sliding(chapter, &slid);
+    rolling(chapter, &rolled, &slid[TYPICAL]);
+    figures(chapter, &slid, &rolled);
+    Ok(())
+}
+
+/// Force over load, with its load; and whether it falls to less than a half.
+fn over_load(points: impl Iterator<Item = (f64, f64)> + Clone) -> (String, bool) {
+    let ratios: Vec<f64> = points.clone().map(|(load, force)| force / load).collect();
+    let listed = points.map(|(load, force)| format!("{:.2} at {} nN", force / load, load * 1e-3));
+    let falls = ratios.windows(2).all(|pair| pair[1] < pair[0]) && ratios[0] > 2.0 * ratios[ratios.len() - 1];
+    (listed.collect::<Vec<_>>().join(", "), falls)
+}
+
+/// Stick and slip, and the upper half of Fig. 6.
+fn sliding(chapter: &mut Evidence, runs: &[Slid]) {
+    let (loads, slow) = runs.split_at(5);
+    let all = |of: fn(&Slid) -> String| runs.iter().map(of).collect::<Vec<_>>().join(", ");
+    chapter.claims.push(Claim::new(
+        "Section 2.4",
+        "stick and slip keeps the period of the law, whatever load (0.5 to 8 nN) and velocity (0.25 and 1 m/s)",
+        "about 0.5 nm",
+        all(|run| format!("{:.4}", run.period)) + " nm",
+        runs.iter().all(|run| near(run.period, 0.5, 0.01)),
+    ));
+    let (fast, slow) = (&loads[TYPICAL], &slow[0]);
+    chapter.claims.push(Claim::new(
+        "Section 2.4",
+        "peak friction does not depend on the velocity",
+        "negligible influence",
+        format!("{:.1} pN at {} m/s, {:.1} pN at {} m/s", fast.peak, fast.velocity, slow.peak, slow.velocity),
+        near(fast.peak, slow.peak, 0.01),
+    ));
+    chapter.claims.push(Claim::new(
+        "Eq. 10",
+        "peak friction is shear strength times contact area, on a slab that is a sphere of 1 µm",
+        "0.65 GPa",
+        loads.iter().map(|run| format!("{:.4}", 0.65 * run.peak / run.strength)).collect::<Vec<_>>().join(", ")
+            + " GPa",
+        loads.iter().all(|run| near(run.peak, run.strength, 0.01)),
+    ));
+    let (ratios, falls) = over_load(loads.iter().map(|run| (run.load, run.peak)));
+    chapter.claims.push(Claim::new(
+        "Fig. 6",
+        "peak friction over load falls with the load: no law of Amontons",
+        "falls",
+        ratios,
+        falls,
+    ));
+}
+
+/// The resistance to rolling, and the lower half of Fig. 6.
+fn rolling(chapter: &mut Evidence, runs: &[Rolled], slid: &Slid) {
+    let (loads, slow) = runs.split_at(5);
+    let (typical, slow) = (&loads[TYPICAL], &slow[0]);
+    let listed = runs.iter().map(|Rolled { load, velocity, range: [least, _, most], .. }| {
+        format!("{least:.1} to {most:.1} pN under {} nN at {velocity} m/s", load * 1e-3)
+    });
+    chapter.claims.push(Claim::new(
+        "Fig. 8",
+        "the resistance to rolling, as a force at the centre, is the same all the way of 1 nm and at both velocities",
+        "a pure slider (Eq. 13)",
+        listed.collect::<Vec<_>>().join(", "),
+        runs.iter().all(|Rolled { range: [least, mean, most], .. }| most - least < 0.01 * mean)
+            && near(slow.range[1], typical.range[1], 0.01),
+    ));
+    let (ratios, falls) = over_load(loads.iter().map(|run| (run.load, run.range[1])));
+    chapter.claims.push(Claim::new(
+        "Fig. 6",
+        "resistance to rolling over load falls with the load",
+        "falls",
+        ratios,
+        falls,
+    ));
+    let higher = slid.peak / typical.range[1];
+    chapter.claims.push(Claim::new(
+        "Section 2.4",
+        "peaks of sliding are significantly higher than the resistance to rolling, under 2 nN",
+        "0.65 GPa to 0.25 GPa: 2.6",
+        format!("{:.1} pN to {:.1} pN: {higher:.2}", slid.peak, typical.range[1]),
+        near(higher, 2.6, 0.05),
+    ));
+}
+
+fn figures(chapter: &mut Evidence, slid: &[Slid], rolled: &[Rolled]) {
+    let mut draw = |name: &str, caption: &str, x: &str, y: &str, curves: Vec<Curve>| {
+        chapter.figures.push(Figure::linear(name, caption, [x, y], curves));
+    };
+    let against_load = |label: &str, points: Vec<(f64, f64)>| {
+        Curve::new(label, Mark::Dots, points.into_iter().map(|(load, force)| (load * 1e-3, force * 1e-3)).collect())
+    };
+    draw(
+        "friction",
+        "Fig. 6: peak friction, and resistance to rolling, of a particle of 8 nm on a slab against the load",
+        "load [nN]",
+        "force [nN]",
+        vec![
+            against_load("sliding", slid[..5].iter().map(|run| (run.load, run.peak)).collect()),
+            against_load("rolling", rolled[..5].iter().map(|run| (run.load, run.range[1])).collect()),
+        ],
+    );
+    let against_way = |label: &str, curve: &[(f64, f64)]| {
+        let points = curve.iter().step_by(5).map(|&(way, force)| (way, force * 1e-3));
+        Curve::new(label, Mark::Line, points.collect())
+    };
+    draw(
+        "dragging",
+        "Fig. 8: a particle of 8 nm slides and rolls over a slab under 2 nN",
+        "way [nm]",
+        "force [nN]",
+        vec![against_way("sliding", &slid[TYPICAL].curve), against_way("rolling", &rolled[TYPICAL].curve)],
+    );
+}

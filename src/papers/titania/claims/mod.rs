@@ -1,0 +1,209 @@
+//! Section 2 of the titania paper: two particles; Section 5.3: a film.
+
+pub mod agglomerate;
+mod dragging;
+mod film;
+pub mod spectroscopy;
+
+use super::Plan;
+use super::case::{Approach, Titania};
+use super::stage::Stage;
+use crate::case::Limits;
+use crate::case::quantity::{Scaled, quantity};
+use crate::case::section::defaults;
+use crate::error::Error;
+use crate::figures::{Curve, Mark};
+use crate::reproduce::{Chapter, Claim, Evidence, Figure, Setting, near};
+use crate::run::{self, Driver, Each};
+use crate::spec::{Contact, Flat, PairModel, Vec3};
+use crate::system::System;
+use std::ops::ControlFlow;
+
+/// The chapters.
+pub const CHAPTERS: &[Chapter] = &[
+    Chapter {
+        name: "contact",
+        about: "two water-covered particles, Section 2",
+        title: "Two particles",
+        compute: |setting| chapter(setting),
+    },
+    Chapter {
+        name: "agglomerate",
+        about: "a stretched agglomerate, Section 3.1",
+        title: "A stretched agglomerate",
+        compute: |setting| agglomerate::chapter(setting),
+    },
+    Chapter {
+        name: "spectroscopy",
+        about: "films under a tip, Section 3.2",
+        title: "Films under a tip",
+        compute: |setting| spectroscopy::chapter(setting),
+    },
+];
+
+/// Nominal diameters of the two sizes of Figs. 3 and 6, nm.
+const SIZES: [f64; 2] = [8.0, 16.0];
+/// Nominal diameter of the sphere that stands for the slab, nm.
+const SLAB: f64 = 1000.0;
+
+/// Rest, stiffness, approach, stick and slip, friction, the structure of a film.
+pub fn chapter(setting: &Setting) -> Result<Evidence, Error> {
+    let mut chapter = Evidence::default();
+    constants(&mut chapter);
+    repulsion(&mut chapter);
+    approach(&mut chapter, setting)?;
+    dragging::dragging(&mut chapter, setting.interrupt)?;
+    film::structure(&mut chapter, setting.interrupt)?;
+    Ok(chapter)
+}
+
+fn paper() -> Titania {
+    defaults()
+}
+
+/// Stiffness of two equal particles, GPa.
+fn stiffness(d: f64) -> f64 {
+    let titania = paper();
+    let (r, m) = titania.particle(d);
+    titania.law().parameters(r, r, m, m).k_n * 1e-3
+}
+
+/// Force that pulls two equal particles apart, nN, against the stretch from rest, nm.
+fn pull(d: f64) -> Vec<(f64, f64)> {
+    let (titania, none) = (paper(), Vec3::zero());
+    let (law, (r, m)) = (titania.law(), titania.particle(d));
+    let constants = law.coefficients(r, r, m, m);
+    let force = |stretch: f64| {
+        let contact = Contact::new(Vec3::new(d + stretch, 0.0, 0.0), none, none, none, r, r);
+        -law.pair(&contact, &constants, Flat::from_fn(|_| 0.0), 1e-4).wrench.force.0[0] * 1e-3
+    };
+    (-100..2000).map(|k| f64::from(k) * 1e-3).map(|stretch| (stretch, force(stretch))).collect()
+}
+
+fn constants(chapter: &mut Evidence) {
+    let table: Vec<(f64, f64)> = (3..=23).map(f64::from).map(|d| (d, stiffness(d))).collect();
+    let stated = table.iter().filter(|size| size.0 >= 4.0);
+    let (least, most) = stated.fold((f64::INFINITY, 0.0f64), |(a, b), &(_, k)| (a.min(k), b.max(k)));
+    let listed: Vec<String> = table.iter().map(|(d, k)| format!("{d} nm: {k:.2}")).collect();
+    chapter.claims.push(Claim::new(
+        "Section 2.3",
+        "contact stiffness of equal particles of 4 to 23 nm",
+        "20 to 45 GPa",
+        format!("{least:.1} to {most:.1} GPa ({})", listed.join(", ")),
+        least >= 20.0 && most <= 45.0,
+    ));
+    let caption = "Section 2.3: contact stiffness of two equal particles";
+    let axes = ["nominal diameter [nm]", "contact stiffness [GPa]"];
+    chapter.figures.push(Figure::linear("stiffness", caption, axes, vec![Curve::new("", Mark::Dots, table)]));
+    for (d, figure) in SIZES.into_iter().zip([24.5, 33.7]) {
+        let k_n = stiffness(d);
+        let claim = format!("contact stiffness of particles with a nominal radius of {} nm, within a tenth", 0.5 * d);
+        chapter.claims.push(Claim::new(
+            "Fig. 6",
+            claim,
+            format!("{figure} GPa"),
+            format!("{k_n:.1} GPa"),
+            near(k_n, figure, 0.1),
+        ));
+    }
+    let pulls = SIZES.map(pull);
+    let largest = |pull: &Vec<(f64, f64)>| pull.iter().copied().fold((0.0, 0.0), |a, b| if b.1 > a.1 { b } else { a });
+    let [small, large] = pulls.each_ref().map(largest);
+    chapter.claims.push(Claim::new(
+        "Fig. 8",
+        "force that pulls two particles of 8 and of 16 nm apart: grows with the size",
+        "in the picture only",
+        format!("{:.2} nN at {:.2} nm from rest, {:.2} nN at {:.2} nm", small.1, small.0, large.1, large.0),
+        large.1 > small.1,
+    ));
+    let curves = SIZES.into_iter().zip(pulls);
+    let curves = curves.map(|(d, pull)| Curve::new(format!("{d} nm"), Mark::Line, pull)).collect();
+    let caption = "Fig. 8: the force that holds two equal particles, at rest relative to each other";
+    chapter.figures.push(Figure::linear("pull", caption, ["stretch from rest [nm]", "force [nN]"], curves));
+}
+
+/// Fig. 4: what is left of the force on a particle on the slab when the attraction is taken away.
+fn repulsion(chapter: &mut Evidence) {
+    let (titania, none) = (paper(), Vec3::zero());
+    let (law, [(r, m), (big, heavy)]) = (titania.law(), [SIZES[0], SLAB].map(|d| titania.particle(d)));
+    let constants = law.coefficients(r, big, m, heavy);
+    let force = |overlap: f64| {
+        let contact = Contact::new(Vec3::new(r + big - overlap, 0.0, 0.0), none, none, none, r, big);
+        let whole = law.pair(&contact, &constants, Flat::from_fn(|_| 0.0), 1e-4).wrench.force.0[0];
+        (whole - law.attraction(r, big).force(contact.distance)) * 1e-3
+    };
+    let rest = r + big - law.equilibrium(r, big);
+    let curve: Vec<(f64, f64)> = (-150..=300).map(|k| f64::from(k) * 1e-3).map(|z| (-z, force(rest + z))).collect();
+    // The forces to which the paper fits its law.
+    let fitted = 5.0;
+    let pressed = curve.iter().find(|point| point.1 > fitted).map_or(f64::INFINITY, |point| -point.0);
+    let order = (force(4.0 * rest) / force(rest)).log(4.0);
+    chapter.claims.push(Claim::new(
+        "Fig. 4",
+        "repulsion of a particle with a radius of 4 nm from a slab, here a sphere of 1 µm, in the few Å around rest where it is below 5 nN: 2 to 5 Å",
+        "a few Å",
+        format!(
+            "{:.1} Å, from {:.1} Å above to {:.1} Å below rest, where it is {:.2} nN; of order {order:.2} in the overlap",
+            10.0 * (rest + pressed),
+            10.0 * rest,
+            10.0 * pressed,
+            force(rest)
+        ),
+        (0.2..0.5).contains(&(rest + pressed)),
+    ));
+    let caption = "Fig. 4: repulsion of a particle with a radius of 4 nm from a slab";
+    let (axes, curves) = (["distance from rest [nm]", "repulsion [nN]"], vec![Curve::new("", Mark::Line, curve)]);
+    chapter.figures.push(Figure::linear("repulsion", caption, axes, curves));
+}
+
+/// Stages of two particles, without a case.
+fn plan(titania: &Titania, dt: f64, stages: Vec<Stage>) -> Plan {
+    Plan { titania: titania.clone(), dt, overlap: defaults::<Limits>().overlap, chain: None, stages }
+}
+
+fn apart(system: &System) -> f64 {
+    (system.particles.x[0] - system.particles.x[1]).norm()
+}
+
+/// Fig. 3.
+fn approach(chapter: &mut Evidence, setting: &Setting) -> Result<(), Error> {
+    const DT: f64 = 1e-4;
+    let test = Approach { from: quantity("0.5 nm"), duration: Scaled::times(50_000.0) };
+    let mut curves = Vec::new();
+    for (factor, who) in [(1.0, "paper"), (10.0, "authors' program")] {
+        for d in SIZES {
+            let mut titania = paper();
+            titania.damping_constant.value *= factor;
+            let plan = plan(&titania, DT, vec![Stage::approach(&test, [d; 2], DT)]);
+            let (mut least, mut settled, mut points) = (f64::INFINITY, 0.0, vec![(0.0, 0.5)]);
+            let mut see = Each(|stage: &mut run::Stage<'_, Plan>, _: &run::Step| {
+                let system = stage.simulation.system();
+                let (distance, time) = (apart(system), system.time);
+                least = least.min(distance);
+                if (distance - d).abs() > 5e-3 {
+                    settled = time;
+                }
+                if system.step.is_multiple_of(20) && time < 0.6 {
+                    points.push((time * 1e3, distance - d));
+                }
+                ControlFlow::Continue(())
+            });
+            let end = apart(&Driver::new(&plan, setting.interrupt).run(&mut see)?.system);
+            chapter.claims.push(Claim::new(
+                "Fig. 3",
+                format!("two particles of {d} nm released 0.5 nm from rest swing about it and settle; damping constant of the {who}"),
+                "quickly, by a damped oscillation; times in the picture only",
+                format!(
+                    "least distance {:.3} nm below rest, within 5 pm of it after {settled:.2} ns, at last {:.1e} nm off",
+                    d - least,
+                    (end - d).abs()
+                ),
+                least < d && (end - d).abs() < 1e-3,
+            ));
+            curves.push(Curve::new(format!("{d} nm, {who}"), Mark::Line, points));
+        }
+    }
+    let caption = "Fig. 3: two particles released 0.5 nm from rest";
+    chapter.figures.push(Figure::linear("approach", caption, ["time [ps]", "distance from rest [nm]"], curves));
+    Ok(())
+}

@@ -1,0 +1,273 @@
+//! A film under the tip of a force microscope: it comes to rest, the tip comes down to its setpoint, and goes up again.
+
+mod contacts;
+mod law;
+pub mod spectrum;
+mod tip;
+mod watch;
+
+pub use law::Law;
+pub use spectrum::Spectrum;
+
+use super::case::{self, Case, Spectroscopy, TitaniaTest, checked};
+use crate::error::{Error, Halt};
+use crate::initial::film::{Film, FilmSphere};
+use crate::interrupt::Interrupt;
+use crate::observe::film::Structure;
+use crate::output::{Cell, Column, Finding, Kept, keep, kept};
+use crate::run::{Progress, Study};
+use crate::simulation::{EXAMINED, Settings, Simulation};
+use crate::spec::Vec3;
+use crate::spec::titania::Tabulated;
+use crate::system::{Motion, System};
+use serde::{Deserialize, Serialize};
+use std::sync::OnceLock;
+use watch::Watch;
+
+/// The plan of a case.
+pub struct Plan<M> {
+    titania: case::Titania,
+    film: case::Film,
+    test: Spectroscopy,
+    seed: u64,
+    overlap: f64,
+    stages: Vec<Stage>,
+    model: OnceLock<M>,
+}
+
+/// A relaxed film on disk, with what it was made from.
+#[derive(Serialize, Deserialize)]
+struct Relaxed {
+    origin: String,
+    system: System,
+}
+
+/// A stage.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stage {
+    /// The film comes to rest.
+    Relaxation,
+    /// The tip comes down.
+    Approach,
+    /// It turns and goes up.
+    Retraction,
+}
+
+impl Stage {
+    const ALL: [Self; 3] = [Self::Relaxation, Self::Approach, Self::Retraction];
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Relaxation => "relaxation",
+            Self::Approach => "approach",
+            Self::Retraction => "retraction",
+        }
+    }
+}
+
+/// Places of the two walls.
+const FIXED: usize = 0;
+const TIP: usize = 1;
+/// How much farther than their range neighbours are listed, nm.
+const SKIN: f64 = 3.0;
+/// How far the tables of the attraction may be off, pN.
+const TOLERANCE: f64 = 0.1;
+const AT_REST: [Motion; 3] = [Motion::Velocity(0.0); 3];
+
+impl<M: Law> Plan<M> {
+    /// The plan of a case that is about a film.
+    pub fn of(case: &Case) -> Self {
+        let (titania, TitaniaTest::Spectroscopy(film, test)) = checked(case) else {
+            unreachable!("asked only of cases that are about a film")
+        };
+        let (titania, film, test) = (titania.clone(), film.clone(), test.clone());
+        let stages = if film.load.is_some() { &Stage::ALL[1..] } else { &Stage::ALL[..] }.to_vec();
+        let (seed, overlap) = (case.seed, case.limits.overlap);
+        Self { titania, film, test, seed, overlap, stages, model: OnceLock::new() }
+    }
+
+    /// Everything that a relaxed film depends on.
+    fn origin(&self) -> String {
+        let film = case::Film { save: None, load: None, ..self.film.clone() };
+        let Spectroscopy { relaxation, drag, dt, .. } = &self.test;
+        serde_json::to_string(&(&self.titania, film, relaxation, drag, dt, self.seed)).expect("a case is plain data")
+    }
+
+    /// What the film is like now; spheres touch where their water layers do.
+    fn structure(&self, system: &System) -> Structure {
+        let p = &system.particles;
+        let sizes: Vec<(f64, f64)> = self.film.sizes().into_iter().map(|d| (self.titania.particle(d).0, d)).collect();
+        let nominal =
+            |radius: f64| sizes.iter().find(|size| size.0 == radius).expect("a particle has one of the sizes").1;
+        let sphere = |i: usize| FilmSphere { centre: p.x[i], diameter: nominal(p.radius[i]), aggregate: p.tag[i] };
+        let spheres: Vec<FilmSphere> = (0..p.len()).map(sphere).collect();
+        let mut on_floor = vec![false; p.tag.iter().max().map_or(0, |&tag| tag as usize + 1)];
+        (0..p.len()).filter(|&i| p.wall[i] > 0).for_each(|i| on_floor[p.tag[i] as usize] = true);
+        let thickness = spheres.iter().map(|s| s.centre.0[2] + 0.5 * s.diameter).fold(0.0, f64::max);
+        let [width, depth, _] = system.domain.sides;
+        let film = Film { spheres, on_floor, sides: [width, depth], thickness };
+        Structure::of(&film, 2.0 * sizes[0].0 - sizes[0].1, self.seed)
+    }
+
+    /// Places the tip above the middle of the film, and lets it come down.
+    fn add_tip(&self, system: &mut System) {
+        let case::Tip { radius, side, clearance } = &self.test.tip;
+        let [width, depth, _] = system.domain.sides;
+        let (radius, mass) = self.titania.particle(2.0 * radius.value);
+        let middle = Vec3([0.5 * width, 0.5 * depth, 0.0]);
+        let centres: Vec<_> = tip::pyramid(radius, side.value).into_iter().map(|c| c + middle).collect();
+        let lifted = tip::lift(&centres, radius, &system.particles, &system.domain, clearance.value);
+        let first = system.particles.len();
+        // Ids go on behind those that are there: places are not names any more.
+        let tag = system.particles.tag.iter().copied().max().map_or(0, |tag| tag + 1);
+        for c in centres {
+            system.particles.push(c + Vec3([0.0, 0.0, lifted]), radius, mass, tag);
+        }
+        system.add_body(&(first..system.particles.len()).collect::<Vec<_>>());
+        let tip = system.bodies.len() as u32;
+        let down = [AT_REST[0], AT_REST[1], Motion::Velocity(-self.test.speed.value)];
+        system.add_wall(down, |p, i| p.body[i] == tip);
+        let top = system.particles.x.iter().map(|x| x.0[2]).fold(0.0, f64::max);
+        // Pictures are to show the tip on its way up too.
+        system.domain.sides[2] = top + radius + 0.5 * self.test.retraction.value;
+    }
+}
+
+impl<M: Law> Study for Plan<M> {
+    type Model = M;
+    type Watch = Watch;
+
+    fn stages(&self) -> Vec<&'static str> {
+        self.stages.iter().map(|stage| stage.name()).collect()
+    }
+
+    fn initial(&self, interrupt: &Interrupt) -> Result<System, Error> {
+        if let Some(path) = &self.film.load {
+            let Relaxed { origin, system } = kept(path, Kept::Sample)?;
+            if origin != self.origin() {
+                return Err(Error::input(path, "was made with another model, film, relaxation or seed"));
+            }
+            return Ok(system);
+        }
+        let film = self.film.plan().build(self.seed, interrupt).map_err(|failure| failure.of("sample.film"))?;
+        Ok(film.system(M::BONDING, |d| self.titania.particle(d)))
+    }
+
+    fn set_up(&self, stage: usize, mut system: System) -> Result<System, Error> {
+        match self.stages[stage] {
+            Stage::Relaxation => {}
+            Stage::Approach => self.add_tip(&mut system),
+            Stage::Retraction => {
+                let turning = Motion::Return { speed: self.test.speed.value, turn: self.test.reversal.value };
+                system.walls[TIP].redirect([AT_REST[0], AT_REST[1], turning]);
+            }
+        }
+        Ok(system)
+    }
+
+    fn model(&self, _: usize) -> M {
+        let model = self.model.get_or_init(|| {
+            let mut diameters = self.film.sizes();
+            diameters.push(2.0 * self.test.tip.radius.value);
+            let mut radii: Vec<f64> = diameters.iter().map(|d| self.titania.particle(*d).0).collect();
+            radii.sort_by(f64::total_cmp);
+            radii.dedup();
+            M::new(&self.titania, Tabulated::new(self.titania.law(), &radii, TOLERANCE))
+        });
+        model.clone()
+    }
+
+    fn settings(&self, stage: usize, _: &System) -> Settings {
+        let damping = if self.stages[stage] == Stage::Relaxation { self.test.drag.value } else { 0.0 };
+        Settings { damping, skin: SKIN, max_overlap: self.overlap, ..Settings::new(self.test.dt.value) }
+    }
+
+    fn steps(&self, stage: usize, dt: f64) -> u64 {
+        let test = &self.test;
+        let time = match self.stages[stage] {
+            Stage::Relaxation => test.relaxation.value(dt),
+            Stage::Approach => test.depth.value / test.speed.value,
+            Stage::Retraction => test.reversal.value + test.retraction.value / test.speed.value,
+        };
+        ((time / dt).round() as u64).max(1)
+    }
+
+    fn progress(&self, stage: usize, watch: &Watch, simulation: &Simulation<M>) -> Progress {
+        let done = match self.stages[stage] {
+            Stage::Relaxation => false,
+            Stage::Approach => watch.force() >= self.test.setpoint.value,
+            Stage::Retraction => watch.parted_by(AFTER),
+        };
+        let last = self.steps(stage, simulation.settings().dt);
+        if done || simulation.system().step >= last { Progress::Done } else { Progress::Going }
+    }
+
+    fn end(&self, stage: usize, simulation: Simulation<M>) -> Result<System, Error> {
+        let system = simulation.into_system_with_springs();
+        if let (Stage::Relaxation, Some(path)) = (self.stages[stage], &self.film.save) {
+            keep(path, Kept::Sample, &Relaxed { origin: self.origin(), system: system.clone() })?;
+        }
+        Ok(system)
+    }
+
+    fn parts(&self, stage: usize) -> u64 {
+        if self.stages[stage] == Stage::Retraction { 4 } else { 1 }
+    }
+
+    fn upwards(&self) -> usize {
+        2
+    }
+
+    fn columns(&self) -> Vec<Column> {
+        watch::COLUMNS.into()
+    }
+
+    fn watch(&self, _: usize, simulation: &Simulation<M>) -> Watch {
+        Watch::begin(simulation)
+    }
+
+    fn intervene(&self, _: usize, simulation: &mut Simulation<M>) -> Result<Vec<String>, Halt> {
+        let Some(strength) = &self.titania.break_energy else { return Ok(Vec::new()) };
+        if !simulation.system().step.is_multiple_of(EXAMINED) {
+            return Ok(Vec::new());
+        }
+        let broken = simulation.break_necks(|_, _, held| M::in_neck(held) > strength.value)?;
+        Ok(broken.iter().map(|(i, j)| format!("the neck of {i} and {j} breaks")).collect())
+    }
+
+    fn follow(&self, stage: usize, watch: &mut Watch, simulation: &Simulation<M>) -> Vec<String> {
+        watch.follow(self.stages[stage], self.test.average.value, simulation)
+    }
+
+    fn look(&self, watch: &mut Watch, simulation: &Simulation<M>) -> Vec<Cell> {
+        watch.look(simulation)
+    }
+
+    fn findings(&self, stage: usize, watch: &Watch, simulation: &Simulation<M>) -> Result<Vec<Finding>, Error> {
+        let mut found = watch.findings(self.stages[stage], self.test.setpoint.value, simulation);
+        if self.stages[stage] == Stage::Relaxation {
+            let structure = self.structure(simulation.system());
+            found.extend([
+                Finding::number("porosity of the relaxed film", structure.porosity, "", Some(0.98)),
+                Finding::number("thickness of the relaxed film", structure.thickness, "nm", None),
+                Finding::number("contacts of an aggregate with others", structure.contacts_between, "", None),
+                Finding::number("contacts of a sphere in its aggregate", structure.contacts_within, "", None),
+            ]);
+            let listed = |values: &[f64], scale: f64| {
+                values.iter().map(|value| format!("{:.1}", scale * value)).collect::<Vec<_>>().join(", ")
+            };
+            let layer = structure.thickness / structure.profile.len() as f64;
+            found.extend([
+                Finding::words("pore diameters that 10, 50 and 90 % do not reach [nm]", listed(&structure.pores, 1.0)),
+                Finding::words(
+                    &format!("density profile: solid in layers of {layer:.0} nm from the floor up [%]"),
+                    listed(&structure.profile, 100.0),
+                ),
+            ]);
+        }
+        Ok(found)
+    }
+}
+
+/// How far the tip goes on once the film has let go, nm.
+const AFTER: f64 = 50.0;

@@ -1,0 +1,167 @@
+//! What is watched of a film under a tip: the force on the tip, and what contacts do.
+
+use super::contacts::Contacts;
+use super::spectrum::{FORCE, LARGEST, LAST, MOVED, WAY};
+use super::{FIXED, Law, Stage, TIP};
+use crate::geometry::clusters::Clusters;
+use crate::initial::film::Bonding;
+use crate::output::{Cell, Column, Finding};
+use crate::simulation::Simulation;
+use crate::system::System;
+use serde::{Deserialize, Serialize};
+
+/// The columns of the series.
+pub const COLUMNS: [Column; 8] = [
+    MOVED,
+    FORCE,
+    Column::pure("menisci"),
+    Column::pure("bodies on the tip"),
+    Column::pure("slidings"),
+    Column::pure("rollings"),
+    Column::pure("detachments"),
+    Column::pure("necks"),
+];
+
+/// Time between two looks at all contacts, ns.
+const LOOK: f64 = 0.05;
+/// Below this a pulling force is none, pN.
+const NOTHING: f64 = 50.0;
+
+/// What has been seen in a stage.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+pub struct Watch {
+    contacts: Contacts,
+    /// Force up on the tip, summed since the last mean was taken, and over how many steps.
+    window: (f64, u64),
+    /// How far the tip had moved, and the mean force on it.
+    curve: Vec<(f64, f64)>,
+    /// How far the tip had moved when the stage began.
+    from: f64,
+    /// Necks when the stage began.
+    necks: u64,
+    /// Bodies, or spheres by themselves, that hang together with the tip, and whether the fixed ones do.
+    on_tip: u64,
+    holds: bool,
+    /// How far the tip had moved when nothing connected it with the bottom any more.
+    rupture: Option<f64>,
+}
+
+impl Watch {
+    /// Begins to watch.
+    pub fn begin<M: Law>(simulation: &Simulation<M>) -> Self {
+        let System { walls, necks, .. } = simulation.system();
+        let from = walls.get(TIP).map_or(0.0, |tip| tip.travel.0[2]);
+        Self { contacts: Contacts::begin(simulation), from, necks: necks.len() as u64, ..Self::default() }
+    }
+
+    /// Sees a step; says what happened since the last look. Forces are averaged over `average`, ns.
+    pub fn follow<M: Law>(&mut self, stage: Stage, average: f64, simulation: &Simulation<M>) -> Vec<String> {
+        let (system, dt) = (simulation.system(), simulation.settings().dt);
+        let due = |interval: f64| system.step.is_multiple_of(((interval / dt).round() as u64).max(1));
+        let mut events = if due(LOOK) { self.contacts.look(simulation) } else { Vec::new() };
+        let Some(tip) = system.walls.get(TIP) else { return events };
+        self.window = (self.window.0 + tip.force.0[2], self.window.1 + 1);
+        if due(average) {
+            self.curve.push((tip.travel.0[2], self.window.0 / self.window.1 as f64));
+            self.window = (0.0, 0);
+            self.hang_together(simulation);
+            if stage == Stage::Retraction && !self.holds && self.rupture.is_none() {
+                self.rupture = Some(tip.travel.0[2]);
+                events.push(format!("rupture, the tip takes {} bodies along", self.on_tip));
+            }
+        }
+        events
+    }
+
+    /// What is connected with the tip.
+    fn hang_together<M: Law>(&mut self, simulation: &Simulation<M>) {
+        let system = simulation.system();
+        // Spheres by themselves are counted behind the bodies; the places of members stay unused.
+        let (body, bodies) = (&system.particles.body, system.bodies.len());
+        let part = |sphere: usize| (body[sphere] as usize).checked_sub(1).unwrap_or(bodies + sphere);
+        let links = simulation.contacts().map(|(i, j, ..)| (part(i), part(j)));
+        let mut clusters = Clusters::new(bodies + body.len(), links);
+        let roots: Vec<usize> = (0..bodies + body.len()).map(|part| clusters.root(part)).collect();
+        let of = |wall: usize| system.bodies.iter().position(|body| body.wall as usize == wall + 1).map(|b| roots[b]);
+        let tip = of(TIP);
+        self.holds = of(FIXED) == tip;
+        self.on_tip = roots.iter().filter(|&&root| Some(root) == tip).count() as u64 - 1;
+    }
+
+    /// Whether the tip has gone on by so much since the rupture, nm.
+    pub fn parted_by(&self, way: f64) -> bool {
+        self.rupture.zip(self.curve.last()).is_some_and(|(rupture, now)| now.0 >= rupture + way)
+    }
+
+    /// The latest mean force on the tip, pN.
+    pub fn force(&self) -> f64 {
+        self.curve.last().map_or(0.0, |point| point.1)
+    }
+
+    /// The cells of the columns.
+    pub fn look<M: Law>(&self, simulation: &Simulation<M>) -> Vec<Cell> {
+        let Contacts { slidings, rollings, detachments, .. } = self.contacts;
+        let System { walls, necks, .. } = simulation.system();
+        let number = |cell: Option<f64>| cell.map_or(Cell::Nothing, Cell::Number);
+        let tip = [walls.get(TIP).map(|tip| tip.travel.0[2]), self.curve.last().map(|mean| mean.1)].map(number);
+        let [menisci, on_tip, slidings, detachments] =
+            [self.contacts.count() as u64, self.on_tip, slidings, detachments].map(Cell::Count);
+        let (rollings, necks) = match M::BONDING {
+            Bonding::Rigid => (Cell::Count(rollings), Cell::Nothing),
+            Bonding::Necks => (Cell::Nothing, Cell::Count(necks.len() as u64)),
+        };
+        tip.into_iter().chain([menisci, on_tip, slidings, rollings, detachments, necks]).collect()
+    }
+
+    /// What it amounts to.
+    pub fn findings<M: Law>(&self, stage: Stage, setpoint: f64, simulation: &Simulation<M>) -> Vec<Finding> {
+        let Contacts { slidings, rollings, detachments, .. } = self.contacts;
+        let named = |what: &str| format!("{what} during {}", stage.name());
+        let mut found = match stage {
+            Stage::Relaxation => Vec::new(),
+            Stage::Approach => vec![
+                Finding::words(
+                    "end of the approach",
+                    if self.force() < setpoint {
+                        "at its greatest depth, below the setpoint"
+                    } else {
+                        "at the setpoint"
+                    },
+                ),
+                Finding::number("force at the end of the approach", self.force(), "pN", Some(setpoint)),
+                Finding::number("depth of the approach", -self.curve.last().map_or(0.0, |point| point.0), "nm", None),
+            ],
+            Stage::Retraction => self.peaks(),
+        };
+        let broken = self.necks - simulation.system().necks.len() as u64;
+        let third = match M::BONDING {
+            Bonding::Rigid => ("rollings", rollings),
+            Bonding::Necks => ("broken necks", broken),
+        };
+        let counts = [("slidings", slidings), third, ("detachments", detachments)];
+        found.extend(counts.map(|(what, n)| Finding::number(&named(what), n as f64, "", None)));
+        found
+    }
+
+    /// The largest pull on the tip, and the last peak of it before nothing pulls any more, pN.
+    fn largest_and_last_pull(&self) -> (f64, Option<f64>) {
+        let pull = |k: usize| -self.curve[k].1;
+        let pulled = (0..self.curve.len()).rev().find(|&k| pull(k) > NOTHING);
+        // Back from there the pull rises to its last peak.
+        let last = pulled.map(|last| pull((1..=last).rev().find(|&k| pull(k) > pull(k - 1)).unwrap_or(0)));
+        ((0..self.curve.len()).map(pull).fold(0.0, f64::max), last)
+    }
+
+    /// The largest pull, the last one, and where the film let go.
+    fn peaks(&self) -> Vec<Finding> {
+        let (largest, last) = self.largest_and_last_pull();
+        let mut found = vec![Finding::number(LARGEST, largest, "pN", None)];
+        found.extend(last.map(|last| Finding::number(LAST, last, "pN", None)));
+        found.push(match self.rupture {
+            Some(height) => Finding::number(WAY, height - self.from, "nm", None),
+            None => Finding::words("rupture of the film", "not within the retraction"),
+        });
+        found.push(Finding::number("bodies that the tip has taken along", self.on_tip as f64, "", None));
+        found
+    }
+}

@@ -1,0 +1,77 @@
+//! Laube et al. 2018: water-covered oxide nanoparticles in contact, in agglomerates, and in films under the tip of a force microscope.
+
+pub mod case;
+pub mod chain;
+mod check;
+pub mod claims;
+pub mod film;
+pub mod pair;
+mod pull;
+mod stage;
+mod study;
+mod watch;
+
+pub use film::Spectrum;
+pub use pull::Pull;
+pub use study::Plan;
+pub use watch::rolling_resistance;
+
+use super::Paper;
+use crate::case::check::Found;
+use crate::figures::Graph;
+use crate::output::columns::TIME;
+use crate::reproduce::Chapter;
+use crate::run::Runnable;
+use crate::spec::Necked;
+use crate::spec::titania::Tabulated;
+use case::{Case, Experiment, Model, Sample, TitaniaTest};
+use film::spectrum::{FORCE, MOVED as TIP_MOVED};
+use std::path::PathBuf;
+use watch::columns::{CONTACTS, DISTANCE, FRICTION, MOVED, PULL, PULLED, ROLLING_RESISTANCE};
+
+/// The paper.
+pub struct Titania;
+
+/// What contacts do, marked on the force that draws them apart.
+const MARKS: &[&str] = &["sliding", "rolling", "detachment", "breaks"];
+
+impl Paper for Titania {
+    const NAME: &'static str = "titania";
+    const REFERENCE: &'static str = "Laube et al. 2018";
+    const TITLE: &'static str = "A contact model for water-covered nanoparticles: claims and results";
+    const GRAPHS: &'static [Graph] = &[
+        Graph { name: "approach", stages: &["approach"], x: TIME, y: DISTANCE, marks: &[] },
+        Graph { name: "sliding friction", stages: &["sliding"], x: MOVED, y: FRICTION, marks: &[] },
+        Graph { name: "rolling resistance", stages: &["rolling"], x: MOVED, y: ROLLING_RESISTANCE, marks: &[] },
+        Graph { name: "pulling force", stages: &["pulling"], x: PULLED, y: PULL, marks: MARKS },
+        Graph { name: "contacts", stages: &["pulling"], x: PULLED, y: CONTACTS, marks: &[] },
+        Graph { name: "spectroscopy", stages: &["approach", "retraction"], x: TIP_MOVED, y: FORCE, marks: MARKS },
+    ];
+    const CHAPTERS: &'static [Chapter] = claims::CHAPTERS;
+
+    type Model = Model;
+    type Sample = Sample;
+    type Experiment = Experiment;
+
+    fn check(case: &Case, found: &mut Found) {
+        check::problems(case, found);
+    }
+    fn derived(case: &Case) -> Vec<(String, String)> {
+        case::derived(case)
+    }
+    fn reads(case: &Case) -> Vec<PathBuf> {
+        case::reads(case)
+    }
+    fn saves(case: &Case) -> Vec<(String, PathBuf)> {
+        case::saves(case)
+    }
+    fn study(case: Case) -> Box<dyn Runnable> {
+        match case::checked(&case) {
+            (titania, TitaniaTest::Spectroscopy(..)) if titania.neck_springs.is_some() => {
+                Box::new(film::Plan::<Necked<Tabulated>>::of(&case))
+            }
+            (_, TitaniaTest::Spectroscopy(..)) => Box::new(film::Plan::<Tabulated>::of(&case)),
+            _ => Box::new(Plan::of(&case)),
+        }
+    }
+}

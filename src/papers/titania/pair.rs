@@ -1,0 +1,37 @@
+//! Two particles of the titania paper, and one of them moved over the other.
+
+use super::case::Titania;
+use crate::spec::Vec3;
+use crate::spec::titania::eq02_torque::moment_arm;
+use crate::system::{Domain, Motion, Particles, System};
+
+/// Two particles of given nominal diameters, the first beyond the second along `axis`, `gap` farther apart than at rest.
+pub fn pair(titania: &Titania, diameters: [f64; 2], axis: usize, gap: f64) -> System {
+    let [first, second] = diameters;
+    let side = 2.0 * (first + first.min(second)) + gap;
+    let mut above = Vec3([0.5 * side; 3]);
+    let mut below = above;
+    above.0[axis] += 0.5 * first;
+    below.0[axis] =
+        above.0[axis] - titania.law().equilibrium(titania.particle(first).0, titania.particle(second).0) - gap;
+    let mut particles = Particles::default();
+    for (x, d, tag) in [(above, first, 0), (below, second, 1)] {
+        let (radius, mass) = titania.particle(d);
+        particles.push(x, radius, mass, tag);
+    }
+    System::new(particles, Domain { sides: [side; 3], periodic: [false; 3] })
+}
+
+/// Holds the second particle and moves the first along x under a load along y; where it rolls, it turns so that it does not slide.
+pub fn drag(system: &mut System, velocity: f64, load: f64, rolls: bool) {
+    let (particle, slab) = (system.place(0), system.place(1));
+    let p = &system.particles;
+    let arm = moment_arm(p.radius[particle], p.radius[slab], (p.x[particle] - p.x[slab]).norm());
+    system.remove_walls();
+    system.add_wall([Motion::Velocity(0.0); 3], |p, i| p.id[i] == 1);
+    let driven = [Motion::Velocity(velocity), Motion::Load(-load), Motion::Velocity(0.0)];
+    system.add_wall(driven, |p, i| p.id[i] == 0);
+    let spin = Vec3::new(0.0, 0.0, if rolls { -velocity / arm } else { 0.0 });
+    system.walls[1].spin = spin;
+    system.particles.w[particle] = spin;
+}

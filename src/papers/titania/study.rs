@@ -1,0 +1,143 @@
+//! The stages of a case of the titania paper: tests of one contact, or an agglomerate stretched.
+
+use super::case::{self, Agglomerate, Case, ContactTests, TitaniaTest, TwoParticles, checked};
+use super::chain::{agglomerate, extent};
+use super::pair::pair;
+use super::stage::{Act, Stage};
+use super::watch::{self, Watch};
+use crate::error::Error;
+use crate::interrupt::Interrupt;
+use crate::output::{Cell, Column, Finding};
+use crate::run::Study;
+use crate::simulation::{Settings, Simulation};
+use crate::spec::Vec3;
+use crate::spec::titania::Titania;
+use crate::system::{Domain, Particles, System};
+
+/// The plan of a case.
+pub struct Plan {
+    pub(super) titania: case::Titania,
+    pub(super) dt: f64,
+    pub(super) overlap: f64,
+    /// The chain that is stretched, with the seed that it grows from and the room for its ends.
+    pub(super) chain: Option<(Agglomerate, u64, f64)>,
+    pub(super) stages: Vec<Stage>,
+}
+
+/// How much farther than their range neighbours are listed, nm.
+const SKIN: f64 = 1.0;
+
+impl Plan {
+    /// The plan of a case of the titania paper.
+    pub fn of(case: &Case) -> Self {
+        let (titania, test) = checked(case);
+        let dt = test.dt().1.value;
+        let stages = match test {
+            TitaniaTest::Contact(TwoParticles { diameters: [first, second] }, tests) => {
+                let ContactTests { approach, slide, roll, .. } = tests;
+                let released = approach.as_ref().map(|test| Stage::approach(test, [first.value, second.value], dt));
+                let slid = slide.as_ref().map(|test| Stage::dragging(test, first.value, false, dt));
+                let rolled = roll.as_ref().map(|test| Stage::dragging(test, first.value, true, dt));
+                released.into_iter().chain(slid.into_iter().flatten()).chain(rolled.into_iter().flatten()).collect()
+            }
+            TitaniaTest::Stretching(chain, test) => Stage::stretching(test, chain.particles as u32, dt).into(),
+            TitaniaTest::Spectroscopy(..) => unreachable!("{OTHER}"),
+        };
+        let chain = match test {
+            TitaniaTest::Stretching(chain, test) => Some((chain.clone(), case.seed, test.distance.value)),
+            _ => None,
+        };
+        Self { titania: titania.clone(), dt, overlap: case.limits.overlap, chain, stages }
+    }
+
+    /// Steps in a time, at least one.
+    pub(super) fn steps_in(&self, time: f64) -> u64 {
+        ((time / self.dt).round() as u64).max(1)
+    }
+
+    /// The chain, in a box that it can be stretched in.
+    fn stretchable(&self, chain: &Agglomerate, seed: u64, room: f64) -> System {
+        let built = agglomerate(&chain.recipe(), seed).expect("a checked case has a chain of that length");
+        let high: [f64; 3] = std::array::from_fn(|axis| extent(&built, axis)[1]);
+        let margin = chain.largest.value;
+        // Twice as deep as the chain: pictures show what lies behind the middle, and that is to be all of it.
+        let sides = [high[0] + room + 2.0 * margin, high[1] + 2.0 * margin, 2.0 * (high[2] + 2.0 * margin)];
+        let mut particles = Particles::default();
+        for (x, d) in built {
+            let ((radius, mass), tag) = (self.titania.particle(d), particles.len() as u32);
+            particles.push(x + Vec3([margin; 3]), radius, mass, tag);
+        }
+        System::new(particles, Domain { sides, periodic: [false; 3] })
+    }
+}
+
+impl Study for Plan {
+    type Model = Titania;
+    type Watch = Watch;
+
+    fn stages(&self) -> Vec<&'static str> {
+        self.stages.iter().map(|stage| stage.name).collect()
+    }
+
+    fn initial(&self, _: &Interrupt) -> Result<System, Error> {
+        Ok(match &self.chain {
+            Some((chain, seed, room)) => self.stretchable(chain, *seed, *room),
+            // Every test of a contact begins with a pair of its own.
+            None => System::new(Particles::default(), Domain { sides: [1.0; 3], periodic: [false; 3] }),
+        })
+    }
+
+    fn set_up(&self, stage: usize, system: System) -> Result<System, Error> {
+        let stage = &self.stages[stage];
+        let mut system = match stage.act {
+            Act::Approach { diameters, from } => pair(&self.titania, diameters, 0, from),
+            Act::Press { diameters, .. } => pair(&self.titania, diameters, 1, 0.0),
+            _ => system,
+        };
+        stage.drive(&mut system);
+        Ok(system)
+    }
+
+    fn model(&self, _: usize) -> Titania {
+        self.titania.law()
+    }
+
+    fn settings(&self, stage: usize, _: &System) -> Settings {
+        Settings {
+            damping: self.stages[stage].damping,
+            skin: SKIN,
+            max_overlap: self.overlap,
+            ..Settings::new(self.dt)
+        }
+    }
+
+    fn steps(&self, stage: usize, dt: f64) -> u64 {
+        ((self.stages[stage].duration / dt).round() as u64).max(1)
+    }
+
+    fn parts(&self, stage: usize) -> u64 {
+        if matches!(self.stages[stage].act, Act::Pull { .. }) { 4 } else { 1 }
+    }
+
+    fn columns(&self) -> Vec<Column> {
+        watch::columns::ALL.into()
+    }
+
+    fn watch(&self, _: usize, simulation: &Simulation<Titania>) -> Watch {
+        Watch::begin(simulation)
+    }
+
+    fn follow(&self, stage: usize, watch: &mut Watch, simulation: &Simulation<Titania>) -> Vec<String> {
+        watch.follow(&self.stages[stage].act, simulation)
+    }
+
+    fn look(&self, watch: &mut Watch, simulation: &Simulation<Titania>) -> Vec<Cell> {
+        watch.look(simulation)
+    }
+
+    fn findings(&self, stage: usize, watch: &Watch, simulation: &Simulation<Titania>) -> Result<Vec<Finding>, Error> {
+        Ok(watch.findings(&self.stages[stage].act, simulation))
+    }
+}
+
+const OTHER: &str = "a film has a plan of its own";

@@ -1,0 +1,277 @@
+//! What is watched: contacts that slip, roll and come apart, and the forces that do it.
+
+use super::stage::Act;
+use crate::output::{Cell, Finding};
+use crate::simulation::{Pair, Simulation};
+use crate::spec::Vec3;
+use crate::spec::titania::Titania;
+use crate::spec::titania::def_radius::effective_radius;
+use crate::spec::titania::eq02_torque::moment_arm;
+use serde::{Deserialize, Serialize};
+
+/// The columns of the series.
+pub mod columns {
+    use crate::output::Column;
+
+    /// Distance of the centres of two particles.
+    pub const DISTANCE: Column = Column::new("distance", "nm");
+    /// How far a particle has been moved over the slab.
+    pub const MOVED: Column = Column::new("moved", "nm");
+    /// Force that resists the motion.
+    pub const FRICTION: Column = Column::new("friction", "pN");
+    /// Resistance to rolling, as a force at the centre.
+    pub const ROLLING_RESISTANCE: Column = Column::new("rolling resistance", "pN");
+    /// How far the end of the spring has been drawn.
+    pub const PULLED: Column = Column::new("pulled", "nm");
+    /// Mean force of the spring.
+    pub const PULL: Column = Column::new("pulling force", "pN");
+    /// Number of contacts.
+    pub const CONTACTS: Column = Column::pure("contacts");
+
+    /// All of them.
+    pub const ALL: [Column; 12] = [
+        DISTANCE,
+        MOVED,
+        FRICTION,
+        ROLLING_RESISTANCE,
+        PULLED,
+        Column::new("elongation", "nm"),
+        PULL,
+        CONTACTS,
+        Column::pure("menisci"),
+        Column::pure("slidings"),
+        Column::pure("rollings"),
+        Column::pure("detachments"),
+    ];
+}
+
+/// Which of the springs at the ends of a chain is drawn; the first holds the other end.
+const DRAWN: usize = 1;
+
+/// How far from rest a released pair may still swing and be called settled, nm.
+const SETTLED: f64 = 5e-3;
+
+/// What has been seen in a stage.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+pub struct Watch {
+    /// Pairs in range, by their ids, and how far they have rolled since the last rolling.
+    bonds: Vec<((u32, u32), Vec3<f64>)>,
+    slips: Vec<Slip>,
+    rollings: u64,
+    detachments: Vec<Detachment>,
+    /// Force of the spring that pulls, summed over the steps since the last row.
+    pull: (f64, u64),
+    /// Its mean between the last two rows.
+    mean_pull: f64,
+    largest_pull: f64,
+    /// Sum of the resistances to rolling, of what the law says of them, and their number.
+    resistance: (f64, f64, u64),
+    /// Least distance of a released pair, and when it was last far from rest.
+    swing: (f64, f64),
+}
+
+/// A tangential spring at the end of its period.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+struct Slip {
+    moved: f64,
+    friction: f64,
+    strength: f64,
+}
+
+/// A pair that left its range.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+struct Detachment {
+    ids: (u32, u32),
+    pulled: f64,
+    force: f64,
+}
+
+fn ids(simulation: &Simulation<Titania>, pair: &Pair<Titania>) -> (u32, u32) {
+    let id = &simulation.system().particles.id;
+    (id[pair.i].min(id[pair.j]), id[pair.i].max(id[pair.j]))
+}
+
+impl Watch {
+    /// Begins to watch.
+    pub fn begin(simulation: &Simulation<Titania>) -> Self {
+        let mut bonds: Vec<_> = simulation.pairs().map(|pair| (ids(simulation, &pair), Vec3::zero())).collect();
+        bonds.sort_unstable_by_key(|bond| bond.0);
+        Self { bonds, swing: (f64::INFINITY, simulation.system().time), ..Self::default() }
+    }
+
+    /// Sees a step; says what happened in it.
+    pub fn follow(&mut self, act: &Act, simulation: &Simulation<Titania>) -> Vec<String> {
+        self.measure(act, simulation);
+        let mut events = Vec::new();
+        let (law, dt) = (simulation.model(), simulation.settings().dt);
+        let mut bonds = Vec::with_capacity(self.bonds.len());
+        for pair in simulation.pairs() {
+            let (ids, contact) = (ids(simulation, &pair), &pair.contact);
+            let known = self.bonds.binary_search_by_key(&ids, |bond| bond.0);
+            let mut rolled = known.map_or(Vec3::zero(), |place| self.bonds[place].1);
+            if known.is_err() {
+                events.push(format!("meniscus between {} and {}", ids.0, ids.1));
+            }
+            if contact.gap < 0.0 {
+                let (_, r_eff) = effective_radius(contact.r_i, contact.r_j);
+                rolled = rolled + (contact.omega_i - contact.omega_j).cross(contact.n) * (r_eff * dt);
+                if pair.outcome.losses.sliding > 0.0 {
+                    events.push(format!("sliding of {} and {}", ids.0, ids.1));
+                    let wall = simulation.system().walls.get(1);
+                    self.slips.push(Slip {
+                        moved: wall.map_or(0.0, |wall| wall.travel.0[0]),
+                        friction: wall.map_or(0.0, |wall| -wall.force.0[0]),
+                        strength: law.tau_s * Titania::area(contact),
+                    });
+                }
+            }
+            if rolled.norm() >= law.lambda_t {
+                events.push(format!("rolling of {} and {}", ids.0, ids.1));
+                self.rollings += 1;
+                rolled = Vec3::zero();
+            }
+            bonds.push((ids, rolled));
+        }
+        bonds.sort_unstable_by_key(|bond| bond.0);
+        for &(ids, _) in &self.bonds {
+            if bonds.binary_search_by_key(&ids, |bond| bond.0).is_err() {
+                events.push(format!("detachment of {} and {}", ids.0, ids.1));
+                let pulled = self.pulled(simulation);
+                self.detachments.push(Detachment { ids, pulled, force: self.mean_pull });
+            }
+        }
+        self.bonds = bonds;
+        events
+    }
+
+    /// Numbers that are means or extremes over steps.
+    fn measure(&mut self, act: &Act, simulation: &Simulation<Titania>) {
+        let system = simulation.system();
+        match act {
+            Act::Approach { diameters: [first, second], .. } => {
+                let d = distance(simulation);
+                self.swing.0 = self.swing.0.min(d);
+                if (d - 0.5 * (first + second)).abs() > SETTLED {
+                    self.swing.1 = system.time;
+                }
+            }
+            Act::Drag { rolls: true, .. } => {
+                if let Some(pair) = simulation.pairs().next() {
+                    self.resistance.0 += rolling_resistance(simulation);
+                    self.resistance.1 += simulation.model().tau_r * Titania::area(&pair.contact);
+                    self.resistance.2 += 1;
+                }
+            }
+            Act::Pull { .. } => {
+                self.pull.0 += system.steerings[DRAWN].force.0[0];
+                self.pull.1 += 1;
+            }
+            _ => {}
+        }
+    }
+
+    /// Mean force of the spring that pulls, between the last two looks, pN.
+    pub fn mean_pull(&self) -> f64 {
+        self.mean_pull
+    }
+
+    /// The largest of these means, once the drawn particles have been set in motion, pN.
+    pub fn largest_pull(&self) -> f64 {
+        self.largest_pull
+    }
+
+    /// How far the end of that spring has been drawn, nm.
+    pub fn pulled(&self, simulation: &Simulation<Titania>) -> f64 {
+        simulation.system().steerings.get(DRAWN).map_or(0.0, |spring| spring.drawn().0[0])
+    }
+
+    /// The cells of the columns.
+    pub fn look(&mut self, simulation: &Simulation<Titania>) -> Vec<Cell> {
+        let system = simulation.system();
+        let mut cells = vec![Cell::Nothing; 7];
+        if system.particles.len() == 2 {
+            cells[0] = Cell::Number(distance(simulation));
+        }
+        if let Some(spring) = system.steerings.get(DRAWN) {
+            if self.pull.1 > 0 {
+                self.mean_pull = self.pull.0 / self.pull.1 as f64;
+                if spring.age > spring.swing(&system.particles) {
+                    self.largest_pull = self.largest_pull.max(self.mean_pull);
+                }
+                self.pull = (0.0, 0);
+            }
+            let numbers = [self.pulled(simulation), spring.travel.0[0], self.mean_pull];
+            cells.splice(4..7, numbers.map(Cell::Number));
+        } else if let (Some(wall), 2) = (system.walls.get(1), system.particles.len()) {
+            let numbers = [wall.travel.0[0], -wall.force.0[0], rolling_resistance(simulation)];
+            cells.splice(1..4, numbers.map(Cell::Number));
+        }
+        let contacts = simulation.pairs().filter(|pair| pair.contact.gap < 0.0).count();
+        let counts = [contacts, self.bonds.len(), self.slips.len(), self.rollings as usize, self.detachments.len()];
+        cells.extend(counts.map(|count| Cell::Count(count as u64)));
+        cells
+    }
+
+    /// What it amounts to.
+    pub fn findings(&self, act: &Act, simulation: &Simulation<Titania>) -> Vec<Finding> {
+        let law = simulation.model();
+        let slips = self.slips.len() as f64;
+        match act {
+            Act::Approach { diameters: [first, second], .. } => {
+                let begin = simulation.system().time - simulation.system().step as f64 * simulation.settings().dt;
+                let rest = 0.5 * (first + second);
+                vec![
+                    Finding::number("distance at last", distance(simulation), "nm", Some(rest)),
+                    Finding::number("least distance", self.swing.0, "nm", None),
+                    Finding::number("time to settle within 5 pm", self.swing.1 - begin, "ns", None),
+                ]
+            }
+            Act::Drag { rolls: false, .. } => {
+                let mean = |of: fn(&Slip) -> f64| self.slips.iter().map(of).sum::<f64>() / slips;
+                let mut found = vec![Finding::number("slips", slips, "", None)];
+                if let [first, .., last] = self.slips[..] {
+                    let period = (last.moved - first.moved) / (slips - 1.0);
+                    found.push(Finding::number("period of stick and slip", period, "nm", Some(law.lambda_t)));
+                }
+                if !self.slips.is_empty() {
+                    let strength = Some(mean(|slip| slip.strength));
+                    found.push(Finding::number("peak friction", mean(|slip| slip.friction), "pN", strength));
+                }
+                found
+            }
+            Act::Drag { rolls: true, .. } => {
+                let (resistance, strength, n) = self.resistance;
+                let n = n as f64;
+                vec![Finding::number("rolling resistance", resistance / n, "pN", Some(strength / n))]
+            }
+            Act::Pull { .. } => {
+                let count = |name: &str, n: usize| Finding::number(name, n as f64, "", None);
+                let mut found = vec![
+                    count("slidings", self.slips.len()),
+                    count("rollings", self.rollings as usize),
+                    count("detachments", self.detachments.len()),
+                    Finding::number("largest pulling force", self.largest_pull, "pN", None),
+                ];
+                for Detachment { ids: (i, j), pulled, force } in &self.detachments {
+                    let name = format!("pulling force when {i} and {j} came apart, pulled by {pulled:.2} nm");
+                    found.push(Finding::number(&name, *force, "pN", None));
+                }
+                found
+            }
+            Act::Press { .. } | Act::Relax { .. } => Vec::new(),
+        }
+    }
+}
+
+/// Distance of the centres of two particles.
+fn distance(simulation: &Simulation<Titania>) -> f64 {
+    let x = &simulation.system().particles.x;
+    (x[0] - x[1]).norm()
+}
+
+/// The torque that the slab resists rolling with, as a force at the centre of the particle.
+pub fn rolling_resistance(simulation: &Simulation<Titania>) -> f64 {
+    let system = simulation.system();
+    let (particle, slab, radius) = (system.place(0), system.place(1), &system.particles.radius);
+    system.walls[1].torque.0[2].abs() / moment_arm(radius[particle], radius[slab], distance(simulation))
+}

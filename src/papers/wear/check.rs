@@ -1,0 +1,147 @@
+//! What a case of the wear paper must satisfy beyond its grammar.
+
+use super::case::{Case, Deformation, Experiment, Sample};
+use super::derived::{Critical, Scales, dampings, material, time_steps};
+use crate::case::check::{Found, expect};
+use crate::case::units::{decimal, in_unit, rounded};
+
+/// All that is wrong with a case.
+pub fn problems(case: &Case, found: &mut Found) {
+    properties(case, found);
+    sample(case, found);
+    if found.is_empty() {
+        // Scales follow from the material and the sample: they make sense only when those do.
+        experiment(case, found);
+        stepping(case, found);
+    }
+}
+
+fn properties(case: &Case, found: &mut Found) {
+    let m = material(case);
+    let at = |key: &str| format!("model.wear.{key}");
+    for (key, value, text) in [
+        ("young_modulus", m.young_modulus.value, m.young_modulus.to_string()),
+        ("tensile_strength", m.tensile_strength.value, m.tensile_strength.to_string()),
+        ("shear_strength", m.shear_strength.value, m.shear_strength.to_string()),
+        ("surface_energy", m.surface_energy.value, m.surface_energy.to_string()),
+        ("density", m.density.value, m.density.to_string()),
+    ] {
+        expect(found, value > 0.0, &at(key), text, "more than zero");
+    }
+    let nu = m.poisson_ratio;
+    let limit = "more than -1 and at most 1/4: beyond 1/4 the tangential stiffness would be negative";
+    expect(found, nu > -1.0 && nu <= 0.25, &at("poisson_ratio"), decimal(nu), limit);
+    expect(found, (0.0..=1.0).contains(&m.restitution), &at("restitution"), decimal(m.restitution), "0 to 1");
+    expect(found, m.scaling >= 0.0 && m.scaling.is_finite(), &at("scaling"), decimal(m.scaling), "zero or more");
+}
+
+fn sample(case: &Case, found: &mut Found) {
+    let (section, diameter, size) = match &case.sample {
+        Sample::Hcp(hcp) => ("sample.hcp", &hcp.diameter, &hcp.size),
+        Sample::Amorphous(amorphous) => ("sample.amorphous", &amorphous.diameter, &amorphous.size),
+    };
+    expect(found, diameter.number() > 0.0, &format!("{section}.diameter"), diameter, "more than zero");
+    for (axis, side) in size.iter().enumerate() {
+        expect(found, side.number() > 0.0, &format!("{section}.size[{axis}]"), side, "more than zero");
+    }
+    let Sample::Amorphous(a) = &case.sample else { return };
+    let at = |key: &str| format!("{section}.{key}");
+    expect(found, a.smallest.number() > 0.0, &at("smallest"), &a.smallest, "more than zero");
+    let phi = a.volume_fraction;
+    expect(found, phi > 0.0 && phi <= 1.0, &at("volume_fraction"), decimal(phi), "more than 0 and at most 1");
+    let relaxation = &a.relaxation;
+    let stress = &relaxation.residual_stress;
+    expect(found, stress.number() > 0.0, &at("relaxation.residual_stress"), stress, "more than zero");
+    if found.is_empty() {
+        let Scales { d_0, d_s, d_l, size, .. } = Scales::of(case);
+        let nm = |d: f64| in_unit(d, "nm");
+        expect(
+            found,
+            d_s <= d_0,
+            &at("smallest"),
+            &a.smallest,
+            &format!("at most the most frequent diameter, {}", nm(d_0)),
+        );
+        expect(
+            found,
+            d_l >= d_0,
+            &at("largest"),
+            &a.largest,
+            &format!("at least the most frequent diameter, {}", nm(d_0)),
+        );
+        for (axis, side) in size.into_iter().enumerate() {
+            let least = format!("at least twice the largest diameter, {}", nm(2.0 * d_l));
+            expect(found, side >= 2.0 * d_l, &at(&format!("size[{axis}]")), &a.size[axis], &least);
+        }
+    }
+}
+
+fn experiment(case: &Case, found: &mut Found) {
+    let Scales { size: [length, height, depth], walls, .. } = Scales::of(case);
+    let nm = |d: f64| in_unit(d, "nm");
+    match &case.experiment {
+        Experiment::Patch(patch) => {
+            let key = "experiment.patch.walls";
+            expect(found, walls > 0.0, key, &patch.walls, "more than zero");
+            expect(
+                found,
+                2.0 * walls < height,
+                key,
+                &patch.walls,
+                &format!("less than half the box, {}", nm(0.5 * height)),
+            );
+            if patch.compression.is_none() && patch.tension.is_none() && patch.shear.is_none() {
+                let what = "expected at least one of the keys `compression`, `tension`, `shear`";
+                found.push(("experiment.patch".into(), what.into()));
+            }
+            for (name, test) in [("tension", &patch.tension), ("shear", &patch.shear)] {
+                let Some(Deformation { strain_per_step, strain, .. }) = test else { continue };
+                let at = |key: &str| format!("experiment.patch.{name}.{key}");
+                let small = *strain_per_step > 0.0 && *strain_per_step < 1e-2;
+                expect(
+                    found,
+                    small,
+                    &at("strain_per_step"),
+                    decimal(*strain_per_step),
+                    "more than 0 and less than 0.01",
+                );
+                expect(found, *strain > 0.0, &at("strain"), decimal(*strain), "more than zero");
+            }
+            if let Some(test) = &patch.compression {
+                let at = |key: &str| format!("experiment.patch.compression.{key}");
+                expect(found, test.stress.number() > 0.0, &at("stress"), &test.stress, "more than zero");
+                expect(found, test.duration.number() > 0.0, &at("duration"), &test.duration, "more than zero");
+            }
+        }
+        Experiment::Junction(junction) => {
+            let at = |key: &str| format!("experiment.junction.{key}");
+            let d = junction.diameter.value;
+            expect(found, d > 0.0, &at("diameter"), &junction.diameter, "more than zero");
+            let width = length.min(depth);
+            let fits = format!("less than the box is wide, {}", nm(width));
+            expect(found, d < width, &at("diameter"), &junction.diameter, &fits);
+            let bodies = junction.height.value(d) + 2.0 * walls;
+            expect(found, junction.height.number() > 0.0, &at("height"), &junction.height, "more than zero");
+            let fits = format!("to fit with both walls into the box, {} high", nm(height));
+            expect(found, bodies < height, &at("height"), &junction.height, &fits);
+            expect(found, walls > 0.0, &at("walls"), &junction.walls, "more than zero");
+            expect(found, junction.duration.number() > 0.0, &at("duration"), &junction.duration, "more than zero");
+        }
+    }
+}
+
+fn stepping(case: &Case, found: &mut Found) {
+    let critical = Critical::of_case(case);
+    for (key, dt) in time_steps(case) {
+        let limit = format!(
+            "more than zero and less than the stability limit {} ({} dt_c)",
+            in_unit(critical.limit, "fs"),
+            rounded(critical.limit / critical.dt)
+        );
+        let value = dt.value(critical.dt);
+        expect(found, value > 0.0 && value < critical.limit, key, dt, &limit);
+    }
+    for (key, damping) in dampings(case) {
+        expect(found, damping.number() >= 0.0, key, damping, "zero or more");
+    }
+}

@@ -1,0 +1,215 @@
+//! What became of a junction: the series that a run records, and the verdict drawn from it.
+
+use super::junction::Body;
+use crate::observe::third_body::{Motions, Mover, Window};
+use crate::observe::{Link, upper_wall};
+use crate::spec::Vec3;
+use crate::system::System;
+use serde::{Deserialize, Serialize};
+
+/// Sliding after which the third body is looked for again, nm.
+pub const WINDOW: f64 = 1.0;
+
+/// One row of the record: what happened over one window of sliding.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Row {
+    /// Displacement of the upper body along x since the beginning, nm.
+    pub slid: f64,
+    /// Displacement of the upper body along x in this window, nm.
+    pub window: f64,
+    /// Distance of the two bodies' surfaces: the junction's height, and how far the upper wall has risen since, nm.
+    pub separation: f64,
+    /// Force that drags the upper wall, pN: positive resists the sliding.
+    pub friction: f64,
+    /// Force that the spheres push the upper wall away with, pN.
+    pub normal: f64,
+    /// Spheres in the third body.
+    pub third_size: usize,
+    /// Those of them that were the junction.
+    pub third_from_junction: usize,
+    /// Mass of the third body, ag.
+    pub third_mass: f64,
+    /// Its extent along the normal, nm.
+    pub third_height: f64,
+    /// Rotation of the third body in this window, rad.
+    pub rolled: f64,
+    /// Rotations of the third body since the beginning.
+    pub turns: f64,
+    /// Share of the third body's motion that a rotation explains.
+    pub rigidity: f64,
+    /// Links between the third body and the lower body.
+    pub links_to_bottom: usize,
+    /// Links between the third body and the upper body.
+    pub links_to_top: usize,
+    /// Links between the two bodies themselves.
+    pub links_direct: usize,
+}
+
+/// Watches a junction while it is sheared.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Witness {
+    height: f64,
+    start: [f64; 3],
+    mark: [f64; 3],
+    before: Vec<[f64; 3]>,
+    /// What was seen so far.
+    pub rows: Vec<Row>,
+}
+
+impl Witness {
+    /// Begins to watch: `height` is the distance of the bodies at the beginning, nm.
+    pub fn new(system: &System, height: f64) -> Self {
+        let start = upper_wall(system).0;
+        Self { height, start, mark: start, before: by_id(system), rows: Vec::new() }
+    }
+
+    /// Closes a window and opens the next.
+    pub fn look(&mut self, system: &System, links: &[Link]) -> &Row {
+        let now = upper_wall(system);
+        let slid = now - Vec3(self.mark);
+        let before: Vec<Vec3<f64>> = self.before.iter().map(|&x| Vec3(x)).collect();
+        let motions = Motions::find(system, links, &Window { before: &before, slid });
+        let third = motions.third.as_ref();
+        let rolled = third.map_or(0.0, |t| t.rolled);
+        let members = third.map_or(&[][..], |t| &t.members);
+        let turned = self.rows.last().map_or(0.0, |row| row.turns);
+        let wall = system.walls[1].force;
+        self.rows.push(Row {
+            slid: (now - Vec3(self.start)).0[0],
+            window: slid.0[0],
+            separation: self.height + (now - Vec3(self.start)).0[1],
+            friction: -wall.0[0],
+            normal: wall.0[1],
+            third_size: members.len(),
+            third_from_junction: members.iter().filter(|&&i| Body::is_junction(system.particles.tag[i])).count(),
+            third_mass: third.map_or(0.0, |t| t.mass),
+            third_height: third.map_or(0.0, |t| t.height),
+            rolled,
+            turns: turned + rolled / std::f64::consts::TAU,
+            rigidity: third.map_or(0.0, |t| t.rigidity),
+            links_to_bottom: motions.links_between(links, Mover::Third, Mover::Bottom),
+            links_to_top: motions.links_between(links, Mover::Third, Mover::Top),
+            links_direct: motions.links_between(links, Mover::Bottom, Mover::Top),
+        });
+        self.mark = now.0;
+        self.before = by_id(system);
+        &self.rows[self.rows.len() - 1]
+    }
+
+    /// What became of the junction.
+    pub fn fate(&self) -> Fate {
+        Fate::of(&self.rows, self.height)
+    }
+}
+
+fn by_id(system: &System) -> Vec<[f64; 3]> {
+    let p = &system.particles;
+    let mut x = vec![[0.0; 3]; p.len()];
+    for i in 0..p.len() {
+        x[p.id[i] as usize] = p.x[i].0;
+    }
+    x
+}
+
+/// What became of a junction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Fate {
+    /// The bodies came closer than [`FLAT`] of the junction's height: it was squeezed between them.
+    Flattened,
+    /// A third body turned by [`ROLLED`] between the bodies as a rolling one does, and held them apart meanwhile.
+    Rolls,
+    /// Neither, and at the end nothing joins the bodies: the junction was cut.
+    Cut,
+    /// Neither, and the junction still joins the bodies.
+    Attached,
+}
+
+/// A junction that keeps its volume and loses a third of its height has spread to one and a half times its section. One
+/// that rolls lifts the bodies instead: rolled into a ball, a cylinder twice as wide as high is 1.8 times as high.
+pub const FLAT: f64 = 2.0 / 3.0;
+/// Turns after which a body has rolled: by a quarter, the faces that were torn off the two bodies stand upright.
+pub const ROLLED: f64 = 0.25;
+/// The least rotation, times height over sliding, that is rolling: halfway between 1/2, by which simple shear turns a
+/// round body, and 1 for one that rolls.
+pub const ROLLING: f64 = 0.75;
+/// Sliding over which the separation is averaged, in heights: the bodies vibrate.
+const SMOOTHING: f64 = 0.5;
+
+impl Fate {
+    /// The verdict: whichever of flattening and rolling came first.
+    pub fn of(rows: &[Row], height: f64) -> Self {
+        let (mut slid, mut swept) = (0.0, 0.0);
+        for (k, row) in rows.iter().enumerate() {
+            slid += row.window;
+            swept += row.rolled * row.third_height;
+            let recent = rows[..=k].iter().rev().take_while(|past| row.slid - past.slid < SMOOTHING * height);
+            let (sum, count) = recent.fold((0.0, 0.0), |(sum, count), past| (sum + past.separation, count + 1.0));
+            if sum < FLAT * height * count {
+                return Self::Flattened;
+            }
+            if row.turns >= ROLLED && swept >= ROLLING * slid {
+                return Self::Rolls;
+            }
+        }
+        let joined = |row: &Row| row.links_direct + row.links_to_bottom.min(row.links_to_top) > 0;
+        if rows.last().is_none_or(joined) { Self::Attached } else { Self::Cut }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn row(slid: f64, separation: f64, rolled: f64, rigidity: f64, links: usize) -> Row {
+        Row {
+            slid,
+            window: 1.0,
+            separation,
+            friction: 0.0,
+            normal: 0.0,
+            third_size: 0,
+            third_from_junction: 0,
+            third_mass: 0.0,
+            third_height: 12.0,
+            rolled,
+            turns: 0.0,
+            rigidity,
+            links_to_bottom: links,
+            links_to_top: links,
+            links_direct: 0,
+        }
+    }
+
+    /// Sixty windows of 1 nm, from the eleventh on with the given separation and rotation; the junction is 10 nm high.
+    fn fate(separation: f64, rolled: f64, links: usize) -> Fate {
+        let mut rows: Vec<Row> = Vec::new();
+        for k in 1..=60 {
+            let (separation, rolled) = if k > 10 { (separation, rolled) } else { (10.0, 0.0) };
+            let turns = rows.last().map_or(0.0, |row| row.turns) + rolled / std::f64::consts::TAU;
+            rows.push(Row { turns, ..row(f64::from(k), separation, rolled, 0.9, links) });
+        }
+        Fate::of(&rows, 10.0)
+    }
+
+    #[test]
+    fn the_verdict_is_what_came_first() {
+        assert_eq!(fate(6.0, 0.0, 9), Fate::Flattened);
+        assert_eq!(fate(6.0, 1.0 / 12.0, 9), Fate::Flattened);
+        assert_eq!(fate(12.0, 1.0 / 12.0, 9), Fate::Rolls);
+        assert_eq!(fate(8.0, 0.0, 9), Fate::Attached);
+        assert_eq!(fate(8.0, 0.0, 0), Fate::Cut);
+    }
+
+    #[test]
+    fn a_round_body_in_simple_shear_does_not_roll_however_far_it_turns() {
+        assert_eq!(fate(12.0, 0.5 / 12.0, 9), Fate::Attached);
+    }
+
+    #[test]
+    fn a_vibration_is_no_flattening() {
+        let mut rows: Vec<Row> = (1..=20).map(|k| row(f64::from(k), 10.0, 0.0, 0.0, 9)).collect();
+        rows[12].separation = 5.0;
+        assert_eq!(Fate::of(&rows, 10.0), Fate::Attached);
+    }
+}

@@ -1,0 +1,66 @@
+//! Pham-Ba & Molinari 2022: a solid of cohesive particles under patch tests, and the wear of a junction.
+
+pub mod case;
+mod check;
+pub mod claims;
+mod derived;
+pub mod fate;
+pub mod junction;
+pub mod protocol;
+pub mod stages;
+mod study;
+mod watch;
+
+pub use derived::{Critical, Scales, material};
+pub use study::Plan;
+
+use super::Paper;
+use crate::case::check::Found;
+use crate::figures::Graph;
+use crate::output::columns::STEP;
+use crate::reproduce::Chapter;
+use crate::run::Runnable;
+use case::{Case, Experiment, Model, Sample};
+use std::path::PathBuf;
+use watch::columns::{
+    FRICTION, NORMAL_STRAIN, NORMAL_STRESS, SEPARATION, SHEAR_STRAIN, SHEAR_STRESS, SLID, TURNS, VOLUME_FRACTION,
+};
+
+/// The paper.
+pub struct Wear;
+
+impl Paper for Wear {
+    const NAME: &'static str = "wear";
+    const REFERENCE: &'static str = "Pham-Ba & Molinari 2022";
+    const TITLE: &'static str = "Adhesive wear with a coarse-grained discrete element model: claims and results";
+    const GRAPHS: &'static [Graph] = &[
+        Graph { name: "friction", stages: &["shearing"], x: SLID, y: FRICTION, marks: &[] },
+        Graph { name: "separation", stages: &["shearing"], x: SLID, y: SEPARATION, marks: &[] },
+        Graph { name: "turns", stages: &["shearing"], x: SLID, y: TURNS, marks: &[] },
+        Graph { name: "compression", stages: &["compression"], x: NORMAL_STRAIN, y: NORMAL_STRESS, marks: &[] },
+        Graph { name: "tension", stages: &["tension"], x: NORMAL_STRAIN, y: NORMAL_STRESS, marks: &[] },
+        Graph { name: "shear", stages: &["shear"], x: SHEAR_STRAIN, y: SHEAR_STRESS, marks: &[] },
+        Graph { name: "relaxation", stages: &["cohesion"], x: STEP, y: VOLUME_FRACTION, marks: &[] },
+    ];
+    const CHAPTERS: &'static [Chapter] = claims::CHAPTERS;
+
+    type Model = Model;
+    type Sample = Sample;
+    type Experiment = Experiment;
+
+    fn check(case: &Case, found: &mut Found) {
+        check::problems(case, found);
+    }
+    fn derived(case: &Case) -> Vec<(String, String)> {
+        derived::derived(case)
+    }
+    fn reads(case: &Case) -> Vec<PathBuf> {
+        case::reads(case)
+    }
+    fn saves(case: &Case) -> Vec<(String, PathBuf)> {
+        case::saves(case)
+    }
+    fn study(case: Case) -> Box<dyn Runnable> {
+        Box::new(Plan::of(&case))
+    }
+}

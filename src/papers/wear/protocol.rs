@@ -1,0 +1,218 @@
+//! What is done to a sample, stage by stage: the relaxation of Section 3.2, the tests of Section 3, the shearing of Section 4.
+//!
+//! A stage says how the system is set up, which forces act, how it is advanced and when it ends. Whoever runs it decides what
+//! is watched and written.
+
+use super::case::{InCriticalDampings, InCriticalSteps};
+use super::junction::Junction;
+use crate::case::InSteps;
+use crate::error::Error;
+use crate::initial::set_system_density;
+use crate::interrupt::Interrupt;
+use crate::motion::BoxRelaxation;
+use crate::run::{Progress, Study};
+use crate::simulation::{Settings, Simulation};
+use crate::spec::wear::eq06_critical_time_step::critical_time_step;
+use crate::spec::wear::eq21_critical_damping::critical_damping;
+use crate::spec::wear::{Interaction, Material, Wear};
+use crate::spec::{PairModel, Vec3};
+use crate::system::{Motion, System};
+
+/// A part of a run, with one model and one way to be advanced.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stage {
+    /// Its name in the records of a run.
+    pub name: &'static str,
+    /// What is changed before it begins.
+    pub setup: Setup,
+    /// Which forces act.
+    pub interaction: Interaction,
+    /// Time step.
+    pub dt: InCriticalSteps,
+    /// Global damping.
+    pub damping: InCriticalDampings,
+    /// Whether the sides of the box follow the stress until none is left.
+    pub relax_box: bool,
+    /// When it ends.
+    pub stop: Stop,
+    /// Density of the whole box to which the masses are rescaled at its end, ag/nm^3.
+    pub final_density: Option<f64>,
+}
+
+/// What a stage changes before it begins.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Setup {
+    /// Nothing.
+    None,
+    /// Two rigid walls of this thickness, nm, at the ends of y; the upper one is driven.
+    Walls {
+        /// Thickness of each.
+        thickness: f64,
+        /// What the upper wall does.
+        drive: Drive,
+    },
+    /// A junction is carved.
+    Junction(Junction),
+}
+
+/// What the upper wall of a test does.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Drive {
+    /// Presses with this stress, MPa.
+    Compress(f64),
+    /// Moves away by this strain in every step.
+    Stretch(f64),
+    /// Moves sideways by this strain in every step.
+    Shear(f64),
+}
+
+/// When a stage ends.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Stop {
+    /// After a time or a number of steps.
+    After(InSteps),
+    /// When all diagonal stresses are below `stress`, MPa; it has failed after `most` steps.
+    Relaxed {
+        /// The largest residual stress.
+        stress: f64,
+        /// The largest number of steps.
+        most: u64,
+    },
+}
+
+/// The critical time step (Eq. 6) and the critical damping (Eq. 21) of the smallest
+/// particle: the scales in which the paper gives its settings.
+pub fn critical_scales(system: &System, material: &Material) -> (f64, f64) {
+    let p = &system.particles;
+    let model = Wear { material: *material, interaction: Interaction::Full };
+    (0..p.len()).fold((f64::INFINITY, f64::INFINITY), |(dt, c), i| {
+        let (r, m) = (p.radius[i], p.mass[i]);
+        let k_n = model.coefficients(r, r, m, m).k_n;
+        (dt.min(critical_time_step(m, k_n)), c.min(critical_damping(k_n, m)))
+    })
+}
+
+/// How much farther than their range neighbours are listed, in mean diameters: what a sample in slow motion takes thousands
+/// of steps to cross, at the price of a fifth more pairs.
+const SKIN: f64 = 0.1;
+
+impl Stage {
+    /// Changes a system as the stage wants it.
+    pub fn set_up(&self, mut system: System, material: &Material) -> System {
+        if let Setup::Junction(junction) = self.setup {
+            system = junction.carve(&system);
+        }
+        if let Setup::Walls { thickness, drive } = self.setup {
+            let dt = self.dt.value(critical_scales(&system, material).0);
+            add_walls(&mut system, thickness, drive, dt);
+        }
+        system
+    }
+
+    /// How it advances a system.
+    pub fn settings(&self, system: &System, material: &Material, max_overlap: f64) -> Settings {
+        let (critical_step, critical_damping) = critical_scales(system, material);
+        let p = &system.particles;
+        Settings {
+            damping: self.damping.value(critical_damping),
+            skin: SKIN * p.mean_diameter(),
+            max_overlap,
+            relax_box: self.relax_box.then_some(BoxRelaxation { target: [0.0; 3], modulus: material.young_modulus }),
+            ..Settings::new(self.dt.value(critical_step))
+        }
+    }
+
+    /// Whether it has come to its end.
+    pub fn progress(&self, simulation: &Simulation<Wear>) -> Progress {
+        let step = simulation.system().step;
+        match &self.stop {
+            Stop::After(_) if step >= self.steps(simulation.settings().dt) => Progress::Done,
+            Stop::Relaxed { stress, .. } if step > 0 && simulation.largest_stress() < *stress => Progress::Done,
+            Stop::Relaxed { most, .. } if step >= *most => Progress::Failed("stresses are not below the limit"),
+            _ => Progress::Going,
+        }
+    }
+
+    /// The number of steps it takes, at most.
+    pub fn steps(&self, dt: f64) -> u64 {
+        match &self.stop {
+            Stop::After(duration) => (duration.value(dt) / dt).round() as u64,
+            Stop::Relaxed { most, .. } => *most,
+        }
+    }
+
+    /// Takes the system out at its end.
+    pub fn end(&self, simulation: Simulation<Wear>) -> System {
+        let mut system = simulation.into_system();
+        if let Some(density) = self.final_density {
+            set_system_density(&mut system, density);
+            // The relaxed state is at rest: what is left of the motion is below the residual stress.
+            for i in 0..system.particles.len() {
+                system.particles.v[i] = Vec3::zero();
+                system.particles.w[i] = Vec3::zero();
+            }
+        }
+        system
+    }
+}
+
+/// Opens the box along y and makes the two walls of the spheres that are there, the lower one held, the upper one driven.
+fn add_walls(system: &mut System, thickness: f64, drive: Drive, dt: f64) {
+    let held = Motion::Velocity(0.0);
+    let [lx, ly, lz] = system.domain.sides;
+    let velocity = |strain: f64| Motion::Velocity(strain * (ly - 2.0 * thickness) / dt);
+    let driven = match drive {
+        Drive::Compress(stress) => [held, Motion::Load(-stress * lx * lz), held],
+        Drive::Stretch(strain) => [held, velocity(strain), held],
+        Drive::Shear(strain) => [velocity(strain), held, held],
+    };
+    for i in 0..system.particles.len() {
+        system.particles.x[i] = system.domain.folded(system.particles.x[i]);
+    }
+    system.domain.periodic[1] = false;
+    system.add_wall([held; 3], |p, i| p.x[i].0[1] < thickness);
+    system.add_wall(driven, |p, i| p.x[i].0[1] > ly - thickness);
+}
+
+/// Stages one after another without a case: a study whose observer is its sink.
+pub struct Protocol<'a> {
+    /// The stages.
+    pub stages: &'a [Stage],
+    /// The state before the first.
+    pub initial: System,
+    /// The material.
+    pub material: &'a Material,
+    /// Largest overlap allowed, as a part of the sum of the radii.
+    pub max_overlap: f64,
+}
+
+impl Study for Protocol<'_> {
+    type Model = Wear;
+    type Watch = ();
+
+    fn stages(&self) -> Vec<&'static str> {
+        self.stages.iter().map(|stage| stage.name).collect()
+    }
+    fn initial(&self, _: &Interrupt) -> Result<System, Error> {
+        Ok(self.initial.clone())
+    }
+    fn set_up(&self, stage: usize, system: System) -> Result<System, Error> {
+        Ok(self.stages[stage].set_up(system, self.material))
+    }
+    fn model(&self, stage: usize) -> Wear {
+        Wear { material: *self.material, interaction: self.stages[stage].interaction }
+    }
+    fn settings(&self, stage: usize, system: &System) -> Settings {
+        self.stages[stage].settings(system, self.material, self.max_overlap)
+    }
+    fn steps(&self, stage: usize, dt: f64) -> u64 {
+        self.stages[stage].steps(dt)
+    }
+    fn progress(&self, stage: usize, (): &(), simulation: &Simulation<Wear>) -> Progress {
+        self.stages[stage].progress(simulation)
+    }
+    fn end(&self, stage: usize, simulation: Simulation<Wear>) -> Result<System, Error> {
+        Ok(self.stages[stage].end(simulation))
+    }
+    fn watch(&self, _: usize, _: &Simulation<Wear>) {}
+}

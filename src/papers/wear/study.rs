@@ -1,0 +1,161 @@
+//! The stages that a case of the wear paper asks for, and the particles they begin with.
+
+use super::case::{Amorphous, Case, Experiment, Sample};
+use super::derived::{Scales, material};
+use super::protocol::{Setup, Stage};
+use super::stages;
+use super::watch::{self, Watch};
+use crate::error::Error;
+use crate::initial::lattice::hcp_cells;
+use crate::initial::{Sizes, hcp, random_packing};
+use crate::interrupt::Interrupt;
+use crate::output::{Cell, Column, Finding, Kept, keep, kept};
+use crate::run::{Progress, Study};
+use crate::simulation::{Settings, Simulation};
+use crate::spec::wear::{Interaction, Wear};
+use crate::system::System;
+use serde::{Deserialize, Serialize};
+
+/// The stages of a case: those that make the sample, one after another, then those that each start from the sample.
+pub struct Plan {
+    case: Case,
+    scales: Scales,
+    /// Those that make the sample.
+    preparation: usize,
+    stages: Vec<Stage>,
+}
+
+/// An equilibrated sample on disk, with what it was made from.
+#[derive(Serialize, Deserialize)]
+struct Equilibrated {
+    origin: String,
+    system: System,
+}
+
+impl Plan {
+    /// The plan of a case.
+    pub fn of(case: &Case) -> Self {
+        let (scales, material) = (Scales::of(case), material(case));
+        let modulus = material.young_modulus.value;
+        let preparation = match &case.sample {
+            Sample::Amorphous(Amorphous { load: None, relaxation, .. }) => {
+                stages::relaxation(relaxation, modulus, material.density.value).into()
+            }
+            _ => Vec::new(),
+        };
+        let experiments = match &case.experiment {
+            Experiment::Junction(junction) => vec![stages::junction(junction, scales.d_0, modulus)],
+            Experiment::Patch(patch) => {
+                let compression =
+                    patch.compression.as_ref().map(|test| stages::compression(test, scales.walls, modulus));
+                let tension = patch.tension.as_ref().map(|test| stages::tension(test, scales.walls));
+                let shear = patch.shear.as_ref().map(|test| stages::shear(test, scales.walls));
+                [compression, tension, shear].into_iter().flatten().collect()
+            }
+        };
+        Self { case: case.clone(), scales, preparation: preparation.len(), stages: [preparation, experiments].concat() }
+    }
+
+    /// Everything that a sample depends on.
+    fn origin(&self) -> String {
+        let mut sample = self.case.sample.clone();
+        if let Sample::Amorphous(amorphous) = &mut sample {
+            (amorphous.save, amorphous.load) = (None, None);
+        }
+        serde_json::to_string(&(&self.case.model, &sample, self.case.seed)).expect("a case is plain data")
+    }
+}
+
+impl Study for Plan {
+    type Model = Wear;
+    type Watch = Watch;
+
+    fn stages(&self) -> Vec<&'static str> {
+        self.stages.iter().map(|stage| stage.name).collect()
+    }
+
+    fn starts_from_sample(&self, stage: usize) -> bool {
+        stage >= self.preparation
+    }
+
+    fn initial(&self, interrupt: &Interrupt) -> Result<System, Error> {
+        let Scales { d_0, d_s, d_l, size, .. } = self.scales;
+        let density = material(&self.case).density.value;
+        match &self.case.sample {
+            Sample::Hcp(_) => Ok(hcp(d_0, hcp_cells(d_0, size), density)),
+            Sample::Amorphous(Amorphous { load: Some(path), .. }) => {
+                let Equilibrated { origin, system } = kept(path, Kept::Sample)?;
+                if origin != self.origin() {
+                    return Err(Error::input(path, "was made with another model, sample or seed"));
+                }
+                Ok(system)
+            }
+            Sample::Amorphous(amorphous) => random_packing(
+                Sizes { d_0, d_s, d_l },
+                size,
+                amorphous.volume_fraction,
+                density,
+                self.case.seed,
+                interrupt,
+            ),
+        }
+    }
+
+    fn keep_sample(&self, system: &System) -> Result<(), Error> {
+        match &self.case.sample {
+            Sample::Amorphous(Amorphous { save: Some(path), .. }) => {
+                keep(path, Kept::Sample, &Equilibrated { origin: self.origin(), system: system.clone() })
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn set_up(&self, stage: usize, system: System) -> Result<System, Error> {
+        Ok(self.stages[stage].set_up(system, &material(&self.case).spec()))
+    }
+
+    fn model(&self, stage: usize) -> Wear {
+        material(&self.case).law(self.stages[stage].interaction)
+    }
+
+    fn settings(&self, stage: usize, system: &System) -> Settings {
+        let stage = &self.stages[stage];
+        // Random spheres overlap without limit until they have been pushed apart.
+        let pushed_apart = stage.interaction != Interaction::Repulsive;
+        let max_overlap = if pushed_apart { self.case.limits.overlap } else { f64::INFINITY };
+        stage.settings(system, &material(&self.case).spec(), max_overlap)
+    }
+
+    fn steps(&self, stage: usize, dt: f64) -> u64 {
+        self.stages[stage].steps(dt)
+    }
+
+    fn progress(&self, stage: usize, watch: &Watch, simulation: &Simulation<Wear>) -> Progress {
+        if watch.ended() { Progress::Done } else { self.stages[stage].progress(simulation) }
+    }
+
+    fn end(&self, stage: usize, simulation: Simulation<Wear>) -> Result<System, Error> {
+        Ok(self.stages[stage].end(simulation))
+    }
+
+    fn parts(&self, stage: usize) -> u64 {
+        if matches!(self.stages[stage].setup, Setup::Junction(_)) { 3 } else { 1 }
+    }
+
+    fn columns(&self) -> Vec<Column> {
+        use watch::columns::{JUNCTION, RELAXATION, TEST};
+        [&RELAXATION[..], &TEST, &JUNCTION].concat()
+    }
+
+    fn watch(&self, stage: usize, simulation: &Simulation<Wear>) -> Watch {
+        Watch::begin(&self.stages[stage], &self.case, simulation)
+    }
+
+    fn look(&self, watch: &mut Watch, simulation: &Simulation<Wear>) -> Vec<Cell> {
+        watch.look(simulation)
+    }
+
+    fn findings(&self, stage: usize, watch: &Watch, simulation: &Simulation<Wear>) -> Result<Vec<Finding>, Error> {
+        Ok(watch.findings(&self.stages[stage], &self.case, simulation))
+    }
+}

@@ -1,0 +1,287 @@
+//! A case that has been read and checked, on its way to its run folder.
+
+use super::recorder::{Recorder, State};
+use super::{Driver, Glance, Study};
+use crate::case::{Output, located};
+use crate::error::{AtPath, Error};
+use crate::figures::{Graph, report};
+use crate::interrupt::Interrupt;
+use crate::output::{Finding, Manifest, RunFolder, Status, sha256_file, write_atomically};
+use crate::simulation::{Settings, Simulation};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+/// Reads and checks the text of a case file.
+pub type Reader<'a> = &'a (dyn Fn(&Path, &str) -> Result<Job, Error> + Sync);
+
+/// A case that has been read and checked, ready to be run.
+pub struct Job {
+    /// Its file.
+    pub file: PathBuf,
+    /// The text of the file.
+    pub text: String,
+    /// Its title.
+    pub title: String,
+    /// The seed of every random stream.
+    pub seed: u64,
+    /// What is written, and how often.
+    pub output: Output,
+    /// The case with every default and derived value.
+    pub resolved: String,
+    /// The files that it reads.
+    pub reads: Vec<PathBuf>,
+    /// The files that it writes beside its run folder, with the sections that ask for them.
+    pub saves: Vec<(String, PathBuf)>,
+    /// The graphs of its report.
+    pub graphs: &'static [Graph],
+    /// Its stages.
+    pub study: Box<dyn Runnable>,
+}
+
+/// A study of any kind.
+pub trait Runnable {
+    /// Looks at what it needs, short of computing anything.
+    ///
+    /// # Errors
+    ///
+    /// If a file it needs is missing or wrong.
+    fn examine(&self) -> Result<(), Error>;
+    /// Runs a job in a new folder at `root`, which is replaced if asked for; `show` is told how it is doing.
+    ///
+    /// # Errors
+    ///
+    /// Wrong input, a halt, a failed stage, an interruption, or a file that cannot be written.
+    fn start(
+        &self,
+        job: &Job,
+        root: &Path,
+        replace: bool,
+        interrupt: &Interrupt,
+        show: &mut dyn FnMut(Glance),
+    ) -> Result<(RunFolder, Vec<Finding>), Error>;
+    /// Resumes a job from its latest checkpoint, or from the beginning if it has none.
+    ///
+    /// # Errors
+    ///
+    /// As [`start`](Self::start), and if the files that the run reads have changed.
+    fn resume(
+        &self,
+        job: &Job,
+        folder: &RunFolder,
+        manifest: Manifest,
+        interrupt: &Interrupt,
+        show: &mut dyn FnMut(Glance),
+    ) -> Result<Vec<Finding>, Error>;
+}
+
+impl<S: Study> Runnable for S {
+    fn examine(&self) -> Result<(), Error> {
+        Study::examine(self)
+    }
+
+    fn start(
+        &self,
+        job: &Job,
+        root: &Path,
+        replace: bool,
+        interrupt: &Interrupt,
+        show: &mut dyn FnMut(Glance),
+    ) -> Result<(RunFolder, Vec<Finding>), Error> {
+        let inputs = job.inputs()?;
+        // Whatever is wrong with the input is found before anything is written.
+        let initial = match self.initial(interrupt) {
+            Err(Error::Stopped(_)) => {
+                let (folder, mut manifest) = job.make_folder(root, replace, inputs)?;
+                manifest.end(&folder, Status::Stopped)?;
+                return Err(Error::Stopped(Some(folder.root().into())));
+            }
+            initial => initial.map_err(|error| located(error, &job.file, &job.text))?,
+        };
+        let (folder, manifest) = job.make_folder(root, replace, inputs)?;
+        let findings = job.conclude(&folder, manifest, || {
+            let mut sink = Recorder::begin(self, &folder, &job.output, show)?;
+            Ok(Driver::new(self, interrupt).run_from(initial, &mut sink)?.findings)
+        })?;
+        Ok((folder, findings))
+    }
+
+    fn resume(
+        &self,
+        job: &Job,
+        folder: &RunFolder,
+        mut manifest: Manifest,
+        interrupt: &Interrupt,
+        show: &mut dyn FnMut(Glance),
+    ) -> Result<Vec<Finding>, Error> {
+        let mut driver = Driver::new(self, interrupt);
+        if folder.checkpoints().is_empty()? {
+            let initial = self.initial(interrupt)?;
+            manifest.resume();
+            manifest.write(folder)?;
+            return job.conclude(folder, manifest, || {
+                let mut sink = Recorder::begin(self, folder, &job.output, show)?;
+                Ok(driver.run_from(initial, &mut sink)?.findings)
+            });
+        }
+        let State { stage, dt, damping, skin, snapshot, watch, course, extent } = folder.checkpoints().latest()?;
+        unchanged(&self.reads_after(stage), &manifest)?;
+        manifest.resume();
+        manifest.write(folder)?;
+        job.conclude(folder, manifest, || {
+            let mut sink = Recorder::resume(folder, &job.output, extent, show)?;
+            let settings = Settings { dt, damping, skin, ..self.settings(stage, snapshot.system()) };
+            let simulation = Simulation::resume(self.model(stage), settings, snapshot)?;
+            let stage = driver.stage(stage, simulation, watch);
+            Ok(driver.resume(stage, course, &mut sink)?.findings)
+        })
+    }
+}
+
+impl Job {
+    /// Makes a run folder and goes from the beginning to the end; `show` is told how it is doing.
+    ///
+    /// # Errors
+    ///
+    /// As [`Runnable::start`].
+    pub fn launch(
+        &self,
+        root: &Path,
+        replace: bool,
+        interrupt: &Interrupt,
+        show: &mut dyn FnMut(Glance),
+    ) -> Result<(RunFolder, Vec<Finding>), Error> {
+        self.needs(root)?;
+        self.study.start(self, root, replace, interrupt, show)
+    }
+
+    /// Resumes a run from its latest checkpoint. Its case must be the one that it was begun with.
+    ///
+    /// # Errors
+    ///
+    /// As [`Runnable::resume`].
+    pub fn resume(
+        &self,
+        folder: &RunFolder,
+        manifest: Manifest,
+        interrupt: &Interrupt,
+        show: &mut dyn FnMut(Glance),
+    ) -> Result<Vec<Finding>, Error> {
+        let begun_with = sha256_file(&folder.case())?;
+        if !manifest.inputs.values().any(|input| *input == begun_with) {
+            return Err(Error::input(&folder.case(), "has changed since the run was begun"));
+        }
+        self.study.resume(self, folder, manifest, interrupt, show)
+    }
+
+    /// Runs in a folder, or resumes there, unless it has finished; says whether there was anything left to do.
+    ///
+    /// # Errors
+    ///
+    /// As [`launch`](Self::launch) and [`resume`](Self::resume), and if the folder holds something else.
+    pub fn complete(&self, root: &Path, interrupt: &Interrupt) -> Result<bool, Error> {
+        // One that was killed before its first checkpoint begins again.
+        let replace = !RunFolder::clear(root)?;
+        if replace {
+            let what = "is not a resumable run; remove this folder to begin anew";
+            let strange = |_| Error::Usage(format!("{}: {what}", root.display()));
+            let folder = RunFolder::open(root).map_err(strange)?;
+            let manifest = Manifest::read(&folder).map_err(strange)?;
+            if std::fs::read_to_string(folder.case()).at(&folder.case())? != self.text {
+                return Err(Error::Usage("its run folder holds another case".into()));
+            }
+            if manifest.status == Status::Finished {
+                return Ok(false);
+            }
+            if !folder.checkpoints().is_empty()? {
+                return self.resume(&folder, manifest, interrupt, &mut |_| {}).map(|_| true);
+            }
+        }
+        self.launch(root, replace, interrupt, &mut |_| {}).map(|_| true)
+    }
+
+    /// Looks at everything short of running.
+    ///
+    /// # Errors
+    ///
+    /// If a file is missing or wrong, or the sample cannot be made.
+    pub fn examine(&self) -> Result<(), Error> {
+        self.needs(&Path::new("run").join(self.file.file_stem().unwrap_or_default()))?;
+        self.study.examine().map_err(|error| located(error, &self.file, &self.text))
+    }
+
+    /// Whether the files that are read are there, and the folders that are written to, or will be with the run.
+    fn needs(&self, root: &Path) -> Result<(), Error> {
+        self.reads.iter().try_for_each(|file| is_there(file))?;
+        for (section, file) in &self.saves {
+            // The parent of a mere name is empty.
+            let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty());
+            if folder.is_some_and(|folder| !folder.is_dir() && !root.ancestors().any(|of_run| of_run == folder)) {
+                let what = format!("found `{}`, expected a file in a folder that exists", file.display());
+                return Err(located(Error::of_key(format!("{section}.save"), what), &self.file, &self.text));
+            }
+        }
+        Ok(())
+    }
+
+    /// Hashes of the files that are read, by name.
+    fn inputs(&self) -> Result<BTreeMap<String, String>, Error> {
+        self.reads.iter().map(|file| Ok((file.display().to_string(), sha256_file(file)?))).collect()
+    }
+
+    /// The folder of a new run, and its manifest.
+    fn make_folder(
+        &self,
+        root: &Path,
+        replace: bool,
+        mut inputs: BTreeMap<String, String>,
+    ) -> Result<(RunFolder, Manifest), Error> {
+        let folder = RunFolder::create(root, replace)?;
+        write_atomically(&folder.case(), self.text.as_bytes())?;
+        write_atomically(&folder.resolved(), self.resolved.as_bytes())?;
+        // Of the copy: a case that comes through a pipe can be read only once.
+        inputs.insert(self.file.display().to_string(), sha256_file(&folder.case())?);
+        let manifest = Manifest::begin(self.seed, inputs);
+        manifest.write(&folder)?;
+        Ok((folder, manifest))
+    }
+
+    /// Writes results and report of a run, and leaves the manifest in a state that says how it ended.
+    fn conclude(
+        &self,
+        folder: &RunFolder,
+        mut manifest: Manifest,
+        run: impl FnOnce() -> Result<Vec<Finding>, Error>,
+    ) -> Result<Vec<Finding>, Error> {
+        let result = run().and_then(|findings| {
+            let results = serde_yaml::to_string(&findings).expect("findings are plain data");
+            write_atomically(&folder.results(), results.as_bytes())?;
+            report::report(&self.title, self.graphs, folder, &findings)?;
+            folder.checkpoints().forget_stopped()?;
+            Ok(findings)
+        });
+        let status = match &result {
+            Ok(_) => Status::Finished,
+            Err(Error::Halted(..)) => Status::Halted,
+            Err(Error::Stopped(_)) => Status::Stopped,
+            Err(Error::Io(..) | Error::NoInput(..)) => Status::Interrupted,
+            Err(_) => Status::Failed,
+        };
+        let written = manifest.end(folder, status);
+        result.and_then(|findings| written.map(|()| findings))
+    }
+}
+
+fn is_there(file: &Path) -> Result<(), Error> {
+    std::fs::metadata(file).map(drop).map_err(|cause| Error::NoInput(file.into(), cause))
+}
+
+/// Whether files are those that a run was begun with.
+fn unchanged(files: &[PathBuf], manifest: &Manifest) -> Result<(), Error> {
+    for file in files {
+        is_there(file)?;
+        if manifest.inputs.get(&file.display().to_string()) != Some(&sha256_file(file)?) {
+            return Err(Error::input(file, "has changed since the run was begun"));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,195 @@
+//! The sink that is a run folder: rows, frames, pictures, events and checkpoints.
+
+use super::record::{Extent, Record};
+use super::{Course, Sink, Stage, Step, Study, columns};
+use crate::case::{InSteps, Output};
+use crate::error::{Error, Halt};
+use crate::figures::picture;
+use crate::output::{RunFolder, extended_xyz, write_atomically};
+use crate::simulation::{Settings, Snapshot};
+use serde::{Deserialize, Serialize};
+use std::ops::ControlFlow;
+
+/// The complete state of a run.
+#[derive(Serialize, Deserialize)]
+pub(super) struct State<W> {
+    pub(super) stage: usize,
+    pub(super) dt: f64,
+    pub(super) damping: f64,
+    pub(super) skin: f64,
+    pub(super) snapshot: Snapshot,
+    pub(super) watch: W,
+    pub(super) course: Course,
+    pub(super) extent: Extent,
+}
+
+/// How a run is doing, for whoever waits for it.
+#[derive(Clone, Copy, Debug)]
+pub struct Glance<'a> {
+    /// The stage.
+    pub stage: &'a str,
+    /// Steps of this stage so far.
+    pub step: u64,
+    /// Its last step, at the latest.
+    pub steps: u64,
+    /// Number of particles.
+    pub particles: usize,
+    /// Residual of the physical energy account over all that moved.
+    pub residual: f64,
+    /// Largest overlap over the sum of the radii.
+    pub overlap: f64,
+}
+
+/// Steps of a stage from one row, frame, checkpoint and picture to the next.
+#[derive(Clone, Copy)]
+struct Intervals {
+    series: u64,
+    frames: u64,
+    checkpoints: u64,
+    part: u64,
+}
+
+/// Records a run in its folder.
+pub(super) struct Recorder<'a> {
+    folder: &'a RunFolder,
+    output: &'a Output,
+    record: Record,
+    show: &'a mut dyn FnMut(Glance),
+    /// Relative residual and largest overlap of the last row.
+    seen: (f64, f64),
+}
+
+impl<'a> Recorder<'a> {
+    /// Begins the record of a run.
+    pub(super) fn begin<S: Study>(
+        study: &S,
+        folder: &'a RunFolder,
+        output: &'a Output,
+        show: &'a mut dyn FnMut(Glance),
+    ) -> Result<Self, Error> {
+        let record = Record::begin(folder, &columns(study))?;
+        Ok(Self { folder, output, record, show, seen: (0.0, 0.0) })
+    }
+
+    /// Takes the record up as it was at a checkpoint.
+    pub(super) fn resume(
+        folder: &'a RunFolder,
+        output: &'a Output,
+        extent: Extent,
+        show: &'a mut dyn FnMut(Glance),
+    ) -> Result<Self, Error> {
+        Ok(Self { folder, output, record: Record::resume(folder, extent)?, show, seen: (0.0, 0.0) })
+    }
+
+    fn intervals<S: Study>(&self, stage: &Stage<'_, S>) -> Intervals {
+        let dt = stage.simulation.settings().dt;
+        let every = |interval: &InSteps| ((interval.value(dt) / dt).round() as u64).max(1);
+        let Output { series, frames, checkpoints } = self.output;
+        let part = (stage.last_step() / stage.study.parts(stage.number)).max(1);
+        Intervals { series: every(series), frames: every(frames), checkpoints: every(checkpoints), part }
+    }
+
+    fn event<S: Study>(&mut self, stage: &Stage<'_, S>, event: &str) -> Result<(), Error> {
+        self.record.event(&stage.name, stage.simulation.system(), event)
+    }
+
+    fn picture<S: Study>(&self, stage: &Stage<'_, S>, when: &str) -> Result<(), Error> {
+        let name = format!("{} {when}", stage.name);
+        picture(self.folder, &name, stage.simulation.system(), stage.study.upwards())
+    }
+
+    /// Measures, and appends a row to the series.
+    fn row<S: Study>(&mut self, stage: &mut Stage<'_, S>) -> Result<(), Error> {
+        let row = stage.measure();
+        self.seen = (row.residual, row.overlap);
+        self.record.row(&row.cells)
+    }
+
+    fn show<S: Study>(&mut self, stage: &Stage<'_, S>) {
+        let system = stage.simulation.system();
+        let ((residual, overlap), steps, particles) = (self.seen, stage.last_step(), system.particles.len());
+        (self.show)(Glance { stage: &stage.name, step: system.step, steps, particles, residual, overlap });
+    }
+
+    fn state<S: Study>(&self, stage: &Stage<'_, S>, course: &Course) -> State<S::Watch> {
+        let Settings { dt, damping, skin, .. } = *stage.simulation.settings();
+        State {
+            stage: stage.number,
+            dt,
+            damping,
+            skin,
+            snapshot: stage.simulation.snapshot(),
+            watch: stage.watch.clone(),
+            course: course.clone(),
+            extent: self.record.extent(),
+        }
+    }
+}
+
+impl<S: Study> Sink<S> for Recorder<'_> {
+    fn begin(&mut self, stage: &mut Stage<'_, S>, _: &Course) -> Result<(), Error> {
+        self.event(stage, "begin")?;
+        self.record.frame(&stage.name, stage.simulation.system())?;
+        self.picture(stage, "begin")?;
+        self.row(stage)?;
+        self.show(stage);
+        Ok(())
+    }
+
+    fn step(&mut self, stage: &mut Stage<'_, S>, course: &Course, step: &Step) -> Result<ControlFlow<()>, Error> {
+        for event in step.events {
+            self.event(stage, event)?;
+        }
+        let Intervals { series, frames, checkpoints, part } = self.intervals(stage);
+        let (taken, last) = (stage.simulation.system().step, step.last);
+        if last || [series, frames, part].iter().any(|&interval| taken.is_multiple_of(interval)) {
+            stage.simulation.place_members();
+        }
+        if last || taken.is_multiple_of(series) {
+            self.row(stage)?;
+            self.show(stage);
+        }
+        if last || taken.is_multiple_of(frames) {
+            self.record.frame(&stage.name, stage.simulation.system())?;
+        }
+        if taken.is_multiple_of(part) && !last {
+            let parts = stage.study.parts(stage.number);
+            self.picture(stage, &format!("after {} of {parts} parts", taken / part))?;
+        }
+        if taken.is_multiple_of(checkpoints) && !last {
+            self.event(stage, "checkpoint")?;
+            self.folder.checkpoints().keep(course.steps, &self.state(stage, course))?;
+        }
+        Ok(ControlFlow::Continue(()))
+    }
+
+    fn end(&mut self, stage: &mut Stage<'_, S>, _: &Course) -> Result<(), Error> {
+        self.picture(stage, "end")?;
+        self.event(stage, "end")
+    }
+
+    fn fail(&mut self, stage: &mut Stage<'_, S>, reason: &str) -> Result<(), Error> {
+        self.event(stage, &format!("failed: {reason}"))
+    }
+
+    fn stop(&mut self, stage: &mut Stage<'_, S>, course: &Course) -> Error {
+        self.show(stage);
+        match self.folder.checkpoints().keep_stopped(&self.state(stage, course)) {
+            Ok(()) => Error::Stopped(Some(self.folder.root().into())),
+            Err(error) => error,
+        }
+    }
+
+    /// Dumps the state that could not be left.
+    fn halt(&mut self, stage: &mut Stage<'_, S>, halt: Halt) -> Error {
+        stage.simulation.place_members();
+        let dumped = self.event(stage, &format!("halted at {halt}")).and_then(|()| {
+            let frame = extended_xyz(stage.simulation.system(), &stage.name);
+            write_atomically(&self.folder.halted(), frame.as_bytes())
+        });
+        match dumped {
+            Ok(()) => Error::Halted(halt, Some(self.folder.halted())),
+            Err(error) => error,
+        }
+    }
+}

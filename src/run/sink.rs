@@ -1,0 +1,90 @@
+//! Where a run goes: into a folder, into memory, or to a closure.
+
+use super::{Course, Stage, Study};
+use crate::error::{Error, Halt};
+use crate::output::Cell;
+use std::ops::ControlFlow;
+
+/// What happened in a step.
+#[derive(Clone, Copy, Debug)]
+pub struct Step<'a> {
+    /// What observers and interventions say of it.
+    pub events: &'a [String],
+    /// Whether the stage ends here.
+    pub last: bool,
+}
+
+/// Hears of everything that happens in a run.
+pub trait Sink<S: Study> {
+    /// A stage begins.
+    fn begin(&mut self, _stage: &mut Stage<'_, S>, _course: &Course) -> Result<(), Error> {
+        Ok(())
+    }
+    /// A step has been taken. A sink may end the stage here.
+    fn step(&mut self, _stage: &mut Stage<'_, S>, _course: &Course, _step: &Step) -> Result<ControlFlow<()>, Error> {
+        Ok(ControlFlow::Continue(()))
+    }
+    /// A stage has come to its end.
+    fn end(&mut self, _stage: &mut Stage<'_, S>, _course: &Course) -> Result<(), Error> {
+        Ok(())
+    }
+    /// A stage has not come to the end that it should, for this reason.
+    fn fail(&mut self, _stage: &mut Stage<'_, S>, _reason: &str) -> Result<(), Error> {
+        Ok(())
+    }
+    /// The run is interrupted here: keeps what it can be resumed from. Returns the error that the run ends with.
+    fn stop(&mut self, _stage: &mut Stage<'_, S>, _course: &Course) -> Error {
+        Error::Stopped(None)
+    }
+    /// The simulation has left its domain. Returns the error that the run ends with.
+    fn halt(&mut self, _stage: &mut Stage<'_, S>, halt: Halt) -> Error {
+        Error::Halted(halt, None)
+    }
+}
+
+/// Nobody listens.
+impl<S: Study> Sink<S> for () {}
+
+/// A closure that sees every step, and may end the stage.
+pub struct Each<F>(pub F);
+
+impl<S: Study, F: FnMut(&mut Stage<'_, S>, &Step) -> ControlFlow<()>> Sink<S> for Each<F> {
+    fn step(&mut self, stage: &mut Stage<'_, S>, _: &Course, step: &Step) -> Result<ControlFlow<()>, Error> {
+        Ok((self.0)(stage, step))
+    }
+}
+
+/// A run in memory: the rows of its series, and its events.
+#[derive(Clone, Debug, Default)]
+pub struct Memory {
+    /// Steps from one row to the next; none but the first and the last of each stage for 0.
+    pub every: u64,
+    /// The rows; their columns are those of [`columns`](super::columns).
+    pub rows: Vec<Vec<Cell>>,
+    /// Stage, time (ns) and text of each event.
+    pub events: Vec<(String, f64, String)>,
+}
+
+impl Memory {
+    fn look<S: Study>(&mut self, stage: &mut Stage<'_, S>) {
+        stage.simulation.place_members();
+        self.rows.push(stage.measure().cells);
+    }
+}
+
+impl<S: Study> Sink<S> for Memory {
+    fn begin(&mut self, stage: &mut Stage<'_, S>, _: &Course) -> Result<(), Error> {
+        self.look(stage);
+        Ok(())
+    }
+    fn step(&mut self, stage: &mut Stage<'_, S>, _: &Course, step: &Step) -> Result<ControlFlow<()>, Error> {
+        let system = stage.simulation.system();
+        let due = self.every > 0 && system.step.is_multiple_of(self.every);
+        let event = |text: &String| (stage.name.clone(), system.time, text.clone());
+        self.events.extend(step.events.iter().map(event));
+        if due || step.last {
+            self.look(stage);
+        }
+        Ok(ControlFlow::Continue(()))
+    }
+}

@@ -1,0 +1,49 @@
+//! Contact memory carried from one neighbour list to the next.
+
+use super::Image;
+use serde::{Deserialize, Serialize};
+
+/// A pair's lasting name: the ids of the spheres, the lower first, and the copy of the second as seen from the first.
+pub type Bond = (u32, u32, Image);
+
+/// The springs of the pairs that have any, found again by who the two spheres are.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Springs {
+    /// Sorted; each with the place of its springs.
+    bonds: Vec<(Bond, u32)>,
+    numbers: Vec<f64>,
+    width: usize,
+}
+
+impl Springs {
+    /// No springs yet, of `width` numbers each.
+    pub fn new(width: usize) -> Self {
+        Self { width, ..Self::default() }
+    }
+
+    /// Adds the springs of a pair; those that are all zero need no entry.
+    pub fn add(&mut self, bond: Bond, springs: impl Iterator<Item = f64> + Clone) {
+        if springs.clone().any(|s| s != 0.0) {
+            self.bonds.push((bond, self.numbers.len() as u32));
+            self.numbers.extend(springs);
+        }
+    }
+
+    /// Makes the springs ready to be found.
+    pub fn sorted(mut self) -> Self {
+        self.bonds.sort_unstable();
+        self
+    }
+
+    /// Forgets the springs of some pairs of spheres.
+    pub fn forget(&mut self, pair: impl Fn((u32, u32)) -> bool) {
+        self.bonds.retain(|&((i, j, _), _)| !pair((i, j)));
+    }
+
+    /// The springs of a pair, if it has any.
+    pub fn of(&self, bond: Bond) -> Option<&[f64]> {
+        let place = self.bonds.binary_search_by_key(&bond, |&(bond, _)| bond).ok()?;
+        let start = self.bonds[place].1 as usize;
+        Some(&self.numbers[start..start + self.width])
+    }
+}
