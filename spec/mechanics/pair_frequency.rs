@@ -1,7 +1,9 @@
 //! How fast a necked pair oscillates.
+//!
+//! Equations and sections are numbered as in Demidov, Gor & Khalizov 2024.
 
-use super::def_sphere::solid_inertia;
-use super::eq03_geometry::mean_arm;
+use super::pair_geometry::mean_arm;
+use super::primary_particle::solid_inertia;
 use crate::equation::Equation;
 use crate::{Real, equation};
 
@@ -82,17 +84,17 @@ pub fn slide_and_roll<R: Real>(s_t: R, s_r: R, r_i: R, r_j: R, m_i: R, m_j: R) -
     R::lit(0.5) * (slide + roll + ((slide - roll).squared() + R::lit(4.0) * both).sqrt())
 }
 
-pub(super) fn equations() -> Vec<Equation> {
+pub(crate) fn equations() -> Vec<Equation> {
     vec![
-        equation!("soot/def_frequency.rs", "soot-frequencies", [], neck_frequencies),
-        equation!("soot/def_frequency.rs", "soot-slide-and-roll", [], slide_and_roll),
+        equation!("mechanics/pair_frequency.rs", "soot-frequencies", [], neck_frequencies),
+        equation!("mechanics/pair_frequency.rs", "soot-slide-and-roll", [], slide_and_roll),
     ]
 }
 
 #[cfg(test)]
 mod laws {
     use super::*;
-    use crate::soot::def_sphere::hollow_inertia;
+    use crate::mechanics::primary_particle::hollow_inertia;
     use proptest::prelude::*;
 
     proptest! {

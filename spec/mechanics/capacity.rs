@@ -1,4 +1,6 @@
 //! The hydrodynamic radius, from random walks.
+//!
+//! Equations and sections are numbered as in Laube et al. 2018.
 
 use crate::equation::Equation;
 use crate::{Real, equation};
@@ -82,11 +84,11 @@ pub fn return_cosine<R: Real>(u: R, q: R) -> R {
     two * u * (one + q).squared() * (rest + q * u) / (rest + two * q * u).squared() - one
 }
 
-pub(super) fn equations() -> Vec<Equation> {
+pub(crate) fn equations() -> Vec<Equation> {
     vec![
-        equation!("titania/def_capacity.rs", "titania-capacity", [], capacity),
-        equation!("titania/def_capacity.rs", "titania-return", [], return_probability),
-        equation!("titania/def_capacity.rs", "titania-return-cosine", [], return_cosine),
+        equation!("mechanics/capacity.rs", "titania-capacity", [], capacity),
+        equation!("mechanics/capacity.rs", "titania-return", [], return_probability),
+        equation!("mechanics/capacity.rs", "titania-return-cosine", [], return_cosine),
     ]
 }
 

@@ -1,7 +1,9 @@
 //! The two ways to step: velocities half a step behind, and velocity Verlet.
+//!
+//! Equations and sections are numbered as in Demidov, Gor & Khalizov 2024.
 
 use crate::equation::Equation;
-use crate::soot::eq01_motion::{acceleration, angular_acceleration};
+use crate::mechanics::newton::{acceleration, angular_acceleration};
 use crate::{Real, Vec3, equation};
 
 /// **Section 2.1**, unnumbered: one step of the half-step scheme for a particle.
@@ -202,19 +204,19 @@ fn half_kick<R: Real>(
     (v + acceleration(force, m) * half, omega + angular_acceleration(torque, i) * half)
 }
 
-pub(super) fn equations() -> Vec<Equation> {
+pub(crate) fn equations() -> Vec<Equation> {
     vec![
-        equation!("soot/def_integrators.rs", "soot-half-step", [], half_step),
-        equation!("soot/def_integrators.rs", "soot-half-step-start", [], half_step_start),
-        equation!("soot/def_integrators.rs", "soot-verlet-begin", [], verlet_begin),
-        equation!("soot/def_integrators.rs", "soot-verlet-end", [], verlet_end),
+        equation!("mechanics/verlet.rs", "soot-half-step", [], half_step),
+        equation!("mechanics/verlet.rs", "soot-half-step-start", [], half_step_start),
+        equation!("mechanics/verlet.rs", "soot-verlet-begin", [], verlet_begin),
+        equation!("mechanics/verlet.rs", "soot-verlet-end", [], verlet_end),
     ]
 }
 
 #[cfg(test)]
 mod laws {
     use super::*;
-    use crate::soot::samples::vector;
+    use crate::mechanics::samples::vector;
     use proptest::prelude::*;
 
     const NONE: Vec3<f64> = Vec3([0.0; 3]);

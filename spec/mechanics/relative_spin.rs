@@ -1,6 +1,8 @@
 //! How two spheres turn against each other.
+//!
+//! Equations and sections are numbered as in Demidov, Gor & Khalizov 2024.
 
-use super::eq03_geometry::{arm, gap, mean_arm, normal};
+use super::pair_geometry::{arm, gap, mean_arm, normal};
 use crate::equation::Equation;
 use crate::{Real, Vec3, equation};
 
@@ -141,19 +143,19 @@ pub fn torsion_rate<R: Real>(spin: Vec3<R>, n: Vec3<R>, r: R) -> R {
     r * spin.dot(n)
 }
 
-pub(super) fn equations() -> Vec<Equation> {
+pub(crate) fn equations() -> Vec<Equation> {
     vec![
-        equation!("soot/eq09_relative_spin.rs", "soot-9", ["9"], relative_spin),
-        equation!("soot/eq09_relative_spin.rs", "soot-10", ["10"], torsional_spin),
-        equation!("soot/eq09_relative_spin.rs", "soot-11", ["11"], rolling_spin),
-        equation!("soot/eq09_relative_spin.rs", "soot-rates", [], turning_rates),
+        equation!("mechanics/relative_spin.rs", "soot-9", ["9"], relative_spin),
+        equation!("mechanics/relative_spin.rs", "soot-10", ["10"], torsional_spin),
+        equation!("mechanics/relative_spin.rs", "soot-11", ["11"], rolling_spin),
+        equation!("mechanics/relative_spin.rs", "soot-rates", [], turning_rates),
     ]
 }
 
 #[cfg(test)]
 mod laws {
     use super::*;
-    use crate::soot::samples::vector;
+    use crate::mechanics::samples::vector;
     use proptest::prelude::*;
 
     proptest! {

@@ -1,6 +1,8 @@
-//! What a rigid aggregate is to its spheres, and they to it.
+//! A rigid aggregate and its spheres.
+//!
+//! Equations and sections are numbered as in Laube et al. 2018.
 
-use super::def_rotation::to_space;
+use super::rotation::to_space;
 use crate::equation::Equation;
 use crate::{Real, Vec3, equation};
 
@@ -106,18 +108,18 @@ pub fn aggregate_drag<R: Real>(
     ((v * count + omega.cross(s)) * -eta, (s.cross(v) + spread) * -eta)
 }
 
-pub(super) fn equations() -> Vec<Equation> {
+pub(crate) fn equations() -> Vec<Equation> {
     vec![
-        equation!("titania/def_body.rs", "titania-spin", [], spin),
-        equation!("titania/def_body.rs", "titania-member-velocity", [], member_velocity),
-        equation!("titania/def_body.rs", "titania-aggregate-drag", [], aggregate_drag),
+        equation!("mechanics/body.rs", "titania-spin", [], spin),
+        equation!("mechanics/body.rs", "titania-member-velocity", [], member_velocity),
+        equation!("mechanics/body.rs", "titania-aggregate-drag", [], aggregate_drag),
     ]
 }
 
 #[cfg(test)]
 mod laws {
     use super::*;
-    use crate::titania::def_drive::drag;
+    use crate::mechanics::drive::drag;
     use proptest::prelude::*;
 
     fn vector() -> impl Strategy<Value = Vec3<f64>> {

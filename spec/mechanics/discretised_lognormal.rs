@@ -1,4 +1,6 @@
-//! The sizes of the primary particles.
+//! Log-normal sizes in classes.
+//!
+//! Equations and sections are numbered as in Laube et al. 2018.
 
 use crate::equation::Equation;
 use crate::{Real, equation};
@@ -89,10 +91,10 @@ pub fn lognormal<R: Real>(median: R, s_g: R, lo: R, hi: R) -> (R, R, R) {
     (first / all, third / second, ((third / all).ln() / R::lit(3.0)).exp())
 }
 
-pub(super) fn equations() -> Vec<Equation> {
+pub(crate) fn equations() -> Vec<Equation> {
     vec![
-        equation!("titania/def_lognormal.rs", "titania-lognormal-share", [], lognormal_share),
-        equation!("titania/def_lognormal.rs", "titania-lognormal", [], lognormal),
+        equation!("mechanics/discretised_lognormal.rs", "titania-lognormal-share", [], lognormal_share),
+        equation!("mechanics/discretised_lognormal.rs", "titania-lognormal", [], lognormal),
     ]
 }
 

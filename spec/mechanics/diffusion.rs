@@ -1,4 +1,6 @@
 //! How an aggregate moves in the gas.
+//!
+//! Equations and sections are numbered as in Laube et al. 2018.
 
 use crate::equation::Equation;
 use crate::{Real, equation};
@@ -72,10 +74,10 @@ fn ln_one_plus<R: Real>(x: R) -> R {
     R::select(w.lt(R::one()), x * w.ln() / (w - R::one()), x)
 }
 
-pub(super) fn equations() -> Vec<Equation> {
+pub(crate) fn equations() -> Vec<Equation> {
     vec![
-        equation!("titania/def_diffusion.rs", "titania-diffusion", [], diffusion),
-        equation!("titania/def_diffusion.rs", "titania-exit", [], exit_cosine),
+        equation!("mechanics/diffusion.rs", "titania-diffusion", [], diffusion),
+        equation!("mechanics/diffusion.rs", "titania-exit", [], exit_cosine),
     ]
 }
 

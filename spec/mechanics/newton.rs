@@ -1,4 +1,6 @@
 //! Newton's law for a sphere.
+//!
+//! Equations and sections are numbered as in Demidov, Gor & Khalizov 2024.
 
 use crate::equation::Equation;
 use crate::{Real, Vec3, equation};
@@ -39,7 +41,7 @@ pub fn acceleration<R: Real>(force: Vec3<R>, m: R) -> Vec3<R> {
 ///
 /// A sphere has the same moment of inertia about every axis, so there is no gyroscopic term, and no force depends on its
 /// orientation: the angular velocity is all that needs to be integrated. The moment of inertia is that of
-/// [`def_sphere`](super::def_sphere).
+/// [`primary_particle`](super::primary_particle).
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -57,18 +59,18 @@ pub fn angular_acceleration<R: Real>(torque: Vec3<R>, i: R) -> Vec3<R> {
     torque * (R::one() / i)
 }
 
-pub(super) fn equations() -> Vec<Equation> {
+pub(crate) fn equations() -> Vec<Equation> {
     vec![
-        equation!("soot/eq01_motion.rs", "soot-1", ["1"], acceleration),
-        equation!("soot/eq01_motion.rs", "soot-2", ["2"], angular_acceleration),
+        equation!("mechanics/newton.rs", "soot-1", ["1"], acceleration),
+        equation!("mechanics/newton.rs", "soot-2", ["2"], angular_acceleration),
     ]
 }
 
 #[cfg(test)]
 mod laws {
     use super::*;
-    use crate::soot::def_sphere::{hollow_inertia, solid_inertia};
-    use crate::soot::samples::vector;
+    use crate::mechanics::primary_particle::{hollow_inertia, solid_inertia};
+    use crate::mechanics::samples::vector;
     use proptest::prelude::*;
 
     proptest! {

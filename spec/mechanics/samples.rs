@@ -1,4 +1,4 @@
-//! What the laws of the room draw at random.
+//! Random vectors for the laws.
 
 use crate::Vec3;
 use proptest::prelude::*;

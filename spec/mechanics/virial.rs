@@ -1,4 +1,6 @@
 //! Stress, from forces and velocities.
+//!
+//! Equations and sections are numbered as in Pham-Ba & Molinari 2022.
 
 use crate::equation::Equation;
 use crate::{Real, Tensor, Vec3, equation};
@@ -60,10 +62,10 @@ pub fn kinetic_stress<R: Real>(volume: R, m: R, v: Vec3<R>) -> Tensor<R> {
     (v * (-m / volume)).outer(v)
 }
 
-pub(super) fn equations() -> Vec<Equation> {
+pub(crate) fn equations() -> Vec<Equation> {
     vec![
-        equation!("wear/def_virial.rs", "wear-virial", [], pair_stress),
-        equation!("wear/def_virial.rs", "wear-virial-kinetic", [], kinetic_stress),
+        equation!("mechanics/virial.rs", "wear-virial", [], pair_stress),
+        equation!("mechanics/virial.rs", "wear-virial-kinetic", [], kinetic_stress),
     ]
 }
 

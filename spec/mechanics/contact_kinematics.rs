@@ -1,10 +1,12 @@
-//! What a contact of this room sees: of two spheres, or of a sphere and a wall.
+//! The kinematics of a contact: of two spheres, or of a sphere and a wall.
 //!
-//! The one place where the convention of the crate, normals from j to i, becomes that of the paper, normals from i to j.
+//! The one place where the convention of the crate, normals from j to i, becomes that of these springs, normals from i to j.
+//!
+//! Equations and sections are numbered as in Demidov, Gor & Khalizov 2024.
 
-use super::eq03_geometry::{arm, mean_arm};
-use super::eq04_relative_velocity::at_contact;
-use super::eq09_relative_spin::{relative_spin, rolling_rate, torsion_rate};
+use super::pair_geometry::{arm, mean_arm};
+use super::relative_spin::{relative_spin, rolling_rate, torsion_rate};
+use super::relative_velocity::at_contact;
 use crate::{Contact, Real, Vec3};
 
 /// The geometry of a contact and the rates of its four springs, as the paper has them.

@@ -1,7 +1,9 @@
 //! The moments of inertia of primary particles.
+//!
+//! Equations and sections are numbered as in Demidov, Gor & Khalizov 2024.
 
 use crate::equation::Equation;
-use crate::wear::def_sphere::moment_of_inertia;
+use crate::mechanics::sphere::moment_of_inertia;
 use crate::{Real, equation};
 
 /// **Section 2.1**, unnumbered: moment of inertia of a solid primary particle.
@@ -52,10 +54,10 @@ pub fn hollow_inertia<R: Real>(m: R, r: R) -> R {
     R::lit(2.0) / R::lit(3.0) * m * r.squared()
 }
 
-pub(super) fn equations() -> Vec<Equation> {
+pub(crate) fn equations() -> Vec<Equation> {
     vec![
-        equation!("soot/def_sphere.rs", "soot-solid-inertia", [], solid_inertia),
-        equation!("soot/def_sphere.rs", "soot-hollow-inertia", [], hollow_inertia),
+        equation!("mechanics/primary_particle.rs", "soot-solid-inertia", [], solid_inertia),
+        equation!("mechanics/primary_particle.rs", "soot-hollow-inertia", [], hollow_inertia),
     ]
 }
 

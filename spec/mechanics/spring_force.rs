@@ -1,7 +1,9 @@
 //! The force of a spring and its dashpot, and what four of them do to two spheres.
+//!
+//! Equations and sections are numbered as in Demidov, Gor & Khalizov 2024.
 
-use super::def_spring::{Span, Twist};
-use super::eq03_geometry::{arm, gap, mean_arm, normal};
+use super::pair_geometry::{arm, gap, mean_arm, normal};
+use super::rotated_spring::{Span, Twist};
 use crate::equation::Equation;
 use crate::{Real, Vec3, equation};
 
@@ -123,20 +125,20 @@ pub fn turning_torque<R: Real>(n: Vec3<R>, a: R, f_r: Vec3<R>, r: R, f_o: impl T
     n.cross(f_r) * a + f_o.torque(n, r)
 }
 
-pub(super) fn equations() -> Vec<Equation> {
+pub(crate) fn equations() -> Vec<Equation> {
     vec![
-        equation!("soot/eq12_spring_force.rs", "soot-12", ["12"], spring_force),
-        equation!("soot/eq12_spring_force.rs", "soot-spring-energy", [], spring_energy),
-        equation!("soot/eq12_spring_force.rs", "soot-torques", [], contact_torques),
+        equation!("mechanics/spring_force.rs", "soot-12", ["12"], spring_force),
+        equation!("mechanics/spring_force.rs", "soot-spring-energy", [], spring_energy),
+        equation!("mechanics/spring_force.rs", "soot-torques", [], contact_torques),
     ]
 }
 
 #[cfg(test)]
 mod laws {
     use super::*;
-    use crate::soot::eq04_relative_velocity::tangential_velocity;
-    use crate::soot::eq09_relative_spin::turning_rates;
-    use crate::soot::samples::vector;
+    use crate::mechanics::relative_spin::turning_rates;
+    use crate::mechanics::relative_velocity::tangential_velocity;
+    use crate::mechanics::samples::vector;
     use proptest::prelude::*;
 
     proptest! {

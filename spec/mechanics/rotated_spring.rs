@@ -1,4 +1,6 @@
 //! A spring of a contact: it follows the pair as it turns, and stretches.
+//!
+//! Equations and sections are numbered as in Demidov, Gor & Khalizov 2024.
 
 use crate::equation::Equation;
 use crate::{Flat, Real, Vec3, equation};
@@ -143,7 +145,7 @@ pub fn rotated_spring<R: Real>(xi: Vec3<R>, n: Vec3<R>) -> Vec3<R> {
 ///
 /// Erratum: the text rotates all three springs to be orthogonal to the normal. The torsion spring lies along the normal; its projection
 /// onto the contact plane is nothing but rounding, or the way the normal turned in one step, and rescaling that to the full length makes a spring in an arbitrary direction, or none: the twist is
-/// forgotten and never resisted, and what it leaves behind bends the pair, see [`Printed`](super::law::Printed). It must stay parallel.
+/// forgotten and never resisted, and what it leaves behind bends the pair. It must stay parallel.
 /// Then only its signed length needs to be remembered, $\xi_\mathrm{o} = \boldsymbol{\xi} \cdot \mathbf{n}$, which turning leaves alone; the models do that.
 ///
 /// | name | symbol | unit | domain | meaning |
@@ -226,20 +228,20 @@ pub fn lag_limit<R: Real>(k: R, eta: R) -> R {
     eta / k
 }
 
-pub(super) fn equations() -> Vec<Equation> {
+pub(crate) fn equations() -> Vec<Equation> {
     vec![
-        equation!("soot/def_spring.rs", "soot-rotated", [], rotated_spring),
-        equation!("soot/def_spring.rs", "soot-rotated-torsion", [], rotated_torsion),
-        equation!("soot/def_spring.rs", "soot-spring", [], stretched_spring),
-        equation!("soot/def_spring.rs", "soot-lag-limit", [], lag_limit),
+        equation!("mechanics/rotated_spring.rs", "soot-rotated", [], rotated_spring),
+        equation!("mechanics/rotated_spring.rs", "soot-rotated-torsion", [], rotated_torsion),
+        equation!("mechanics/rotated_spring.rs", "soot-spring", [], stretched_spring),
+        equation!("mechanics/rotated_spring.rs", "soot-lag-limit", [], lag_limit),
     ]
 }
 
 #[cfg(test)]
 mod laws {
     use super::*;
-    use crate::soot::eq12_spring_force::force;
-    use crate::soot::samples::{rotated, unit, vector};
+    use crate::mechanics::samples::{rotated, unit, vector};
+    use crate::mechanics::spring_force::force;
     use proptest::prelude::*;
 
     proptest! {

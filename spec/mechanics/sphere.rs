@@ -1,4 +1,6 @@
 //! The masses of a solid sphere.
+//!
+//! Equations and sections are numbered as in Pham-Ba & Molinari 2022.
 
 use crate::equation::Equation;
 use crate::{Real, equation};
@@ -77,18 +79,18 @@ pub fn sliding_mass<R: Real>(m_eff: R) -> R {
     R::lit(2.0) / R::lit(7.0) * m_eff
 }
 
-pub(super) fn equations() -> Vec<Equation> {
+pub(crate) fn equations() -> Vec<Equation> {
     vec![
-        equation!("wear/def_sphere.rs", "wear-sphere-mass", [], sphere_mass),
-        equation!("wear/def_sphere.rs", "wear-inertia", [], moment_of_inertia),
-        equation!("wear/def_sphere.rs", "wear-sliding-mass", [], sliding_mass),
+        equation!("mechanics/sphere.rs", "wear-sphere-mass", [], sphere_mass),
+        equation!("mechanics/sphere.rs", "wear-inertia", [], moment_of_inertia),
+        equation!("mechanics/sphere.rs", "wear-sliding-mass", [], sliding_mass),
     ]
 }
 
 #[cfg(test)]
 mod laws {
     use super::*;
-    use crate::wear::eq17_effective_mass::effective_mass;
+    use crate::mechanics::reduced_mass::effective_mass;
     use approx::relative_eq;
     use proptest::prelude::*;
 

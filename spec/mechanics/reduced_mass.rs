@@ -1,4 +1,6 @@
 //! The mass that oscillates in a pair.
+//!
+//! Equations and sections are numbered as in Pham-Ba & Molinari 2022.
 
 use crate::equation::Equation;
 use crate::{Real, equation};
@@ -31,8 +33,8 @@ pub fn effective_mass<R: Real>(m_i: R, m_j: R) -> R {
     m_i * m_j / (m_i + m_j)
 }
 
-pub(super) fn equations() -> Vec<Equation> {
-    vec![equation!("wear/eq17_effective_mass.rs", "wear-17", ["17"], effective_mass)]
+pub(crate) fn equations() -> Vec<Equation> {
+    vec![equation!("mechanics/reduced_mass.rs", "wear-17", ["17"], effective_mass)]
 }
 
 #[cfg(test)]

@@ -1,7 +1,9 @@
 //! Inertia of a rigid aggregate.
+//!
+//! Equations and sections are numbered as in Laube et al. 2018.
 
 use crate::equation::Equation;
-use crate::wear::def_sphere::moment_of_inertia;
+use crate::mechanics::sphere::moment_of_inertia;
 use crate::{Real, Tensor, Vec3, equation};
 
 /// **Section 5.3**, unnumbered: what a sphere adds to the inertia tensor of its aggregate.
@@ -41,8 +43,8 @@ pub fn member_inertia<R: Real>(m: R, r: R, x: Vec3<R>) -> Tensor<R> {
     ]
 }
 
-pub(super) fn equations() -> Vec<Equation> {
-    vec![equation!("titania/def_inertia.rs", "titania-inertia", [], member_inertia)]
+pub(crate) fn equations() -> Vec<Equation> {
+    vec![equation!("mechanics/body_inertia.rs", "titania-inertia", [], member_inertia)]
 }
 
 #[cfg(test)]

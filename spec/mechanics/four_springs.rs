@@ -1,9 +1,11 @@
 //! Four springs at work: what holds two spheres together, or rubs them against each other.
+//!
+//! Equations and sections are numbered as in Demidov, Gor & Khalizov 2024.
 
-use super::def_meeting::Meeting;
-use super::def_spring::{Span, Twist, rotated_spring, stretched};
-use super::eq12_spring_force::{energy, force, turning_torque};
-use super::eq13_friction::{dynamic_friction, rubbed, static_friction};
+use super::contact_kinematics::Meeting;
+use super::friction::{dynamic_friction, rubbed, static_friction};
+use super::rotated_spring::{Span, Twist, rotated_spring, stretched};
+use super::spring_force::{energy, force, turning_torque};
 use crate::{Flat, Outcome, Real, Vec3, Wrench, flat_struct};
 
 flat_struct! {
@@ -273,6 +275,6 @@ impl<R: Real> Springs<R> {
 
 /// The mask that is true nowhere: no neck.
 #[inline(always)]
-pub(super) fn never<R: Real>() -> R::Mask {
+pub(crate) fn never<R: Real>() -> R::Mask {
     R::one().lt(R::zero())
 }

@@ -1,6 +1,8 @@
 //! How two surfaces move over each other.
+//!
+//! Equations and sections are numbered as in Demidov, Gor & Khalizov 2024.
 
-use super::eq03_geometry::{arm, gap, normal};
+use super::pair_geometry::{arm, gap, normal};
 use crate::equation::Equation;
 use crate::{Real, Vec3, equation};
 
@@ -142,18 +144,18 @@ pub fn tangential_velocity<R: Real>(
     relative_velocity(x_i, x_j, v_i, v_j, omega_i, omega_j, r_i, r_j).perpendicular_to(normal(x_i, x_j))
 }
 
-pub(super) fn equations() -> Vec<Equation> {
+pub(crate) fn equations() -> Vec<Equation> {
     vec![
-        equation!("soot/eq04_relative_velocity.rs", "soot-4", ["4"], relative_velocity),
-        equation!("soot/eq04_relative_velocity.rs", "soot-7", ["7"], normal_velocity),
-        equation!("soot/eq04_relative_velocity.rs", "soot-8", ["8"], tangential_velocity),
+        equation!("mechanics/relative_velocity.rs", "soot-4", ["4"], relative_velocity),
+        equation!("mechanics/relative_velocity.rs", "soot-7", ["7"], normal_velocity),
+        equation!("mechanics/relative_velocity.rs", "soot-8", ["8"], tangential_velocity),
     ]
 }
 
 #[cfg(test)]
 mod laws {
     use super::*;
-    use crate::soot::samples::vector;
+    use crate::mechanics::samples::vector;
     use proptest::prelude::*;
 
     proptest! {

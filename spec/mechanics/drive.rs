@@ -1,5 +1,8 @@
 //! What drives and what brakes a simulation.
+//!
+//! Equations and sections are numbered as in Laube et al. 2018.
 
+use super::drag::global_damping;
 use crate::equation::Equation;
 use crate::{Real, Vec3, equation, piecewise};
 
@@ -81,14 +84,14 @@ pub fn steering<R: Real>(k: R, z: R, z_0: R, v: R, t: R) -> R {
 /// * `drag_takes_power`
 #[inline(always)]
 pub fn drag<R: Real>(eta: R, v: Vec3<R>) -> Vec3<R> {
-    v * -eta
+    global_damping(eta, v)
 }
 
-pub(super) fn equations() -> Vec<Equation> {
+pub(crate) fn equations() -> Vec<Equation> {
     vec![
-        equation!("titania/def_drive.rs", "titania-tip-linear", [], tip),
-        equation!("titania/def_drive.rs", "titania-harmonic", [], steering),
-        equation!("titania/def_drive.rs", "titania-viscous", [], drag),
+        equation!("mechanics/drive.rs", "titania-tip-linear", [], tip),
+        equation!("mechanics/drive.rs", "titania-harmonic", [], steering),
+        equation!("mechanics/drive.rs", "titania-viscous", [], drag),
     ]
 }
 

@@ -1,4 +1,6 @@
-//! The sizes of the particles of an amorphous sample.
+//! Log-normal sizes between two bounds.
+//!
+//! Equations and sections are numbered as in Pham-Ba & Molinari 2022.
 
 use crate::equation::Equation;
 use crate::{Real, equation};
@@ -105,10 +107,10 @@ fn beyond_the_middle<R: Real>(z: R) -> R {
     z * sum * (R::lit(-0.5) * square).exp() / (R::lit(2.0) * R::pi()).sqrt()
 }
 
-pub(super) fn equations() -> Vec<Equation> {
+pub(crate) fn equations() -> Vec<Equation> {
     vec![
-        equation!("wear/def_lognormal.rs", "wear-lognormal", [], lognormal),
-        equation!("wear/def_lognormal.rs", "wear-lognormal-truncated", [], truncated_moments),
+        equation!("mechanics/truncated_lognormal.rs", "wear-lognormal", [], lognormal),
+        equation!("mechanics/truncated_lognormal.rs", "wear-lognormal-truncated", [], truncated_moments),
     ]
 }
 

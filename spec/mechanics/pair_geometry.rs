@@ -1,4 +1,6 @@
 //! Where two spheres are, seen from each other.
+//!
+//! Equations and sections are numbered as in Demidov, Gor & Khalizov 2024.
 
 use crate::equation::Equation;
 use crate::{Real, Vec3, equation};
@@ -12,7 +14,7 @@ use crate::{Real, Vec3, equation};
 /// # Reading
 ///
 /// From i to j: the opposite of the normal of a [`Contact`](crate::Contact). All equations of this room are in the convention of
-/// the paper; [`Meeting`](super::def_meeting::Meeting) is the one place where one is turned into the other.
+/// the paper; [`Meeting`](super::contact_kinematics::Meeting) is the one place where one is turned into the other.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -115,20 +117,20 @@ pub fn mean_arm<R: Real>(a_i: R, a_j: R) -> R {
     R::lit(2.0) * a_i * a_j / (a_i + a_j)
 }
 
-pub(super) fn equations() -> Vec<Equation> {
+pub(crate) fn equations() -> Vec<Equation> {
     vec![
-        equation!("soot/eq03_geometry.rs", "soot-3", ["3"], normal),
-        equation!("soot/eq03_geometry.rs", "soot-5", ["5"], arm),
-        equation!("soot/eq03_geometry.rs", "soot-6", ["6"], gap),
-        equation!("soot/eq03_geometry.rs", "soot-mean-arm", [], mean_arm),
+        equation!("mechanics/pair_geometry.rs", "soot-3", ["3"], normal),
+        equation!("mechanics/pair_geometry.rs", "soot-5", ["5"], arm),
+        equation!("mechanics/pair_geometry.rs", "soot-6", ["6"], gap),
+        equation!("mechanics/pair_geometry.rs", "soot-mean-arm", [], mean_arm),
     ]
 }
 
 #[cfg(test)]
 mod laws {
     use super::*;
-    use crate::soot::eq04_relative_velocity::normal_velocity;
-    use crate::soot::samples::vector;
+    use crate::mechanics::relative_velocity::normal_velocity;
+    use crate::mechanics::samples::vector;
     use proptest::prelude::*;
 
     proptest! {

@@ -1,4 +1,6 @@
-//! How full a box is.
+//! Volume fraction and mass of a packing.
+//!
+//! Equations and sections are numbered as in Pham-Ba & Molinari 2022.
 
 use crate::equation::Equation;
 use crate::{Real, equation};
@@ -53,17 +55,17 @@ pub fn mass_factor<R: Real>(rho: R, volume: R, sum_m: R) -> R {
     rho * volume / sum_m
 }
 
-pub(super) fn equations() -> Vec<Equation> {
+pub(crate) fn equations() -> Vec<Equation> {
     vec![
-        equation!("wear/def_box.rs", "wear-volume-fraction", [], volume_fraction),
-        equation!("wear/def_box.rs", "wear-mass-factor", [], mass_factor),
+        equation!("mechanics/packing.rs", "wear-volume-fraction", [], volume_fraction),
+        equation!("mechanics/packing.rs", "wear-mass-factor", [], mass_factor),
     ]
 }
 
 #[cfg(test)]
 mod laws {
     use super::*;
-    use crate::wear::def_sphere::sphere_mass;
+    use crate::mechanics::sphere::sphere_mass;
     use approx::relative_eq;
     use proptest::prelude::*;
 

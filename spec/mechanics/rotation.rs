@@ -2,6 +2,8 @@
 //!
 //! The orientation is a unit quaternion $(q_0, \mathbf{q})$ that takes the frame of the body, along its principal axes, to that of space;
 //! the state of motion is the angular momentum $\mathbf{L}$ in the frame of the body.
+//!
+//! Equations and sections are numbered as in Laube et al. 2018.
 
 use crate::equation::Equation;
 use crate::{Real, Vec3, equation};
@@ -102,10 +104,10 @@ pub fn to_space<R: Real>(q_0: R, q: Vec3<R>, v: Vec3<R>) -> Vec3<R> {
     v + across * (two * q_0) + q.cross(across) * two
 }
 
-pub(super) fn equations() -> Vec<Equation> {
+pub(crate) fn equations() -> Vec<Equation> {
     vec![
-        equation!("titania/def_rotation.rs", "titania-free-rotation", [], free_rotation),
-        equation!("titania/def_rotation.rs", "titania-to-space", [], to_space),
+        equation!("mechanics/rotation.rs", "titania-free-rotation", [], free_rotation),
+        equation!("mechanics/rotation.rs", "titania-to-space", [], to_space),
     ]
 }
 

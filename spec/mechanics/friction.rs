@@ -1,7 +1,9 @@
 //! Coulomb's friction of a spring: what it holds, when it slips, where it is then.
+//!
+//! Equations and sections are numbered as in Demidov, Gor & Khalizov 2024.
 
-use super::def_spring::Span;
-use super::eq12_spring_force::force;
+use super::rotated_spring::Span;
+use super::spring_force::force;
 use crate::equation::Equation;
 use crate::{Real, Vec3, equation};
 
@@ -160,7 +162,7 @@ fn slipped<R: Real, S: Span<R>>(k: R, eta: R, applied: S, xi_dot: S) -> S {
 ///
 /// # Reading
 ///
-/// The spring comes incremented, see [`stretched_spring`](super::def_spring::stretched_spring).
+/// The spring comes incremented, see [`stretched_spring`](super::rotated_spring::stretched_spring).
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -209,22 +211,22 @@ pub fn rubbed<R: Real, S: Span<R>>(k: R, eta: R, xi: S, xi_dot: S, holds: R::Mas
     (f, S::select(holds, xi, slipped(k, eta, f, xi_dot)))
 }
 
-pub(super) fn equations() -> Vec<Equation> {
+pub(crate) fn equations() -> Vec<Equation> {
     vec![
-        equation!("soot/eq13_friction.rs", "soot-13", ["13"], is_static),
-        equation!("soot/eq13_friction.rs", "soot-14", ["14"], is_dynamic),
-        equation!("soot/eq13_friction.rs", "soot-15", ["15"], static_friction),
-        equation!("soot/eq13_friction.rs", "soot-16", ["16"], dynamic_friction),
-        equation!("soot/eq13_friction.rs", "soot-17", ["17"], slipped_spring),
-        equation!("soot/eq13_friction.rs", "soot-friction", [], spring_with_friction),
+        equation!("mechanics/friction.rs", "soot-13", ["13"], is_static),
+        equation!("mechanics/friction.rs", "soot-14", ["14"], is_dynamic),
+        equation!("mechanics/friction.rs", "soot-15", ["15"], static_friction),
+        equation!("mechanics/friction.rs", "soot-16", ["16"], dynamic_friction),
+        equation!("mechanics/friction.rs", "soot-17", ["17"], slipped_spring),
+        equation!("mechanics/friction.rs", "soot-friction", [], spring_with_friction),
     ]
 }
 
 #[cfg(test)]
 mod laws {
     use super::*;
-    use crate::soot::eq12_spring_force::spring_force;
-    use crate::soot::samples::vector;
+    use crate::mechanics::samples::vector;
+    use crate::mechanics::spring_force::spring_force;
     use proptest::prelude::*;
 
     proptest! {

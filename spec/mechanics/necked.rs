@@ -1,15 +1,15 @@
-//! Necks in another paper's model: spheres that necks join, under a contact law for all others.
+//! Necks in any model: spheres that necks join, under a contact law for all others.
 //!
-//! **Reference.** The titania paper asks for it (Laube et al. 2018, Sections 4.2 and 4.5: its rigid aggregates should bend and break);
-//! the neck is that of the soot paper (Demidov, Gor & Khalizov 2024, Section 2.1.1). Nothing here is an equation of its own.
+//! **Reference.** Laube et al. 2018, Sections 4.2 and 4.5, ask for it: rigid aggregates should bend and break. The neck is that of
+//! Demidov, Gor & Khalizov 2024, Section 2.1.1. Nothing here is an equation of its own.
 //!
 //! **Reading.** A pair that a neck joins is held by the four springs of the neck and by nothing else: the material between the two
 //! particles leaves no room for a water layer. A pair without a neck, or whose neck has broken, obeys the contact law, with springs that
 //! begin relaxed. A neck joins the particles proper, which touch when they are at rest: their spheres are smaller than those of the
 //! contact law by the thickness by which the latter overlap then.
 
-use crate::soot::def_grip::{Friction, Memory, Springs};
-use crate::soot::def_meeting::Meeting;
+use super::contact_kinematics::Meeting;
+use super::four_springs::{Friction, Memory, Springs};
 use crate::{Contact, Flat, Outcome, PairModel, Real, Vec3, Wrench, flat_struct};
 
 flat_struct! {
@@ -140,22 +140,82 @@ impl<M: PairModel> PairModel for Necked<M> {
 #[cfg(test)]
 mod laws {
     use super::*;
+    use crate::mechanics::projected_spring::{spring_energy, stretched_spring};
+    use crate::mechanics::reduced_mass::effective_mass;
+    use crate::mechanics::stable_step::stable_time_step;
     use crate::numbers::{Dual, Lanes};
-    use crate::titania::Titania;
     use proptest::prelude::*;
+
+    flat_struct! {
+        /// Energies of the contact law.
+        pub struct Energies {
+            /// Along the normal.
+            pub normal,
+            /// Across it.
+            pub tangential,
+        }
+    }
+
+    /// A contact law: spheres that overlap repel, damped, and a spring holds them against sliding.
+    #[derive(Clone, Copy)]
+    struct Law {
+        k_n: f64,
+        k_t: f64,
+        eta: f64,
+    }
+
+    impl PairModel for Law {
+        /// The mass that oscillates.
+        type Coefficients<R: Real> = R;
+        type Memory<R: Real> = Vec3<R>;
+        type Losses<R: Real> = Energies<R>;
+        type Stored<R: Real> = Energies<R>;
+
+        fn coefficients<R: Real>(&self, _: R, _: R, m_i: R, m_j: R) -> R {
+            effective_mass(m_i, m_j)
+        }
+
+        fn range(&self, r_i: f64, r_j: f64) -> f64 {
+            r_i + r_j
+        }
+
+        fn pair<R: Real>(&self, c: &Contact<R>, _: &R, xi: Vec3<R>, dt: R) -> Outcome<R, Vec3<R>, Energies<R>> {
+            let touches = c.gap.lt(R::zero());
+            let damping = -(R::lit(self.eta) * c.normal_velocity());
+            let stretched = stretched_spring(xi, c.n, c.sliding_velocity(c.r_i, c.r_j), dt);
+            let memory = Vec3::select(touches, stretched, Vec3::zero());
+            let (normal, across) =
+                (R::select(touches, damping - R::lit(self.k_n) * c.gap, R::zero()), -(memory * R::lit(self.k_t)));
+            let heat = R::select(touches, -(damping * c.normal_velocity() * dt), R::zero());
+            let couple = across.cross(c.n);
+            Outcome {
+                wrench: Wrench { force: c.n * normal + across, torque_i: couple * c.r_i, torque_j: couple * c.r_j },
+                memory,
+                losses: Energies { normal: heat, tangential: R::zero() },
+            }
+        }
+
+        fn stored<R: Real>(&self, c: &Contact<R>, _: &R, xi: &Vec3<R>) -> Energies<R> {
+            let overlap = (-c.gap).max(R::zero());
+            let normal = R::lit(0.5 * self.k_n) * overlap.squared();
+            Energies { normal, tangential: spring_energy(R::lit(self.k_t), *xi) }
+        }
+
+        fn critical_time_step(&self, _: f64, m: f64) -> f64 {
+            stable_time_step(0.5 * m, self.k_n, self.eta)
+        }
+    }
 
     const LAYER: f64 = 0.075;
 
-    fn model() -> Necked<Titania> {
-        let law = Titania::paper(1.0, 1.0, 1.0);
+    fn model() -> Necked<Law> {
         let neck =
             Springs { k_n: 80.0, k_t: 31.0, k_r: 12.0, k_o: 5.0, eta_n: 0.1, eta_t: 0.2, eta_r: 0.3, eta_o: 0.4 };
-        Necked { law, neck, layer: LAYER }
+        Necked { law: Law { k_n: 200.0, k_t: 90.0, eta: 0.5 }, neck, layer: LAYER }
     }
 
     fn radii() -> (f64, f64) {
-        let law = Titania::paper(1.0, 1.0, 1.0);
-        (law.contact_radius(8.0), law.contact_radius(12.0))
+        (4.0 + LAYER, 6.0 + LAYER)
     }
 
     /// Two particles of 8 and 12 nm, so far beyond their distance at rest.
@@ -165,7 +225,7 @@ mod laws {
         Contact::new(x, of(v), of(w), -of(w) * R::lit(0.3), R::lit(r_i), R::lit(r_j))
     }
 
-    fn constants<R: Real>(model: &Necked<Titania>) -> (<Necked<Titania> as PairModel>::Coefficients<R>, R) {
+    fn constants<R: Real>(model: &Necked<Law>) -> (<Necked<Law> as PairModel>::Coefficients<R>, R) {
         let (r_i, r_j) = radii();
         (model.coefficients(R::lit(r_i), R::lit(r_j), R::lit(1.0), R::lit(2.0)), R::lit(1e-3))
     }
@@ -192,7 +252,7 @@ mod laws {
             prop_assert!((found.wrench.force - Vec3([-80.0 * beyond, 0.0, 0.0])).norm() < 1e-11);
             prop_assert_eq!(found.memory, (Vec3::zero(), Memory::zero()));
             let held = model.stored(&c, &model.joined(k), &found.memory);
-            prop_assert_eq!((held.0.repulsion, held.0.attraction, held.0.tangential), (0.0, 0.0, 0.0));
+            prop_assert_eq!((held.0.normal, held.0.tangential), (0.0, 0.0));
             prop_assert!((held.1.neck_normal - 40.0 * beyond * beyond).abs() < 1e-11);
         }
 
