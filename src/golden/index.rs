@@ -109,9 +109,12 @@ fn mentions(source: &str, function: &str) -> bool {
         line.match_indices(function).any(|(at, _)| {
             let (before, after) = (&line[..at], &line[at + function.len()..]);
             let called = after.starts_with('(') || after.starts_with("::<");
-            let whole = !before.ends_with(is_name) && !after.starts_with(is_name);
+            // a module may have the name of its function
+            let whole =
+                !before.ends_with(is_name) && !after.starts_with(is_name) && (called || !after.starts_with("::"));
             whole && (before.ends_with("::") || called && !before.ends_with('.') && !before.ends_with("fn "))
         })
     };
-    source.lines().filter(|line| !line.trim_start().starts_with("//")).any(used)
+    let is_use = |line: &&str| !["//", "pub use "].iter().any(|begin| line.trim_start().starts_with(begin));
+    source.lines().filter(is_use).any(used)
 }
