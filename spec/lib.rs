@@ -9,8 +9,8 @@ extern crate self as veridem_spec;
 pub mod contact;
 pub mod document;
 pub mod equation;
+pub mod mechanics;
 pub mod model;
-pub mod necked;
 pub mod numbers;
 pub mod real;
 pub mod soot;
@@ -21,14 +21,14 @@ pub mod wear;
 
 pub use contact::Contact;
 use equation::{Equation, Paper};
+pub use mechanics::necked::{self, Necked};
 pub use model::{Flat, Named, Outcome, PairModel, Touch, Wrench};
-pub use necked::Necked;
 pub use real::{Real, piecewise};
 pub use vec3::{Tensor, Vec3};
 
-/// The papers.
+/// The papers, and what none of them owns.
 pub fn papers() -> Vec<Paper> {
-    vec![titania::paper(), wear::paper(), soot::paper()]
+    vec![mechanics::paper(), titania::paper(), wear::paper(), soot::paper()]
 }
 
 /// Every equation of every paper.

@@ -190,7 +190,7 @@ pub(super) fn equations() -> Vec<Equation> {
 #[cfg(test)]
 mod laws {
     use super::*;
-    use crate::soot::samples::{rotated, unit, vector};
+    use crate::mechanics::samples::{rotated, unit, vector};
     use proptest::prelude::*;
 
     const DT: f64 = 0.05;

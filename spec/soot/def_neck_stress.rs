@@ -45,8 +45,8 @@ pub(super) fn equations() -> Vec<Equation> {
 
 #[cfg(test)]
 mod laws {
-    use super::super::samples::{unit, vector};
     use super::*;
+    use crate::mechanics::samples::{unit, vector};
     use proptest::prelude::*;
 
     /// Rings and sectors of the section.

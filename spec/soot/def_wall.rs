@@ -95,9 +95,9 @@ pub(super) fn equations() -> Vec<Equation> {
 #[cfg(test)]
 mod laws {
     use super::*;
-    use crate::soot::def_integrators::half_step;
-    use crate::soot::def_sphere::solid_inertia;
-    use crate::soot::samples::{unit, vector};
+    use crate::mechanics::primary_particle::solid_inertia;
+    use crate::mechanics::samples::{unit, vector};
+    use crate::mechanics::verlet::half_step;
     use proptest::prelude::*;
 
     const NONE: Vec3<f64> = Vec3([0.0; 3]);

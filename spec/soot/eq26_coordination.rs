@@ -69,7 +69,7 @@ pub(super) fn equations() -> Vec<Equation> {
 #[cfg(test)]
 mod laws {
     use super::*;
-    use crate::soot::samples::{unit, vector};
+    use crate::mechanics::samples::{unit, vector};
     use proptest::prelude::*;
 
     proptest! {

@@ -3,8 +3,8 @@
 use super::def_radius::effective_radius;
 use super::eq07_damping_coefficient::damping_coefficient;
 use crate::equation::Equation;
-use crate::wear::def_sphere::sphere_mass;
-use crate::wear::eq17_effective_mass::effective_mass;
+use crate::mechanics::reduced_mass::effective_mass;
+use crate::mechanics::sphere::sphere_mass;
 use crate::{Real, equation};
 
 /// **Section 2.2**, unnumbered: equilibrium under a constant attraction, linearised.

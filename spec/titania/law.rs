@@ -15,10 +15,10 @@ use super::eq11_contact_area::section;
 use super::eq12_sliding::{Slip, sliding_spring, spring_energy};
 use super::eq13_rolling::{Rolling, rolling_torque};
 use super::table::Table;
-use crate::wear::def_sphere::moment_of_inertia;
-use crate::wear::def_spring::stretched_spring;
-use crate::wear::def_stable_step::stable_time_step;
-use crate::wear::eq17_effective_mass::effective_mass;
+use crate::mechanics::projected_spring::stretched_spring;
+use crate::mechanics::reduced_mass::effective_mass;
+use crate::mechanics::sphere::moment_of_inertia;
+use crate::mechanics::stable_step::stable_time_step;
 use crate::{Contact, Outcome, PairModel, Real, Vec3, Wrench, flat_struct};
 
 /// What wets the particles.

@@ -25,18 +25,11 @@
 
 pub mod attraction;
 pub mod def_aggregate;
-pub mod def_body;
-pub mod def_capacity;
 pub mod def_capillary;
-pub mod def_diffusion;
-pub mod def_drive;
-pub mod def_inertia;
-pub mod def_lognormal;
 pub mod def_meniscus;
 pub mod def_radius;
 pub mod def_rayleigh;
 pub mod def_relaxation;
-pub mod def_rotation;
 pub mod def_water;
 pub mod eq01_total_force;
 pub mod eq02_torque;
@@ -55,6 +48,14 @@ pub mod eq14_friction_factor;
 pub mod law;
 pub mod table;
 pub mod tabulated;
+
+pub use crate::mechanics::body as def_body;
+pub use crate::mechanics::body_inertia as def_inertia;
+pub use crate::mechanics::capacity as def_capacity;
+pub use crate::mechanics::diffusion as def_diffusion;
+pub use crate::mechanics::discretised_lognormal as def_lognormal;
+pub use crate::mechanics::drive as def_drive;
+pub use crate::mechanics::rotation as def_rotation;
 
 pub use attraction::Attraction;
 pub use law::{Act, Coefficients, Held, Liquid, Lost, Parameters, Titania};

@@ -77,7 +77,7 @@ pub(super) fn equations() -> Vec<Equation> {
     vec![
         equation!("wear/a01_pair_motion.rs", "wear-A1", ["A1"], pair_accelerations),
         equation!("wear/a01_pair_motion.rs", "wear-A2", ["A2"], relative_acceleration),
-        equation!("wear/eq17_effective_mass.rs", "wear-A3", ["A3"], effective_mass),
+        equation!("mechanics/reduced_mass.rs", "wear-A3", ["A3"], effective_mass),
     ]
 }
 

@@ -44,10 +44,10 @@ pub(super) fn equations() -> Vec<Equation> {
 #[cfg(test)]
 mod laws {
     use super::*;
+    use crate::mechanics::reduced_mass::effective_mass;
     use crate::wear::a04_time_step::kick_and_drift;
     use crate::wear::a06_energy::pair_energy;
     use crate::wear::a07_scaled_variables::scaled_time_step;
-    use crate::wear::eq17_effective_mass::effective_mass;
     use approx::assert_relative_eq;
     use proptest::prelude::*;
 

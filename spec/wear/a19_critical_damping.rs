@@ -37,7 +37,7 @@ pub(super) fn equations() -> Vec<Equation> {
 #[cfg(test)]
 mod laws {
     use super::*;
-    use crate::wear::eq17_effective_mass::effective_mass;
+    use crate::mechanics::reduced_mass::effective_mass;
     use crate::wear::eq21_critical_damping::critical_damping;
     use approx::{assert_abs_diff_eq, assert_relative_eq};
     use proptest::prelude::*;

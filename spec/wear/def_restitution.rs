@@ -112,8 +112,8 @@ pub(super) fn equations() -> Vec<Equation> {
 #[cfg(test)]
 mod laws {
     use super::*;
+    use crate::mechanics::reduced_mass::effective_mass;
     use crate::wear::eq12_normal_damping::normal_damping;
-    use crate::wear::eq17_effective_mass::effective_mass;
     use approx::relative_eq;
     use proptest::prelude::*;
 

@@ -3,6 +3,8 @@
 use crate::equation::Equation;
 use crate::{Real, equation};
 
+pub use crate::mechanics::stable_step::stable_time_step;
+
 /// **Appendix A.1**, unnumbered: stable time steps of a damped pair, as a fraction of Eq. 6.
 ///
 /// ```math
@@ -24,6 +26,7 @@ use crate::{Real, equation};
 /// # Laws
 ///
 /// * `no_damping_no_reduction`
+/// * `is_the_damped_fraction_of_eq_6`
 #[inline(always)]
 pub fn damped_limit<R: Real>(zeta: R) -> R {
     R::one() / ((R::one() + zeta.squared()).sqrt() + zeta)
@@ -50,71 +53,31 @@ pub fn damped_limit<R: Real>(zeta: R) -> R {
 /// # Laws
 ///
 /// * `tighter_than_eq_6_below_one_sixth`
+/// * `is_the_sliding_fraction_of_eq_6`
 #[inline(always)]
 pub fn sliding_limit<R: Real>(nu: R) -> (R, R) {
     let k_ratio = (R::one() - R::lit(4.0) * nu) / (R::one() + nu);
     (R::one() / (R::lit(3.5) * k_ratio).sqrt(), k_ratio)
 }
 
-/// **Appendix A.1**, unnumbered: largest stable time step of a mass on a spring and a dashpot.
-///
-/// ```math
-/// \Delta t_{\max} = \frac{2}{\sqrt{k/m + (c/2m)^2} + c/2m}
-/// ```
-///
-/// # Reading
-///
-/// The general limit of Eq. 1, of which the two above are fractions: with $m = m_{\mathrm{eff}}$ it is
-/// $\Delta t_c (\sqrt{1 + \zeta^2} - \zeta)$, with $\tfrac{2}{7} m_{\mathrm{eff}}$ and the tangential spring it is the limit of sliding.
-/// Written so that a missing spring or dashpot needs no exception.
-///
-/// | name | symbol | unit | domain | meaning |
-/// |---|---|---|---|---|
-/// | `m` | $m$ | kg | > 0 | mass |
-/// | `k` | $k$ | N/m | >= 0 | stiffness |
-/// | `c` | $c$ | kg/s | >= 0 | damping factor |
-/// | → `dt_max` | $\Delta t_{\max}$ | s | | largest stable time step |
-///
-/// Rounding: at most 1 ULP.
-///
-/// # Laws
-///
-/// * `is_the_damped_fraction_of_eq_6`
-/// * `is_the_sliding_fraction_of_eq_6`
-/// * `there_the_spectral_radius_of_the_step_crosses_one`
-#[inline(always)]
-pub fn stable_time_step<R: Real>(m: R, k: R, c: R) -> R {
-    let rate = R::lit(0.5) * c / m;
-    R::lit(2.0) / ((k / m + rate.squared()).sqrt() + rate)
-}
-
 pub(super) fn equations() -> Vec<Equation> {
     vec![
         equation!("wear/def_stable_step.rs", "wear-dtlim-damped", [], damped_limit),
         equation!("wear/def_stable_step.rs", "wear-dtlim-tang", [], sliding_limit),
-        equation!("wear/def_stable_step.rs", "wear-dtlim", [], stable_time_step),
     ]
 }
 
 #[cfg(test)]
 mod laws {
     use super::*;
-    use crate::wear::amplification::spectral_radius;
+    use crate::mechanics::reduced_mass::effective_mass;
+    use crate::mechanics::sphere::sliding_mass;
     use crate::wear::def_restitution::damping_ratio_of;
-    use crate::wear::def_sphere::sliding_mass;
     use crate::wear::eq06_critical_time_step::critical_time_step;
-    use crate::wear::eq17_effective_mass::effective_mass;
     use approx::relative_eq;
     use proptest::prelude::*;
 
     proptest! {
-        #[test]
-        fn there_the_spectral_radius_of_the_step_crosses_one(m in 0.1..10.0, k in 0.1..10.0, c in 0.0..10.0) {
-            let dt = stable_time_step(m, k, c);
-            prop_assert!(spectral_radius(m, k, c, 0.999 * dt) <= 1.0 + 1e-10);
-            prop_assert!(spectral_radius(m, k, c, 1.001 * dt) > 1.0 + 1e-4);
-        }
-
         #[test]
         fn is_the_damped_fraction_of_eq_6(m in 0.1..10.0, k in 0.1..10.0, c in 0.0..10.0) {
             let m_eff = effective_mass(m, m);

@@ -3,6 +3,8 @@
 use crate::equation::Equation;
 use crate::{Real, Vec3, equation};
 
+pub use crate::mechanics::kick_and_drift::{drift, kick};
+
 /// **Eq. 1**, Section 2: one step of the symplectic Euler method for a particle.
 ///
 /// ```math
@@ -14,7 +16,7 @@ use crate::{Real, Vec3, equation};
 /// # Reading
 ///
 /// Erratum: the third line lacks the moment of inertia, a torque times a time is no angular velocity. It is
-/// $\boldsymbol{\omega}_{n+1} = \boldsymbol{\omega}_n + (\mathbf{T}_n / I) \Delta t$ with [`moment_of_inertia`](super::def_sphere::moment_of_inertia).
+/// $\boldsymbol{\omega}_{n+1} = \boldsymbol{\omega}_n + (\mathbf{T}_n / I) \Delta t$ with [`moment_of_inertia`](crate::mechanics::sphere::moment_of_inertia).
 /// Force and torque are those at the positions and velocities of step `n`, dashpots included.
 ///
 /// | name | symbol | unit | domain | meaning |
@@ -55,19 +57,6 @@ pub fn symplectic_euler<R: Real>(
 ) -> (Vec3<R>, Vec3<R>, Vec3<R>) {
     let v = kick(v, force, m, dt);
     (v, drift(x, v, dt), kick(omega, torque, i, dt))
-}
-
-/// The first and the third line of Eq. 1: the velocity (or the angular velocity) after a force (a torque) acted on
-/// a mass (a moment of inertia) for a time step.
-#[inline(always)]
-pub fn kick<R: Real>(v: Vec3<R>, force: Vec3<R>, m: R, dt: R) -> Vec3<R> {
-    v + force * (dt / m)
-}
-
-/// The second line of Eq. 1: the position after a time step at the new velocity.
-#[inline(always)]
-pub fn drift<R: Real>(x: Vec3<R>, v: Vec3<R>, dt: R) -> Vec3<R> {
-    x + v * dt
 }
 
 pub(super) fn equations() -> Vec<Equation> {

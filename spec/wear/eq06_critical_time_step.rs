@@ -46,10 +46,10 @@ pub(super) fn equations() -> Vec<Equation> {
 mod laws {
     use super::*;
     use crate::Vec3;
-    use crate::wear::amplification::spectral_radius;
+    use crate::mechanics::amplification::spectral_radius;
+    use crate::mechanics::reduced_mass::effective_mass;
     use crate::wear::eq01_symplectic_euler::symplectic_euler;
     use crate::wear::eq03_normal_force::normal_force;
-    use crate::wear::eq17_effective_mass::effective_mass;
     use approx::relative_eq;
     use proptest::prelude::*;
 

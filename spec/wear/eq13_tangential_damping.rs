@@ -69,8 +69,8 @@ pub(super) fn equations() -> Vec<Equation> {
 #[cfg(test)]
 mod laws {
     use super::*;
+    use crate::mechanics::sphere::sliding_mass;
     use crate::wear::def_restitution::damping_ratio_of;
-    use crate::wear::def_sphere::sliding_mass;
     use approx::relative_eq;
     use proptest::prelude::*;
 

@@ -1,7 +1,9 @@
 //! Critical damping: of a pair by its dashpot, and by a drag.
 
 use crate::equation::Equation;
-use crate::{Real, Vec3, equation};
+use crate::{Real, equation};
+
+pub use crate::mechanics::drag::global_damping;
 
 /// **Eq. 21**, Section 3: critical damping of a system of two equal particles.
 ///
@@ -57,45 +59,18 @@ pub fn critical_drag<R: Real>(k_n: R, m: R) -> R {
     R::lit(2.0) * critical_damping(k_n, m)
 }
 
-/// **Section 3**, unnumbered: global damping, a drag on every particle.
-///
-/// ```math
-/// \mathbf{F} = -c \mathbf{v}
-/// ```
-///
-/// # Reading
-///
-/// As printed.
-///
-/// | name | symbol | unit | domain | meaning |
-/// |---|---|---|---|---|
-/// | `c` | $c$ | kg/s | >= 0 | coefficient of the drag |
-/// | `v` | $\mathbf{v}$ | m/s (3) | any | velocity |
-/// | → `force` | $\mathbf{F}$ | N (3) | | force on the particle |
-///
-/// Rounding: at most 0.5 ULP.
-///
-/// # Laws
-///
-/// * `a_drag_of_less_lets_the_pair_overshoot_and_of_more_does_not`
-/// * `a_drag_takes_power`
-#[inline(always)]
-pub fn global_damping<R: Real>(c: R, v: Vec3<R>) -> Vec3<R> {
-    -(v * c)
-}
-
 pub(super) fn equations() -> Vec<Equation> {
     vec![
         equation!("wear/eq21_critical_damping.rs", "wear-21", ["21"], critical_damping),
         equation!("wear/eq21_critical_damping.rs", "wear-critical-drag", [], critical_drag),
-        equation!("wear/eq21_critical_damping.rs", "wear-global-damping", [], global_damping),
     ]
 }
 
 #[cfg(test)]
 mod laws {
     use super::*;
-    use crate::wear::eq01_symplectic_euler::{drift, kick};
+    use crate::Vec3;
+    use crate::mechanics::kick_and_drift::{drift, kick};
     use proptest::prelude::*;
 
     /// Whether two equal particles, released from a stretch, cross; with a dashpot `c` between them and a `drag` on each.
@@ -133,12 +108,6 @@ mod laws {
         #[test]
         fn a_drag_of_eq_21_lets_the_pair_overshoot(k in 0.1..10.0, m in 0.1..10.0) {
             prop_assert!(overshoots(k, m, 0.0, critical_damping(k, m)));
-        }
-
-        #[test]
-        fn a_drag_takes_power(c in 0.1..10.0, v in -3.0..3.0f64) {
-            let v = Vec3::new(v, 1.0, -0.5 * v);
-            prop_assert!(global_damping(c, v).dot(v) < 0.0);
         }
     }
 }

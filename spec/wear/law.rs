@@ -5,9 +5,9 @@ use super::def_parameters::force_parameters;
 use super::def_potential::potential;
 use super::def_sphere::sliding_mass;
 use super::def_spring::spring_energy;
-use super::def_stable_step::stable_time_step;
 use super::eq06_critical_time_step::critical_time_step;
 use super::eq17_effective_mass::effective_mass;
+use crate::mechanics::stable_step::stable_time_step;
 use crate::{Contact, Outcome, PairModel, Real, Vec3, flat_struct};
 
 /// The material to be matched: Table 3 of the paper, and the scaling parameter.

@@ -50,20 +50,13 @@ pub mod a49_rescaled_separation;
 pub mod a50_pair_strain;
 pub mod a56_body_energy;
 pub mod a60_elastic_constants;
-#[cfg(test)]
-mod amplification;
-pub mod def_box;
 pub mod def_contact;
 pub mod def_elastic_constants;
 pub mod def_kinematics;
-pub mod def_lognormal;
 pub mod def_parameters;
 pub mod def_potential;
 pub mod def_restitution;
-pub mod def_sphere;
-pub mod def_spring;
 pub mod def_stable_step;
-pub mod def_virial;
 pub mod def_zero_force_end;
 pub mod eq01_symplectic_euler;
 pub mod eq02_pair_force;
@@ -81,13 +74,19 @@ pub mod eq13_tangential_damping;
 pub mod eq14_effective_radius;
 pub mod eq15_normal_cross_section;
 pub mod eq16_tangential_cross_section;
-pub mod eq17_effective_mass;
 pub mod eq18_critical_diameter;
 pub mod eq19_minimum_diameter;
 pub mod eq20_matched_strength;
 pub mod eq21_critical_damping;
 pub mod eq22_critical_length;
 pub mod law;
+
+pub use crate::mechanics::packing as def_box;
+pub use crate::mechanics::projected_spring as def_spring;
+pub use crate::mechanics::reduced_mass as eq17_effective_mass;
+pub use crate::mechanics::sphere as def_sphere;
+pub use crate::mechanics::truncated_lognormal as def_lognormal;
+pub use crate::mechanics::virial as def_virial;
 
 pub use def_contact::Parameters;
 pub use law::{Interaction, Material, Wear};
@@ -115,6 +114,7 @@ fn equations() -> Vec<Equation> {
         def_contact::equations(),
         eq06_critical_time_step::equations(),
         def_stable_step::equations(),
+        crate::mechanics::stable_step::equations(),
         eq07_normal_stiffness::equations(),
         eq08_tangential_stiffness::equations(),
         eq09_elastic_separation::equations(),
@@ -134,6 +134,7 @@ fn equations() -> Vec<Equation> {
         eq20_matched_strength::equations(),
         def_elastic_constants::equations(),
         eq21_critical_damping::equations(),
+        crate::mechanics::drag::equations(),
         def_virial::equations(),
         def_lognormal::equations(),
         def_box::equations(),

@@ -4,9 +4,9 @@ mod encounters;
 mod spheres;
 
 use super::*;
+use crate::mechanics::pair_frequency::neck_frequencies;
+use crate::mechanics::samples::{unit, vector};
 use crate::numbers::{Dual, Lanes};
-use crate::soot::def_frequency::neck_frequencies;
-use crate::soot::samples::{unit, vector};
 use proptest::prelude::*;
 use spheres::Spheres;
 

@@ -14,7 +14,7 @@ fn law() -> Titania {
 }
 
 fn mass(r: f64) -> f64 {
-    crate::wear::def_sphere::sphere_mass(RHO, r)
+    crate::mechanics::sphere::sphere_mass(RHO, r)
 }
 
 /// Two particles of nominal diameters of 8 and 14 nm.

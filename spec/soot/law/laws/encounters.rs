@@ -3,8 +3,8 @@
 
 use super::super::*;
 use super::{NONE, law};
-use crate::soot::def_integrators::half_step;
-use crate::soot::def_sphere::solid_inertia;
+use crate::mechanics::primary_particle::solid_inertia;
+use crate::mechanics::verlet::half_step;
 use proptest::prelude::*;
 
 /// A solid sphere.

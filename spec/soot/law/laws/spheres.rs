@@ -1,9 +1,9 @@
 //! A few spheres in motion, for the laws of the composed law.
 
 use super::super::*;
-use crate::soot::def_grip::Losses;
-use crate::soot::def_integrators::{half_step, half_step_start};
-use crate::soot::def_sphere::solid_inertia;
+use crate::mechanics::four_springs::Losses;
+use crate::mechanics::primary_particle::solid_inertia;
+use crate::mechanics::verlet::{half_step, half_step_start};
 
 /// Solid spheres, of unit mass and radius unless they are given other radii, every pair with the same law.
 pub struct Spheres<const N: usize, S: Reading = Along> {

@@ -1,8 +1,8 @@
 //! Two equal spheres in motion, for the laws of the composed law.
 
 use super::super::*;
+use crate::mechanics::sphere::moment_of_inertia;
 use crate::wear::def_contact::Losses;
-use crate::wear::def_sphere::moment_of_inertia;
 use crate::wear::eq01_symplectic_euler::symplectic_euler;
 
 /// Two equal spheres and their spring.

@@ -1,0 +1,51 @@
+//! Mechanics that no paper owns: spheres and rigid bodies, how they are moved, springs and how they are carried along, drag, stress, and distributions.
+//!
+//! What several models use stands here once. An equation that a paper prints or prescribes keeps the id of that paper, by which it is listed; the paper's room points
+//! to it. Those with an id of this room have no paper. [`four_springs`] are the springs of a contact or a neck, [`necked`] adds necks to any contact law.
+
+#[cfg(test)]
+pub(crate) mod amplification;
+pub mod body;
+pub mod body_inertia;
+pub mod capacity;
+pub mod contact_kinematics;
+pub mod diffusion;
+pub mod discretised_lognormal;
+pub mod drag;
+pub mod drive;
+pub mod four_springs;
+pub mod friction;
+pub mod kick_and_drift;
+pub mod necked;
+pub mod newton;
+pub mod packing;
+pub mod pair_frequency;
+pub mod pair_geometry;
+pub mod primary_particle;
+pub mod projected_spring;
+pub mod reduced_mass;
+pub mod relative_spin;
+pub mod relative_velocity;
+pub mod rotated_spring;
+pub mod rotation;
+#[cfg(test)]
+pub(crate) mod samples;
+pub mod sphere;
+pub mod spring_force;
+pub mod springs_step;
+pub mod stable_step;
+pub mod truncated_lognormal;
+pub mod verlet;
+pub mod virial;
+
+use crate::equation::{Equation, Paper};
+
+/// Equations without a paper, and hence without numbers.
+pub fn paper() -> Paper {
+    Paper { name: "mechanics", numbers: vec![], equations }
+}
+
+/// The equations of this room that no paper lists.
+fn equations() -> Vec<Equation> {
+    kick_and_drift::equations()
+}

@@ -1,0 +1,184 @@
+//! Log-normal sizes between two bounds.
+//!
+//! Equations and sections are numbered as in Pham-Ba & Molinari 2022.
+
+use crate::equation::Equation;
+use crate::{Real, equation};
+
+/// **Section 3.2**, unnumbered: parameters of the log-normal distribution of the diameters.
+///
+/// ```math
+/// e^{\mu - \sigma^2} = d_0, \quad e^{2\mu + \sigma^2} (e^{\sigma^2} - 1) = \big(0.2 \, (d_l - d_s)\big)^2
+/// ```
+///
+/// # Reading
+///
+/// The paper gives the mode and the standard deviation. That deviation is taken before the truncation to $[d_s, d_l]$: so read, the volumes
+/// of Table 6 hold the particles it counts. With $u = e^{\sigma^2} - 1$ the two conditions leave
+/// $u (1 + u)^3 = (0.2 (d_l - d_s) / d_0)^2$, which Newton's method solves from above, where it converges monotonically: ten steps are
+/// more than enough for any number. $\ln(1 + u)$ is evaluated as $u \ln w / (w - 1)$ with $w = 1 + u$ rounded, which
+/// loses nothing for small `u`; where `w` is one, it is `u`.
+///
+/// A logarithm takes a number: the diameters here are numbers, multiples of any one unit of length.
+///
+/// | name | symbol | unit | domain | meaning |
+/// |---|---|---|---|---|
+/// | `d_0` | $d_0$ | 1 | > 0 | mode of the diameters |
+/// | `d_s` | $d_s$ | 1 | > 0 | smallest diameter |
+/// | `d_l` | $d_l$ | 1 | > 0 | largest diameter, above the smallest |
+/// | → `mu` | $\mu$ | 1 | | mean of the logarithm |
+/// | → `sigma` | $\sigma$ | 1 | | standard deviation of the logarithm |
+///
+/// Rounding: at most 1 ULP.
+///
+/// # Laws
+///
+/// * `has_the_mode_and_the_standard_deviation`
+/// * `does_not_depend_on_the_unit_of_length`
+#[inline(always)]
+pub fn lognormal<R: Real>(d_0: R, d_s: R, d_l: R) -> (R, R) {
+    let (one, three) = (R::one(), R::lit(3.0));
+    let target = ((d_l - d_s) / (R::lit(5.0) * d_0)).squared();
+    let mut u = target.min(target.sqrt().sqrt());
+    for _ in 0..10 {
+        let w = one + u;
+        u = u - (u * w * w * w - target) / (w * w * (w + three * u));
+    }
+    let w = one + u;
+    let variance = R::select(w.gt(one), u * w.ln() / (w - one), u);
+    (d_0.ln() + variance, variance.sqrt())
+}
+
+/// **Section 3.2**, unnumbered: fraction, mean, standard deviation and mean cube of the diameters that the truncation keeps.
+///
+/// ```math
+/// \langle d^k \rangle = \frac{e^{k\mu + k^2 \sigma^2 / 2}}{K} \Big[\Phi\big(z_l - k\sigma\big) - \Phi\big(z_s - k\sigma\big)\Big], \quad
+/// z = \frac{\ln d - \mu}{\sigma}, \quad K = \Phi(z_l) - \Phi(z_s)
+/// ```
+///
+/// # Reading
+///
+/// $\Phi$ is the normal distribution. All diameters are taken relative to the mode, with $e^\mu = d_0 e^{\sigma^2}$:
+/// $z = \ln(d / d_0) / \sigma - \sigma$. The mode lies between the bounds: without $d_s < d_0 < d_l$ there is no value.
+///
+/// | name | symbol | unit | domain | meaning |
+/// |---|---|---|---|---|
+/// | `d_0` | $d_0$ | m | > 0 | mode of the diameters |
+/// | `d_s` | $d_s$ | m | > 0 | smallest diameter, below the mode |
+/// | `d_l` | $d_l$ | m | > 0 | largest diameter, above the mode |
+/// | → `kept` | $K$ | 1 | | fraction of the drawn diameters that is kept |
+/// | → `mean` | $\langle d \rangle$ | m | | mean diameter |
+/// | → `std` | $\sqrt{\langle d^2 \rangle - \langle d \rangle^2}$ | m | | standard deviation of the diameters |
+/// | → `m3` | $\langle d^3 \rangle$ | m^3 | | mean cube of the diameters |
+///
+/// Rounding: at most 500 ULP.
+///
+/// # Laws
+///
+/// * `the_moments_are_those_of_the_density`
+/// * `gives_the_numbers_of_particles_of_table_6`
+#[inline(always)]
+pub fn truncated_moments<R: Real>(d_0: R, d_s: R, d_l: R) -> (R, R, R, R) {
+    let (_, sigma) = lognormal(R::one(), d_s / d_0, d_l / d_0);
+    let z = |d: R| (d / d_0).ln() / sigma - sigma;
+    let (z_s, z_l) = (z(d_s), z(d_l));
+    let none = R::zero() / R::zero();
+    let kept = R::select(d_s.lt(d_0) & d_0.lt(d_l), beyond_the_middle(z_l) - beyond_the_middle(z_s), none);
+    // Moments of the diameters in units of the median.
+    let moment = |k: f64| {
+        let shift = R::lit(k) * sigma;
+        let share = beyond_the_middle(z_l - shift) - beyond_the_middle(z_s - shift);
+        (R::lit(0.5) * shift.squared()).exp() * share / kept
+    };
+    let (mean, median) = (moment(1.0), d_0 * sigma.squared().exp());
+    let deviation = (moment(2.0) - mean.squared()).sqrt();
+    (kept, median * mean, median * deviation, median * median * median * moment(3.0))
+}
+
+/// The normal distribution less one half: its density times `z + z^3/3 + z^5/15 + ...`. Beyond nine nothing is left.
+fn beyond_the_middle<R: Real>(z: R) -> R {
+    let z = z.min(R::lit(9.0)).max(R::lit(-9.0));
+    let square = z.squared();
+    // Horner's rule: each term is the one before times z^2 / (2k + 1).
+    let mut sum = R::one();
+    for k in (1..200).rev() {
+        sum = R::one() + sum * square / R::lit(f64::from(2 * k + 1));
+    }
+    z * sum * (R::lit(-0.5) * square).exp() / (R::lit(2.0) * R::pi()).sqrt()
+}
+
+pub(crate) fn equations() -> Vec<Equation> {
+    vec![
+        equation!("mechanics/truncated_lognormal.rs", "wear-lognormal", [], lognormal),
+        equation!("mechanics/truncated_lognormal.rs", "wear-lognormal-truncated", [], truncated_moments),
+    ]
+}
+
+#[cfg(test)]
+mod laws {
+    use super::*;
+    use approx::relative_eq;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn has_the_mode_and_the_standard_deviation(d_0 in 0.1..100.0, d_s in 0.3..0.99, d_l in 1.01..20.0) {
+            let (mu, sigma) = lognormal(d_0, d_s * d_0, d_l * d_0);
+            let (mu, square): (f64, f64) = (mu, sigma * sigma);
+            prop_assert!(relative_eq!((mu - square).exp(), d_0, max_relative = 1e-13));
+            let std = ((2.0 * mu + square).exp() * square.exp_m1()).sqrt();
+            prop_assert!(relative_eq!(std, 0.2 * (d_l - d_s) * d_0, max_relative = 1e-13));
+        }
+
+        #[test]
+        fn does_not_depend_on_the_unit_of_length(d_0 in 0.1..100.0, d_l in 1.01..20.0) {
+            let (in_nm, in_m) = (lognormal(d_0, 0.75 * d_0, d_l * d_0), lognormal(1e-9 * d_0, 0.75e-9 * d_0, 1e-9 * d_l * d_0));
+            prop_assert!(relative_eq!(in_nm.1, in_m.1, max_relative = 1e-14));
+            prop_assert!(relative_eq!(in_nm.0 - in_m.0, 1e9f64.ln(), max_relative = 1e-14));
+        }
+
+        #[test]
+        fn the_moments_are_those_of_the_density(d_s in 0.5..0.95, d_l in 1.05..6.0) {
+            let (mu, sigma) = lognormal(1.0, d_s, d_l);
+            let (kept, mean, std, m3) = truncated_moments(1.0, d_s, d_l);
+            // Simpson's rule over the logarithm.
+            let intervals = 400;
+            let (low, h) = (d_s.ln(), f64::ln(d_l / d_s) / f64::from(intervals));
+            let integral = |k: f64| -> f64 {
+                (0..=intervals)
+                    .map(|n| {
+                        let weight = if n == 0 || n == intervals { 1.0 } else if n % 2 == 1 { 4.0 } else { 2.0 };
+                        let t = low + f64::from(n) * h;
+                        let z = (t - mu) / sigma;
+                        weight * (k * t - 0.5 * z * z).exp() * h / 3.0 / (sigma * (2.0 * std::f64::consts::PI).sqrt())
+                    })
+                    .sum()
+            };
+            prop_assert!(relative_eq!(kept, integral(0.0), max_relative = 1e-8));
+            prop_assert!(relative_eq!(mean, integral(1.0) / kept, max_relative = 1e-8));
+            prop_assert!(relative_eq!(m3, integral(3.0) / kept, max_relative = 1e-8));
+            prop_assert!(relative_eq!(std * std + mean * mean, integral(2.0) / kept, max_relative = 1e-8));
+        }
+    }
+
+    #[test]
+    fn gives_the_numbers_of_particles_of_table_6() {
+        // 0.75 of 100 000 nm^3 holds about the 6000, 2600 and 600 particles of the paper.
+        let particles = |m3: f64| 0.75e5 / (std::f64::consts::PI / 6.0 * m3);
+        for (d_0, expected) in [(1.5, 5542.0), (3.0, 2540.0), (6.0, 626.0)] {
+            let (.., m3) = truncated_moments(d_0, 0.75 * d_0, 7.5);
+            assert!((particles(m3) - expected).abs() <= 1.0);
+        }
+        // A standard deviation of the logarithm in place of the diameter's would not.
+        let (d_0, d_s, d_l) = (1.5, 0.75 * 1.5, 7.5);
+        let sigma = 0.2 * (d_l - d_s) / d_0;
+        let (mut kept, mut m3) = (0.0, 0.0);
+        for n in 0..10_000 {
+            let d = d_s + (f64::from(n) + 0.5) * 1e-4 * (d_l - d_s);
+            let z = f64::ln(d / d_0) / sigma - sigma;
+            let density = (-0.5 * z * z).exp() / d;
+            (kept, m3) = (kept + density, m3 + density * d * d * d);
+        }
+        assert!(particles(m3 / kept) < 2200.0);
+    }
+}
