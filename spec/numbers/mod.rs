@@ -1,6 +1,7 @@
 //! The numbers that [`Real`](crate::Real) can be, apart from `f64` and `f32` themselves.
 
 pub(crate) mod exponential;
+pub mod jacobi;
 mod lanes;
 
 #[cfg(feature = "verify")]

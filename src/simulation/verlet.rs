@@ -31,7 +31,7 @@ impl<M: PairModel> Simulation<M> {
         self.enter_half(moved.scheme + self.held.late);
         self.system.surfaces.iter_mut().for_each(|surface| surface.advance(dt));
         if self.stale(&moved) {
-            self.list_neighbours(&self.springs())?;
+            self.list_anew()?;
         }
 
         let totals = self.evaluate(dt)?;
