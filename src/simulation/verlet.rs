@@ -5,8 +5,9 @@ use super::Simulation;
 use crate::error::Halt;
 use crate::forces::{Leaning, Totals};
 use crate::motion::{gathered, verlet};
+use crate::spec::mechanics::box_stress::box_stress;
 use crate::spec::numbers::Lanes;
-use crate::spec::{Flat, PairModel};
+use crate::spec::{Flat, PairModel, Vec3};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
@@ -56,8 +57,7 @@ impl<M: PairModel> Simulation<M> {
         for (k, lost) in self.ledger.lost_by_pairs.iter_mut().enumerate() {
             *lost += totals.losses.at(k);
         }
-        let volume = self.system.domain.volume();
-        self.stress = std::array::from_fn(|a| (totals.virial[a] - moved.momentum_flux[a]) / volume);
+        self.stress = box_stress(Vec3(totals.virial), Vec3(moved.momentum_flux), self.system.domain.volume()).0;
         self.momentum_flux = moved.momentum_flux;
         self.system.step += 1;
         self.system.time += dt;
