@@ -199,10 +199,15 @@ pub trait PairModel: Sync {
         memory: Self::Memory<R>,
         dt: R,
     ) -> Outcome<R, Self::Memory<R>, Self::Losses<R>>;
-    /// The springs that a pair takes along when neighbours are listed anew: all of them, unless a program is to be followed that
-    /// loses some.
-    fn relisted<R: Real>(&self, _c: &Contact<R>, memory: Self::Memory<R>) -> Self::Memory<R> {
-        memory
+    /// The springs that a pair keeps when neighbours are listed anew, and the energy lost with the others, J, by cause: all are kept unless a
+    /// program is to be followed that forgets some.
+    fn relisted<R: Real>(
+        &self,
+        _c: &Contact<R>,
+        _k: &Self::Coefficients<R>,
+        memory: Self::Memory<R>,
+    ) -> (Self::Memory<R>, Self::Losses<R>) {
+        (memory, Flat::from_fn(|_| R::zero()))
     }
     /// Whether most pairs in range only attract or repel each other along the line of centres: those need not be evaluated in full.
     const MOSTLY_FAR: bool = false;

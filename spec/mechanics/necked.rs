@@ -113,8 +113,14 @@ impl<M: PairModel> PairModel for Necked<M> {
         }
     }
 
-    fn relisted<R: Real>(&self, c: &Contact<R>, (memory, springs): Self::Memory<R>) -> Self::Memory<R> {
-        (self.law.relisted(c, memory), springs)
+    fn relisted<R: Real>(
+        &self,
+        c: &Contact<R>,
+        (constants, _): &Self::Coefficients<R>,
+        (memory, springs): Self::Memory<R>,
+    ) -> (Self::Memory<R>, Self::Losses<R>) {
+        let (kept, lost) = self.law.relisted(c, constants, memory);
+        ((kept, springs), (lost, OfNeck::from_fn(|_| R::zero())))
     }
 
     fn stored<R: Real>(

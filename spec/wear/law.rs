@@ -109,9 +109,11 @@ impl PairModel for Wear {
         k.act(c, spring, dt)
     }
 
-    fn relisted<R: Real>(&self, c: &Contact<R>, spring: Vec3<R>) -> Vec3<R> {
+    fn relisted<R: Real>(&self, c: &Contact<R>, k: &Parameters<R>, spring: Vec3<R>) -> (Vec3<R>, Losses<R>) {
         let forgotten = self.material.forget_stretched_springs;
-        if forgotten { Vec3::select(c.gap.gt(R::zero()), Vec3::zero(), spring) } else { spring }
+        let kept = if forgotten { Vec3::select(c.gap.gt(R::zero()), Vec3::zero(), spring) } else { spring };
+        let slip = spring_energy(k.k_t, spring) - spring_energy(k.k_t, kept);
+        (kept, Losses { normal_damping: R::zero(), tangential_damping: R::zero(), slip })
     }
 
     #[inline(always)]

@@ -48,7 +48,7 @@ pub enum Reason {
         /// Id of the sphere that sets it.
         particle: u32,
     },
-    /// Two spheres that a neck joins are farther apart than neighbours are listed.
+    /// Two spheres that a neck joins belong to one rigid body or wall.
     Neck {
         /// Ids of the spheres.
         pair: (u32, u32),
@@ -75,7 +75,7 @@ impl fmt::Display for Halt {
                 write!(f, "time step {dt} ns is not below the stability limit {limit} ns of particle {particle}")
             }
             Reason::Neck { pair: (i, j) } => {
-                write!(f, "particles {i} and {j} are joined by a neck, and too far apart to be neighbours")
+                write!(f, "particles {i} and {j} are joined by a neck, but belong to one rigid body or wall")
             }
             Reason::TooManyNeighbours { particle } => write!(f, "particle {particle} has too many neighbours"),
         }

@@ -31,8 +31,8 @@ pub fn act<M: PairModel, const JOINED: bool>(
             let constants = Flat::from_fn(|k| coefficients.at(k).0[lane]);
             near |= model.is_near(&contact(seen, lane), &constants);
         }
-        if !near {
-            *memory = Flat::from_fn(|_| Row::zero());
+        // Springs of a contact that has just ended let go of what they held: the law says what becomes of it.
+        if !near && !holds::<M>(memory) {
             return apart(model, seen, given, sums, allowed);
         }
     }
@@ -57,6 +57,12 @@ pub fn act<M: PairModel, const JOINED: bool>(
         }
         push(wrench.force, &contact, lane, seen, given, sums, allowed);
     }
+}
+
+/// Whether any pair of a row has a spring.
+#[inline(always)]
+fn holds<M: PairModel>(memory: &M::Memory<Row>) -> bool {
+    (0..M::Memory::<f64>::LEN).any(|k| memory.at(k).0.iter().any(|&number| number != 0.0))
 }
 
 /// A row of pairs that might have been near: central forces are all that acts.

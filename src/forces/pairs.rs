@@ -121,6 +121,11 @@ impl<M: PairModel> Pairs<M> {
         &self.coefficients[self.kind[row] as usize]
     }
 
+    /// The springs of a pair.
+    pub fn memory_of(&self, row: usize, lane: usize) -> M::Memory<f64> {
+        Flat::from_fn(|k| self.memory[row].at(k).0[lane])
+    }
+
     /// How many rows, the first ones, are of pairs joined by necks.
     pub fn joined(&self) -> usize {
         self.parts[0] / LANES

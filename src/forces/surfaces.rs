@@ -117,7 +117,8 @@ impl<M: PairModel> Leaning<M> {
     }
 }
 
-/// Shows every place where a surface acts on a free sphere, with the springs of the contact there if it is not new, the nearest place first.
+/// Shows every place where a surface acts on a free sphere, with the springs of the contact there if it is not new, the nearest place first; then
+/// the places that the sphere has left since the last step, out of contact and at rest, with springs that have not let go yet.
 pub fn each_touch<M: PairModel>(
     model: &M,
     surface: &Surface,
@@ -140,5 +141,13 @@ pub fn each_touch<M: PairModel>(
         let springs = grips.take(at.place, JUMP * radius[p]);
         let springs = springs.map(|springs| Flat::from_fn(|k| springs[k]));
         show(at, &touch, springs, k == 0);
+    }
+    for (place, springs) in grips.rest() {
+        let from = x[p] - surface.way - place;
+        let distance = from.norm();
+        let n = if distance > 0.0 { from * (1.0 / distance) } else { Vec3([0.0, 0.0, 1.0]) };
+        let touch =
+            Touch { n, gap: (distance - radius[p]).max(0.0), v: Vec3::zero(), omega: Vec3::zero(), r: radius[p] };
+        show(&Seen { n, distance, place }, &touch, Some(Flat::from_fn(|k| springs[k])), false);
     }
 }

@@ -19,6 +19,11 @@ impl Domain {
         std::array::from_fn(|a| if self.periodic[a] { (x.0[a] / self.sides[a]).floor() as i16 } else { 0 })
     }
 
+    /// The copy of `q` that is nearest to `p`, of two points that are `apart = p - q`.
+    pub fn nearest_image(&self, apart: Vec3<f64>) -> Image {
+        std::array::from_fn(|a| if self.periodic[a] { (apart.0[a] / self.sides[a]).round() as i16 } else { 0 })
+    }
+
     /// The point of the box that `x` is a copy of.
     pub fn folded(&self, x: Vec3<f64>) -> Vec3<f64> {
         x - self.shift(self.image_of(x))

@@ -5,6 +5,7 @@ pub mod clusters;
 pub mod directions;
 mod domain;
 pub mod hull;
+pub mod jacobi;
 mod neighbours;
 pub mod principal;
 pub mod shadow;

@@ -1,41 +1,21 @@
 //! Principal axes.
 
+use super::jacobi::eigenvalues;
 use crate::spec::mechanics::quaternion::product;
 use crate::spec::{Tensor, Vec3};
 
-/// Principal moments of an inertia tensor and the orientation of its principal axes, by Jacobi's rotations. A library's solver
-/// would take whatever instructions the processor has, and the axes of a round body would be another machine's.
-pub fn principal(mut inertia: Tensor<f64>) -> (Vec3<f64>, f64, Vec3<f64>) {
+/// Principal moments of an inertia tensor and the orientation of its principal axes.
+pub fn principal(inertia: Tensor<f64>) -> (Vec3<f64>, f64, Vec3<f64>) {
     let (mut q_0, mut q) = (1.0, Vec3::zero());
-    for turn in 0..TURNS {
-        let (i, j, axis) = (turn % 3, (turn + 1) % 3, (turn + 2) % 3);
-        let off = inertia[i].0[j];
-        if off == 0.0 {
-            continue;
-        }
-        let cotangent = (inertia[j].0[j] - inertia[i].0[i]) / (2.0 * off);
-        let tangent = f64::copysign(1.0, cotangent) / (cotangent.abs() + (cotangent * cotangent + 1.0).sqrt());
-        let c = 1.0 / (tangent * tangent + 1.0).sqrt();
-        let s = tangent * c;
-        let rows = |t: Tensor<f64>| {
-            let mut turned = t;
-            (turned[i], turned[j]) = (t[i] * c - t[j] * s, t[i] * s + t[j] * c);
-            turned
-        };
-        let transposed = |t: Tensor<f64>| std::array::from_fn(|k| Vec3(t.map(|row| row.0[k])));
-        inertia = transposed(rows(transposed(rows(inertia))));
-        (inertia[i].0[j], inertia[j].0[i]) = (0.0, 0.0);
+    let moments = eigenvalues(inertia.map(|row| row.0), |i, j, c, s| {
         let half = (0.5 * (1.0 + c)).sqrt();
         let mut e = Vec3::zero();
-        e.0[axis] = -0.5 * s / half;
+        e.0[3 - i - j] = -0.5 * s / half;
         (q_0, q) = product(q_0, q, half, e);
-    }
+    });
     let scale = 1.0 / (q_0 * q_0 + q.dot(q)).sqrt();
-    (Vec3(std::array::from_fn(|k| inertia[k].0[k])), q_0 * scale, q * scale)
+    (Vec3(moments), q_0 * scale, q * scale)
 }
-
-/// Rotations in turn about three axes; each round of three squares what is left beside the diagonal.
-const TURNS: usize = 30;
 
 #[cfg(test)]
 mod tests {

@@ -1,7 +1,8 @@
 //! The rigid motion that is nearest to what a cloud of points did.
 
+use crate::geometry::jacobi::eigenvectors;
 use crate::spec::Vec3;
-use faer::Mat;
+use crate::spec::titania::def_rotation::to_space;
 
 /// A rotation about a centre and where the centre went.
 #[derive(Clone, Copy, Debug)]
@@ -24,22 +25,18 @@ impl RigidMotion {
             return None;
         }
         let (from, to) = (centre(before, mass), centre(after, mass));
-        let mut covariance = Mat::<f64>::zeros(3, 3);
+        let mut product = [[0.0; 3]; 3];
         for ((&a, &b), &m) in before.iter().zip(after).zip(mass) {
             let (a, b) = (a - from, b - to);
             for row in 0..3 {
                 for column in 0..3 {
-                    covariance[(row, column)] += m * b.0[row] * a.0[column];
+                    product[row][column] += m * a.0[row] * b.0[column];
                 }
             }
         }
-        let svd = covariance.svd().ok()?;
-        let (u, v) = (svd.U(), svd.V());
-        // A reflection fits better than any rotation when the cloud is flat or torn: turn its weakest axis back.
-        let mirrored = (u * v.transpose()).determinant() < 0.0;
-        let sign = |k: usize| if mirrored && k == 2 { -1.0 } else { 1.0 };
-        let entry = |row: usize, column: usize| (0..3).map(|k| sign(k) * u[(row, k)] * v[(column, k)]).sum::<f64>();
-        let rotation = std::array::from_fn(|row| Vec3(std::array::from_fn(|column| entry(row, column))));
+        let (q_0, q) = nearest_turn(product);
+        let columns = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|e| to_space(q_0, q, Vec3(e)));
+        let rotation = std::array::from_fn(|row| Vec3(columns.map(|column| column.0[row])));
         let mut motion = Self { from, to, rotation, rigidity: 0.0 };
         let (mut left, mut all) = (0.0, 0.0);
         for ((&a, &b), &m) in before.iter().zip(after).zip(mass) {
@@ -64,6 +61,21 @@ impl RigidMotion {
     }
 }
 
+/// The unit quaternion of the rotation `R` for which `sum m b . R a` is largest, given `sum m a_row b_column`: the eigenvector of Horn's matrix with the
+/// largest eigenvalue. It is a rotation even where a reflection would fit better, as when the cloud is flat or torn.
+fn nearest_turn([[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]]: [[f64; 3]; 3]) -> (f64, Vec3<f64>) {
+    let (values, axes) = eigenvectors([
+        [xx + yy + zz, yz - zy, zx - xz, xy - yx],
+        [yz - zy, xx - yy - zz, xy + yx, zx + xz],
+        [zx - xz, xy + yx, yy - xx - zz, yz + zy],
+        [xy - yx, zx + xz, yz + zy, zz - xx - yy],
+    ]);
+    let largest = (0..4).fold(0, |most, k| if values[k] > values[most] { k } else { most });
+    let [q_0, a, b, c] = axes[largest];
+    let scale = 1.0 / (q_0 * q_0 + a * a + b * b + c * c).sqrt();
+    (q_0 * scale, Vec3([a, b, c]) * scale)
+}
+
 /// Centre of mass.
 pub fn centre(x: &[Vec3<f64>], mass: &[f64]) -> Vec3<f64> {
     let total: f64 = mass.iter().sum();
@@ -73,7 +85,23 @@ pub fn centre(x: &[Vec3<f64>], mass: &[f64]) -> Vec3<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use faer::Mat;
     use proptest::prelude::*;
+
+    /// Kabsch's way: by the singular values of the covariance.
+    fn kabsch(before: &[Vec3<f64>], after: &[Vec3<f64>], mass: &[f64]) -> [Vec3<f64>; 3] {
+        let (from, to) = (centre(before, mass), centre(after, mass));
+        let entry = |row: usize, column: usize| {
+            let parts = before.iter().zip(after).zip(mass);
+            parts.map(|((&a, &b), m)| m * (b - to).0[row] * (a - from).0[column]).sum::<f64>()
+        };
+        let svd = Mat::from_fn(3, 3, entry).svd().unwrap();
+        let (u, v) = (svd.U(), svd.V());
+        let mirrored = (u * v.transpose()).determinant() < 0.0;
+        let sign = |k: usize| if mirrored && k == 2 { -1.0 } else { 1.0 };
+        let entry = |row: usize, column: usize| (0..3).map(|k| sign(k) * u[(row, k)] * v[(column, k)]).sum::<f64>();
+        std::array::from_fn(|row| Vec3(std::array::from_fn(|column| entry(row, column))))
+    }
 
     fn turned(axis: Vec3<f64>, angle: f64, x: Vec3<f64>) -> Vec3<f64> {
         // Rodrigues' formula.
@@ -100,6 +128,22 @@ mod tests {
                 prop_assert!((motion.apply(x) - y).norm() < 1e-11);
             }
             prop_assert!(1.0 - motion.rigidity < 1e-12 || angle.abs() < 1e-6);
+        }
+
+        #[test]
+        fn a_cloud_that_is_deformed_turns_as_its_singular_values_say(
+            cloud in prop::collection::vec((vector(3.0), vector(0.3)), 8..20),
+            axis in vector(1.0).prop_filter("an axis", |a| a.norm() > 0.1),
+            angle in -3.0..3.0,
+        ) {
+            let mass: Vec<f64> = (1..=cloud.len()).map(|k| k as f64).collect();
+            let (before, after): (Vec<_>, Vec<_>) =
+                cloud.iter().map(|&(x, off)| (x, turned(axis, angle, x) + off)).unzip();
+            let motion = RigidMotion::fit(&before, &after, &mass).unwrap();
+            let known = kabsch(&before, &after, &mass);
+            for row in 0..3 {
+                prop_assert!((motion.rotation[row] - known[row]).norm() < 1e-11, "{motion:?} {known:?}");
+            }
         }
 
         #[test]

@@ -6,12 +6,12 @@ use crate::forces;
 use crate::geometry::{Neighbour, neighbours_but};
 use crate::motion::{self, Grips, Moved};
 use crate::spec::mechanics::friction_share::inertia_share;
-use crate::spec::{Flat, PairModel, Vec3};
+use crate::spec::{PairModel, Vec3};
 use crate::system::Springs;
 use crate::system::{Domain, Pose, System};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// What the neighbour list was built from.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -41,7 +41,7 @@ impl<M: PairModel> Simulation<M> {
         let sides = self.system.domain.sides;
         let poses = self.system.bodies.iter().map(|body| body.pose).collect();
         self.listed = Listed { x: self.system.particles.x.clone(), sides, poses, moving: self.system.particles.len() };
-        let mut pairs = self.search();
+        let mut pairs = self.search()?;
         // Surfaces may touch any sphere.
         if !self.system.bodies.is_empty() && self.system.surfaces.is_empty() {
             self.part(&mut pairs);
@@ -51,7 +51,7 @@ impl<M: PairModel> Simulation<M> {
 
     /// Builds the list from what it was built from, which the particles are already in the order of.
     pub(super) fn relist(&mut self, springs: &Springs) -> Result<(), Halt> {
-        let pairs = self.search();
+        let pairs = self.search()?;
         self.lay_out(&pairs, springs)
     }
 
@@ -75,8 +75,8 @@ impl<M: PairModel> Simulation<M> {
         *particles = particles.pick(&order);
     }
 
-    /// All pairs near enough, but those within a rigid body or wall.
-    fn search(&mut self) -> Vec<Neighbour> {
+    /// All pairs near enough, and those joined by necks at any distance, but none within a rigid body or wall.
+    fn search(&mut self) -> Result<Vec<Neighbour>, Halt> {
         let (model, skin, particles) = (&self.model, self.settings.skin, &self.system.particles);
         let domain = Domain { sides: self.listed.sides, ..self.system.domain };
         let largest = particles.radius.iter().copied().fold(0.0, f64::max);
@@ -85,7 +85,39 @@ impl<M: PairModel> Simulation<M> {
         // A body may meet its own copy across the side of the box.
         let within = |p, q, image| same(&particles.wall, p, q) || same(&particles.body, p, q) && image == [0; 3];
         let reach = |r_i, r_j| model.range(r_i, r_j) + skin;
-        neighbours_but(&self.listed.x, &particles.radius, &domain, reach, within)
+        let mut pairs = neighbours_but(&self.listed.x, &particles.radius, &domain, reach, within);
+        let far_apart = self.necks_beyond(&pairs);
+        if let Some(&(pair, _)) =
+            far_apart.iter().find(|&&(_, Neighbour { p, q, image })| within(p as usize, q as usize, image))
+        {
+            return Err(self.halt(Reason::Neck { pair }));
+        }
+        if !far_apart.is_empty() {
+            pairs.extend(far_apart.into_iter().map(|(_, neighbours)| neighbours));
+            pairs.sort_unstable();
+        }
+        Ok(pairs)
+    }
+
+    /// The necks that join none of these pairs: the ids of the spheres, and their nearest copies.
+    fn necks_beyond(&self, pairs: &[Neighbour]) -> Vec<((u32, u32), Neighbour)> {
+        let System { particles, necks, domain, .. } = &self.system;
+        let mut missing: BTreeSet<_> = necks.iter().copied().collect();
+        for pair in pairs {
+            if missing.is_empty() {
+                return Vec::new();
+            }
+            let (i, j, _) = forces::bond(particles, pair.p as usize, pair.q as usize, pair.image);
+            missing.remove(&(i, j));
+        }
+        let place: BTreeMap<u32, u32> = particles.id.iter().copied().zip(0..).collect();
+        let domain = Domain { sides: self.listed.sides, ..*domain };
+        let neighbours = |(i, j): (u32, u32)| {
+            let (p, q) = (place[&i].min(place[&j]), place[&i].max(place[&j]));
+            let image = domain.nearest_image(self.listed.x[p as usize] - self.listed.x[q as usize]);
+            ((i, j), Neighbour { p, q, image })
+        };
+        missing.into_iter().map(neighbours).collect()
     }
 
     /// Puts the members of bodies that have no partner behind all others: they need not be moved until neighbours are listed again.
@@ -112,17 +144,6 @@ impl<M: PairModel> Simulation<M> {
     /// Cuts the pairs into blocks.
     fn lay_out(&mut self, pairs: &[Neighbour], springs: &Springs) -> Result<(), Halt> {
         let (particles, necks) = (&self.system.particles, &self.system.necks);
-        let mut missing: BTreeSet<_> = necks.iter().copied().collect();
-        for pair in pairs {
-            if missing.is_empty() {
-                break;
-            }
-            let (i, j, _) = forces::bond(particles, pair.p as usize, pair.q as usize, pair.image);
-            missing.remove(&(i, j));
-        }
-        if let Some(&pair) = missing.first() {
-            return Err(self.halt(Reason::Neck { pair }));
-        }
         let domain = Domain { sides: self.listed.sides, ..self.system.domain };
         let moments = (self.listed.moving, &self.shares(pairs)[..]);
         self.blocks = forces::partition(
@@ -167,21 +188,5 @@ impl<M: PairModel> Simulation<M> {
             inertia_share(moment, contacts[turning(p)])
         };
         (0..particles.len()).map(share).collect()
-    }
-
-    /// The springs of all contacts, by who the spheres are.
-    pub(super) fn springs(&self) -> Springs {
-        let particles = &self.system.particles;
-        let mut springs = Springs::new(M::Memory::<f64>::LEN);
-        for block in &self.blocks {
-            for (i, j, row, lane) in block.each_pair() {
-                let ((p, a), (q, b)) = (block.member(i), block.member(j));
-                let bond = forces::bond(particles, p, q, std::array::from_fn(|k| b[k] - a[k]));
-                let memory = Flat::from_fn(|k| block.pairs.memory[row].at(k).0[lane]);
-                let memory = self.model.relisted(&self.contact((p, a), (q, b)), memory);
-                springs.add(bond, (0..M::Memory::<f64>::LEN).map(|k| *memory.at(k)));
-            }
-        }
-        springs.sorted()
     }
 }

@@ -2,6 +2,7 @@
 
 mod checks;
 mod ledger;
+mod letting_go;
 mod listing;
 mod necks;
 mod pairs;
@@ -139,7 +140,7 @@ impl<M: PairModel> Simulation<M> {
 
     /// Ends the simulation and hands back the state with the springs of all contacts, for the next simulation to go on with.
     pub fn into_system_with_springs(self) -> System {
-        let springs = self.springs();
+        let springs = self.springs().0;
         System { springs, ..self.into_system() }
     }
 
@@ -223,7 +224,7 @@ impl<M: PairModel> Simulation<M> {
         self.system.time += dt;
         self.check_finite(moved.kinetic + wall_work.kinetic)?;
         if self.stale(&moved) {
-            self.list_neighbours(&self.springs())?;
+            self.list_anew()?;
         }
         Ok(())
     }

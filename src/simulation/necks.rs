@@ -20,7 +20,7 @@ impl<M: PairModel> Simulation<M> {
             return Ok(broken);
         }
         let before: f64 = self.stored().iter().sum();
-        let mut springs = self.springs();
+        let (mut springs, _) = self.springs();
         springs.forget(|pair| broken.contains(&pair));
         self.system.necks.retain(|neck| !broken.contains(neck));
         self.relist(&springs)?;

@@ -7,7 +7,7 @@ use crate::spec::mechanics::kinetic_energy::kinetic_energy;
 use crate::spec::{Contact, Flat, Outcome, PairModel, Vec3};
 use crate::system::{Image, Particles};
 
-/// One pair in range.
+/// One pair in range, or joined by a neck.
 #[derive(Clone, Copy, Debug)]
 pub struct Pair<M: PairModel> {
     /// Place of the sphere with the lower id.
@@ -29,49 +29,61 @@ struct Seat<'a, M: PairModel> {
     block: &'a Block<M>,
     /// Row and lane; none for a far pair.
     near: Option<(usize, usize)>,
-    i: usize,
-    j: usize,
+    /// Place and copy of the sphere with the lower id.
+    i: (usize, Image),
+    /// The same of the other.
+    j: (usize, Image),
     contact: Contact<f64>,
     memory: M::Memory<f64>,
 }
 
 impl<M: PairModel> Simulation<M> {
-    /// All pairs in range, in an order that depends on the particles alone.
+    /// All pairs in range or joined by necks, in an order that depends on the particles alone.
     pub fn pairs(&self) -> impl Iterator<Item = Pair<M>> + '_ {
-        let Particles { radius: r, mass: m, .. } = &self.system.particles;
-        self.seats().map(move |Seat { block, near, i, j, contact, memory }| {
-            let coefficients = match near {
-                Some((row, lane)) => Flat::from_fn(|k| block.pairs.constants(row).at(k).0[lane]),
-                None => self.model.coefficients(r[i], r[j], m[i], m[j]),
-            };
-            let outcome = self.model.pair(&contact, &coefficients, memory, self.settings.dt);
-            let stored = self.model.stored(&contact, &coefficients, &memory);
-            Pair { i, j, branch: contact.n * contact.distance, contact, outcome, stored }
-        })
+        self.seats().filter(|seat| self.acts(seat)).map(|seat| self.looked_at(seat))
     }
 
-    /// All pairs in range by the places of their spheres, the sphere with the lower id first, with what they see of each other and their
+    /// The same pairs by the places of their spheres, the sphere with the lower id first, with what they see of each other and their
     /// springs: much cheaper than [`pairs`](Self::pairs).
     pub fn contacts(&self) -> impl Iterator<Item = (usize, usize, Contact<f64>, M::Memory<f64>)> + '_ {
-        self.seats().map(|Seat { i, j, contact, memory, .. }| (i, j, contact, memory))
+        let seats = self.seats().filter(|seat| self.acts(seat));
+        seats.map(|Seat { i, j, contact, memory, .. }| (i.0, j.0, contact, memory))
     }
 
-    /// Where the pairs in range are.
+    fn looked_at(&self, Seat { block, near, i: (i, _), j: (j, _), contact, memory }: Seat<'_, M>) -> Pair<M> {
+        let Particles { radius: r, mass: m, .. } = &self.system.particles;
+        let coefficients = match near {
+            Some((row, lane)) => Flat::from_fn(|k| block.pairs.constants(row).at(k).0[lane]),
+            None => self.model.coefficients(r[i], r[j], m[i], m[j]),
+        };
+        let outcome = self.model.pair(&contact, &coefficients, memory, self.settings.dt);
+        let stored = self.model.stored(&contact, &coefficients, &memory);
+        Pair { i, j, branch: contact.n * contact.distance, contact, outcome, stored }
+    }
+
+    /// Where the listed pairs are.
     fn seats(&self) -> impl Iterator<Item = Seat<'_, M>> + '_ {
         self.blocks.iter().flat_map(move |block| {
             let near = block.each_pair().map(|(i, j, row, lane)| (i, j, Some((row, lane))));
             let far = block.each_far().map(|(i, j)| (i, j, None));
-            near.chain(far).filter_map(move |(i, j, near)| {
-                let (end_i, end_j) = (block.member(i), block.member(j));
-                let contact = self.contact(end_i, end_j);
+            near.chain(far).map(move |(i, j, near)| {
+                let (i, j) = (block.member(i), block.member(j));
                 let memory = match near {
-                    Some((row, lane)) => Flat::from_fn(|k| block.pairs.memory[row].at(k).0[lane]),
+                    Some((row, lane)) => block.pairs.memory_of(row, lane),
                     None => Flat::from_fn(|_| 0.0),
                 };
-                let in_range = contact.distance <= self.model.range(contact.r_i, contact.r_j);
-                in_range.then_some(Seat { block, near, i: end_i.0, j: end_j.0, contact, memory })
+                Seat { block, near, i, j, contact: self.contact(i, j), memory }
             })
         })
+    }
+
+    /// A neck acts at any distance.
+    fn acts(&self, Seat { i, j, contact, .. }: &Seat<'_, M>) -> bool {
+        let joined = || {
+            let (a, b, _) = self.bond(*i, *j);
+            self.system.necks.binary_search(&(a, b)).is_ok()
+        };
+        contact.distance <= self.model.range(contact.r_i, contact.r_j) || joined()
     }
 
     /// What two spheres, each a place and a copy, see of each other.
@@ -88,10 +100,11 @@ impl<M: PairModel> Simulation<M> {
         ledger
     }
 
-    /// What all pairs hold, zJ, by cause.
+    /// What all pairs hold, zJ, by cause: also those that have just left the range, whose springs let go in the next step.
     pub(super) fn stored(&self) -> Vec<f64> {
         let mut sums = vec![0.0; M::Stored::<f64>::LEN];
-        for pair in self.pairs() {
+        let stretched = |seat: &Seat<M>| (0..M::Memory::<f64>::LEN).any(|k| *seat.memory.at(k) != 0.0);
+        for pair in self.seats().filter(|seat| stretched(seat) || self.acts(seat)).map(|seat| self.looked_at(seat)) {
             for (k, sum) in sums.iter_mut().enumerate() {
                 *sum += pair.stored.at(k);
             }

@@ -6,6 +6,7 @@ use crate::error::Halt;
 use crate::forces::{Leaning, Totals};
 use crate::motion::{gathered, verlet};
 use crate::spec::mechanics::box_stress::box_stress;
+use crate::spec::mechanics::work::work;
 use crate::spec::numbers::Lanes;
 use crate::spec::{Flat, PairModel, Vec3};
 use rayon::prelude::*;
@@ -32,7 +33,7 @@ impl<M: PairModel> Simulation<M> {
         self.enter_half(moved.scheme + self.held.late);
         self.system.surfaces.iter_mut().for_each(|surface| surface.advance(dt));
         if self.stale(&moved) {
-            self.list_neighbours(&self.springs())?;
+            self.list_anew()?;
         }
 
         let totals = self.evaluate(dt)?;
@@ -45,7 +46,8 @@ impl<M: PairModel> Simulation<M> {
                 *lost += leaning.losses.at(k);
             }
             let before = surface.force.reversed();
-            account.work += (before.total() + leaning.force.total()).dot(surface.velocity) * half;
+            let both = before.total() + leaning.force.total();
+            account.work += work(both, surface.velocity, Vec3::zero(), Vec3::zero(), half);
             surface.force = leaning.force.reversed();
             leaning.keep(&mut surface.grips);
         }

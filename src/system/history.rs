@@ -40,6 +40,11 @@ impl Springs {
         self.bonds.retain(|&((i, j, _), _)| !pair((i, j)));
     }
 
+    /// The pairs that have springs.
+    pub fn bonds(&self) -> impl ExactSizeIterator<Item = Bond> + '_ {
+        self.bonds.iter().map(|&(bond, _)| bond)
+    }
+
     /// The springs of a pair, if it has any.
     pub fn of(&self, bond: Bond) -> Option<&[f64]> {
         let place = self.bonds.binary_search_by_key(&bond, |&(bond, _)| bond).ok()?;

@@ -61,6 +61,11 @@ impl Grips {
         let count = self.places[first..].iter().take_while(|place| place.0 == sphere).count();
         GripsOf { grips: self, left: (first..first + count).collect() }
     }
+
+    fn springs_at(&self, k: usize) -> &[f64] {
+        let width = self.springs.len() / self.places.len();
+        &self.springs[k * width..(k + 1) * width]
+    }
 }
 
 /// The contacts of one sphere that have not been found again yet.
@@ -78,8 +83,12 @@ impl<'a> GripsOf<'a> {
         if distance(self.left[nearest]) > jump {
             return None;
         }
-        let (k, width) = (self.left.remove(nearest), self.grips.springs.len() / self.grips.places.len());
-        Some(&self.grips.springs[k * width..(k + 1) * width])
+        Some(self.grips.springs_at(self.left.remove(nearest)))
+    }
+
+    /// The places and springs of the contacts that have not been found again.
+    pub fn rest(self) -> impl Iterator<Item = (Vec3<f64>, &'a [f64])> {
+        self.left.into_iter().map(|k| (self.grips.places[k].1, self.grips.springs_at(k)))
     }
 }
 

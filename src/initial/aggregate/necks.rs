@@ -33,8 +33,7 @@ pub fn necks(spheres: &[Sphere], d_crit: f64, acyclic: bool) -> Vec<Neck> {
 
 /// `floor(n * fraction)` of the `n` necks, in their order, a whole share not being lost to rounding: the others are removed one at a time, each time any one that is left
 /// with the same probability.
-pub fn keep_fraction(necks: &[Neck], fraction: f64, seed: u64) -> Vec<Neck> {
-    let mut stream = Stream::new(seed, "neck removal");
+pub fn keep_fraction(necks: &[Neck], fraction: f64, stream: &mut Stream) -> Vec<Neck> {
     let mut left = necks.to_vec();
     // The fraction and the product are rounded by half of EPSILON each: 100 * 0.29 falls just short of 29.
     let share = necks.len() as f64 * fraction.clamp(0.0, 1.0) * (1.0 + 2.0 * f64::EPSILON);
@@ -50,6 +49,10 @@ mod tests {
     use super::*;
     use crate::spec::Vec3;
     use quickcheck::quickcheck;
+
+    fn kept(necks: &[Neck], fraction: f64, seed: u64) -> Vec<Neck> {
+        keep_fraction(necks, fraction, &mut Stream::new(seed, "neck removal"))
+    }
 
     fn at(places: &[[f64; 3]]) -> Vec<Sphere> {
         places.iter().map(|&x| Sphere { centre: Vec3(x), radius: 1.0 }).collect()
@@ -77,19 +80,19 @@ mod tests {
     #[test]
     fn every_neck_is_removed_equally_often() {
         let all: Vec<Neck> = (0..8).map(|i| (i, i + 1)).collect();
-        let mut kept = [0.0; 8];
+        let mut count = [0.0; 8];
         for seed in 0..4000 {
-            for (i, _) in keep_fraction(&all, 0.5, seed) {
-                kept[i] += 1.0;
+            for (i, _) in kept(&all, 0.5, seed) {
+                count[i] += 1.0;
             }
         }
         // Five standard deviations of the binomial distribution.
-        assert!(kept.iter().all(|&k: &f64| (k - 2000.0).abs() < 5.0 * 1000f64.sqrt()), "{kept:?}");
+        assert!(count.iter().all(|&k: &f64| (k - 2000.0).abs() < 5.0 * 1000f64.sqrt()), "{count:?}");
     }
 
     #[test]
     fn a_whole_share_is_not_lost_to_rounding() {
-        let kept = |n: usize, fraction| keep_fraction(&vec![(0, 1); n], fraction, 1).len();
+        let kept = |n: usize, fraction| kept(&vec![(0, 1); n], fraction, 1).len();
         assert_eq!([0.29, 0.57, 0.58].map(|fraction| kept(100, fraction)), [29, 57, 58]);
         assert_eq!([0.25, 0.5, 0.9].map(|fraction| kept(149, fraction)), [37, 74, 134]);
     }
@@ -98,11 +101,11 @@ mod tests {
         fn the_floor_of_the_share_is_kept_in_order_and_repeatably(n: u8, percent: u8, seed: u64) -> bool {
             let all: Vec<Neck> = (0..usize::from(n)).map(|i| (i, i + 1)).collect();
             let fraction = f64::from(percent % 101) / 100.0;
-            let kept = keep_fraction(&all, fraction, seed);
-            kept.len() == usize::from(n) * usize::from(percent % 101) / 100
-                && kept.is_sorted()
-                && kept.iter().all(|neck| all.contains(neck))
-                && kept == keep_fraction(&all, fraction, seed)
+            let left = kept(&all, fraction, seed);
+            left.len() == usize::from(n) * usize::from(percent % 101) / 100
+                && left.is_sorted()
+                && left.iter().all(|neck| all.contains(neck))
+                && left == kept(&all, fraction, seed)
         }
     }
 }

@@ -15,26 +15,37 @@ use std::path::Path;
 
 /// What goes into every stage.
 pub struct Ground {
-    /// Seed of every random stream.
-    pub seed: u64,
+    /// Random numbers that choose which necks are removed.
+    pub necks: Stream,
+    /// Random numbers that choose the sphere to be indented.
+    pub target: Stream,
     /// Radius of the spheres, nm.
     pub radius: f64,
 }
 
 /// The system that a stage begins with.
-pub fn set_up(stage: &SootStage, ground: &Ground, mut system: System) -> Result<System, Error> {
+pub fn set_up(stage: &SootStage, mut ground: Ground, mut system: System) -> Result<System, Error> {
     system.surfaces.retain(|surface| surface.material != TIP);
     match stage {
-        SootStage::Deposition(test) => deposit(test, solid(stage)?, ground, &mut system),
+        SootStage::Deposition(test) => deposit(test, solid(stage)?, ground.radius, &mut system),
         SootStage::Indentation(test) => {
-            break_necks(test.keep_necks, ground.seed, &mut system);
-            indent(test, solid(stage)?, ground, &mut system)?;
+            break_necks(test.keep_necks, &mut ground.necks, &mut system);
+            indent(test, solid(stage)?, &mut ground, &mut system)?;
         }
         SootStage::Restructuring(Restructuring { keep_necks, .. }) => {
-            break_necks(*keep_necks, ground.seed, &mut system);
+            break_necks(*keep_necks, &mut ground.necks, &mut system);
         }
     }
     Ok(system)
+}
+
+/// Whether a stage removes necks.
+pub fn removes_necks(stage: &SootStage) -> bool {
+    match stage {
+        SootStage::Deposition(_) => false,
+        SootStage::Indentation(Indentation { keep_necks, .. })
+        | SootStage::Restructuring(Restructuring { keep_necks, .. }) => *keep_necks < 1.0,
+    }
 }
 
 /// The surface that a stage asks for from a file, if any. The aggregate is put outside of it.
@@ -47,12 +58,13 @@ pub fn solid(stage: &SootStage) -> Result<Option<Mesh>, Error> {
     Ok(Some(mesh))
 }
 
-fn deposit(test: &Deposition, solid: Option<Mesh>, ground: &Ground, system: &mut System) {
+fn deposit(test: &Deposition, solid: Option<Mesh>, radius: f64, system: &mut System) {
     let particles = &mut system.particles;
     let lowest = (0..particles.len()).map(|p| particles.x[p].0[2] - particles.radius[p]).fold(f64::INFINITY, f64::min);
-    let lowered = Vec3([0.0, 0.0, test.gap.value(ground.radius) - lowest]);
+    let lowered = Vec3([0.0, 0.0, test.gap.value(radius) - lowest]);
     particles.x.iter_mut().for_each(|x| *x = *x + lowered);
     particles.v.fill(Vec3([0.0, 0.0, -test.velocity.value]));
+    particles.w.fill(Vec3::zero());
     let shape = match solid {
         None => Shape::Plane { point: Vec3::zero(), normal: Vec3([0.0, 0.0, 1.0]) },
         Some(mesh) => {
@@ -65,7 +77,7 @@ fn deposit(test: &Deposition, solid: Option<Mesh>, ground: &Ground, system: &mut
     system.surfaces = vec![Surface::new("substrate", SUBSTRATE, shape, Course::Still)];
 }
 
-fn indent(test: &Indentation, solid: Option<Mesh>, ground: &Ground, system: &mut System) -> Result<(), Error> {
+fn indent(test: &Indentation, solid: Option<Mesh>, ground: &mut Ground, system: &mut System) -> Result<(), Error> {
     let (mesh, lowest) = match solid {
         None => (tetrahedron(ground.radius), Vec3::zero()),
         Some(mesh) => {
@@ -83,7 +95,7 @@ fn indent(test: &Indentation, solid: Option<Mesh>, ground: &Ground, system: &mut
         .filter(|&p| is_unhindered(particles, p) && is_met_first(particles, p, &above(p)))
         .collect();
     free.sort_by_key(|&p| particles.id[p]);
-    let drawn = Stream::new(ground.seed, "indented sphere").uniform() * free.len() as f64;
+    let drawn = ground.target.uniform() * free.len() as f64;
     let Some(&target) = free.get(drawn as usize) else {
         let file = test.tip.as_ref().map(|tip| tip.stl.as_path()).unwrap_or(Path::new("tip"));
         return Err(Error::input(file, "meets no sphere of the aggregate first with its lowest point"));
@@ -116,9 +128,9 @@ fn is_met_first(Particles { x, radius, .. }: &Particles, p: usize, tip: &Surface
 }
 
 /// Removes necks; the contacts that take their place begin with relaxed springs.
-fn break_necks(keep: f64, seed: u64, system: &mut System) {
+pub fn break_necks(keep: f64, stream: &mut Stream, system: &mut System) {
     let all: Vec<(usize, usize)> = system.necks.iter().map(|&(i, j)| (i as usize, j as usize)).collect();
-    let kept = keep_fraction(&all, keep, seed).into_iter().map(|(i, j)| (i as u32, j as u32));
+    let kept = keep_fraction(&all, keep, stream).into_iter().map(|(i, j)| (i as u32, j as u32));
     let kept: BTreeSet<(u32, u32)> = kept.collect();
     let broken = |pair: (u32, u32)| system.necks.binary_search(&pair).is_ok() && !kept.contains(&pair);
     system.springs.forget(broken);

@@ -11,6 +11,7 @@ use crate::initial::aggregate::necks::{Neck, keep_fraction, necks};
 use crate::initial::aggregate::{Method, Radii, Recipe, aggregate, import};
 use crate::interrupt::Interrupt;
 use crate::output::{Cell, Column, Finding, Kept, keep, kept};
+use crate::random::Stream;
 use crate::run::Study;
 use crate::simulation::{EXAMINED, Settings, Simulation};
 use crate::spec::Vec3;
@@ -40,6 +41,11 @@ pub struct Plan<S> {
 
 /// How much farther than their range neighbours are listed, in radii: spheres that collapse take tens of thousands of steps for this way.
 const SKIN: f64 = 0.1;
+
+/// What random numbers are for: which necks are removed.
+const NECK_REMOVAL: &str = "neck removal";
+/// What random numbers are for: which sphere is indented.
+const INDENTED_SPHERE: &str = "indented sphere";
 
 impl<S: Reading> Plan<S> {
     /// The plan of a case of the soot paper.
@@ -72,7 +78,14 @@ impl<S: Reading> Plan<S> {
             Some(file) => import::read_necks(file, &spheres)?,
             None => necks(&spheres, self.sample.neck_distance.value, !self.sample.neck_cycles),
         };
-        Ok((spheres, keep_fraction(&joined, self.sample.neck_fraction, self.seed)))
+        let mut stream = Stream::new(self.seed, NECK_REMOVAL);
+        Ok((spheres, keep_fraction(&joined, self.sample.neck_fraction, &mut stream)))
+    }
+
+    /// The random numbers of a stage for a purpose: those that draw first, the sample or a stage, have the stream of the purpose; every later stage has one of its own.
+    fn stream(&self, stage: usize, purpose: &str, by_sample: bool, draws: impl Fn(&SootStage) -> bool) -> Stream {
+        let first = !by_sample && !self.stages[..stage].iter().any(draws);
+        Stream::new(self.seed, &if first { purpose.into() } else { format!("{purpose} {}", stage + 1) })
     }
 
     /// Whether steps, cutoff and necks suit spheres from a file, one at least, with these radii.
@@ -167,8 +180,13 @@ impl<S: Reading> Study for Plan<S> {
     }
 
     fn set_up(&self, stage: usize, system: System) -> Result<System, Error> {
-        let ground = Ground { seed: self.seed, radius: median_radius(&system.particles) };
-        stage::set_up(&self.stages[stage], &ground, system)
+        let indents = |stage: &SootStage| matches!(stage, SootStage::Indentation(_));
+        let ground = Ground {
+            necks: self.stream(stage, NECK_REMOVAL, self.sample.neck_fraction < 1.0, stage::removes_necks),
+            target: self.stream(stage, INDENTED_SPHERE, false, indents),
+            radius: median_radius(&system.particles),
+        };
+        stage::set_up(&self.stages[stage], ground, system)
     }
 
     fn model(&self, stage: usize) -> soot::Soot<S> {
@@ -257,6 +275,58 @@ mod tests {
     use crate::papers::parse;
     use crate::spec::soot::Along;
     use std::path::Path;
+
+    /// The systems that the stages of a sequence begin with, as if nothing had happened before.
+    fn beginnings(neck_fraction: f64, stages: &[&str]) -> Vec<System> {
+        let lines: String = stages.iter().map(|stage| format!("    - {stage}\n")).collect();
+        let sample = format!("sample: {{aggregate: {{spheres: 40, neck_fraction: {neck_fraction}}}}}\n");
+        let text = format!("title: x\nmodel: {{soot: {{}}}}\n{sample}experiment:\n  sequence:\n{lines}");
+        let case = parse::<crate::papers::soot::Soot>(Path::new("x.yaml"), &text).expect("a case");
+        let plan = Plan::of(&case, Along);
+        let system = plan.initial(&Interrupt::default()).expect("an aggregate");
+        (0..stages.len()).map(|stage| plan.set_up(stage, system.clone()).expect("a stage")).collect()
+    }
+
+    const HALVED: &str = "restructuring: {keep_necks: 0.5}";
+    const WHOLE: &str = "restructuring: {}";
+
+    #[test]
+    fn equal_stages_of_a_sequence_remove_other_necks() {
+        let systems = beginnings(1.0, &[HALVED, HALVED]);
+        assert_eq!(systems[0].necks.len(), systems[1].necks.len());
+        assert_ne!(systems[0].necks, systems[1].necks);
+        // The first that removes any does it alike, wherever in the sequence it is.
+        assert_eq!(beginnings(1.0, &[WHOLE, HALVED])[1].necks, systems[0].necks);
+    }
+
+    #[test]
+    fn a_stage_does_not_repeat_the_random_numbers_of_the_sample() {
+        let systems = beginnings(0.5, &[WHOLE, HALVED]);
+        let drawn = |purpose: &str| {
+            let mut system = systems[0].clone();
+            stage::break_necks(0.5, &mut Stream::new(1, purpose), &mut system);
+            system.necks
+        };
+        assert_eq!(systems[1].necks, drawn("neck removal 2"));
+        assert_ne!(systems[1].necks, drawn("neck removal"));
+    }
+
+    #[test]
+    fn equal_stages_of_a_sequence_indent_other_spheres() {
+        let systems = beginnings(1.0, &["deposition: {}", "indentation: {}", "indentation: {}", "indentation: {}"]);
+        let tips: Vec<_> = systems[1..].iter().map(|system| &system.surfaces.last().expect("a tip").shape).collect();
+        assert!(tips.iter().any(|shape| *shape != tips[0]));
+    }
+
+    #[test]
+    fn an_aggregate_that_is_deposited_does_not_turn() {
+        let case = "title: x\nmodel: {soot: {}}\nsample: {aggregate: {spheres: 5}}\nexperiment: {deposition: {}}\n";
+        let plan = Plan::of(&parse::<crate::papers::soot::Soot>(Path::new("x.yaml"), case).expect("a case"), Along);
+        let mut system = plan.initial(&Interrupt::default()).expect("an aggregate");
+        system.particles.w.fill(Vec3([1.0, 2.0, 3.0]));
+        let deposited = plan.set_up(0, system).expect("a stage");
+        assert!(deposited.particles.w.iter().all(|w| *w == Vec3::zero()));
+    }
 
     #[test]
     fn stages_that_come_again_are_numbered() {

@@ -1,0 +1,74 @@
+//! Springs when neighbours are listed anew: which a pair keeps, and what those held that it loses.
+
+use super::Simulation;
+use crate::error::Halt;
+use crate::forces;
+use crate::spec::{Flat, PairModel};
+use crate::system::{Bond, Springs};
+use std::collections::{BTreeMap, BTreeSet};
+
+impl<M: PairModel> Simulation<M> {
+    /// Lists neighbours anew. Springs that are lost on the way are entered as lost.
+    pub(super) fn list_anew(&mut self) -> Result<(), Halt> {
+        let (springs, forgotten) = self.springs();
+        self.enter_lost(&forgotten);
+        self.list_neighbours(&springs)?;
+        self.let_go(&springs);
+        Ok(())
+    }
+
+    /// The springs of all contacts, by who the spheres are, and the energy of those that the model forgets.
+    pub(super) fn springs(&self) -> (Springs, M::Losses<f64>) {
+        let mut springs = Springs::new(M::Memory::<f64>::LEN);
+        let mut forgotten: M::Losses<f64> = Flat::from_fn(|_| 0.0);
+        for block in &self.blocks {
+            for (i, j, row, lane) in block.each_pair() {
+                let (i, j) = (block.member(i), block.member(j));
+                let constants = Flat::from_fn(|k| block.pairs.constants(row).at(k).0[lane]);
+                let memory = block.pairs.memory_of(row, lane);
+                let (kept, lost) = self.model.relisted(&self.contact(i, j), &constants, memory);
+                springs.add(self.bond(i, j), (0..M::Memory::<f64>::LEN).map(|k| *kept.at(k)));
+                forgotten = Flat::from_fn(|k| forgotten.at(k) + lost.at(k));
+            }
+        }
+        (springs.sorted(), forgotten)
+    }
+
+    /// Enters what was held by springs of pairs that are no longer listed among those that can touch. They are out of contact: the law says what that costs.
+    fn let_go(&mut self, springs: &Springs) {
+        let held = |memory: &M::Memory<f64>| (0..M::Memory::<f64>::LEN).any(|k| *memory.at(k) != 0.0);
+        let seats = || {
+            let seats = self.blocks.iter().flat_map(|block| block.each_pair().map(move |pair| (block, pair)));
+            seats.filter(|(block, (_, _, row, lane))| held(&block.pairs.memory_of(*row, *lane)))
+        };
+        if seats().count() == springs.bonds().len() {
+            return;
+        }
+        let found: BTreeSet<Bond> =
+            seats().map(|(block, (i, j, ..))| self.bond(block.member(i), block.member(j))).collect();
+        let particles = &self.system.particles;
+        let place: BTreeMap<u32, usize> = particles.id.iter().copied().zip(0..).collect();
+        let mut lost: M::Losses<f64> = Flat::from_fn(|_| 0.0);
+        for bond in springs.bonds().filter(|bond| !found.contains(bond)) {
+            let (i, j) = (place[&bond.0], place[&bond.1]);
+            let contact = self.contact((i, [0; 3]), (j, bond.2));
+            let (r, m) = (&particles.radius, &particles.mass);
+            let constants = self.model.coefficients(r[i], r[j], m[i], m[j]);
+            let numbers = springs.of(bond).expect("springs of a pair that has some");
+            let losses = self.model.pair(&contact, &constants, Flat::from_fn(|k| numbers[k]), self.settings.dt).losses;
+            lost = Flat::from_fn(|k| lost.at(k) + losses.at(k));
+        }
+        self.enter_lost(&lost);
+    }
+
+    fn enter_lost(&mut self, lost: &M::Losses<f64>) {
+        for (k, sum) in self.ledger.lost_by_pairs.iter_mut().enumerate() {
+            *sum += lost.at(k);
+        }
+    }
+
+    /// The lasting name of two spheres, each a place and a copy.
+    pub(super) fn bond(&self, (p, a): (usize, [i16; 3]), (q, b): (usize, [i16; 3])) -> Bond {
+        forces::bond(&self.system.particles, p, q, std::array::from_fn(|k| b[k] - a[k]))
+    }
+}
