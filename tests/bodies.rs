@@ -5,7 +5,7 @@ mod common;
 use common::{crowd, settings, wear};
 use veridem::simulation::Simulation;
 use veridem::spec::Vec3;
-use veridem::spec::titania::def_rotation::to_space;
+use veridem::spec::mechanics::rotation::to_space;
 use veridem::spec::wear::law::Wear;
 use veridem::system::{Domain, Motion, Particles, Steering, System};
 

@@ -8,8 +8,8 @@ use std::process::{Command, Output};
 use veridem::forces::Instructions;
 use veridem::simulation::{Settings, Simulation};
 use veridem::spec::Vec3;
+use veridem::spec::mechanics::sphere::sphere_mass;
 use veridem::spec::soot::{Soot, TIP};
-use veridem::spec::wear::def_sphere::sphere_mass;
 use veridem::system::Mesh;
 use veridem::system::{Course, Particles, Shape, Surface, System};
 

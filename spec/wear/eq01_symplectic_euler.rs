@@ -3,7 +3,7 @@
 use crate::equation::Equation;
 use crate::{Real, Vec3, equation};
 
-pub use crate::mechanics::kick_and_drift::{drift, kick};
+use crate::mechanics::kick_and_drift::{drift, kick};
 
 /// **Eq. 1**, Section 2: one step of the symplectic Euler method for a particle.
 ///
