@@ -58,7 +58,6 @@ pub mod def_potential;
 pub mod def_restitution;
 pub mod def_stable_step;
 pub mod def_zero_force_end;
-pub mod eq01_symplectic_euler;
 pub mod eq02_pair_force;
 pub mod eq03_normal_force;
 pub mod eq04_tangential_force;
@@ -82,6 +81,7 @@ pub mod eq22_critical_length;
 pub mod law;
 
 pub use crate::mechanics::reduced_mass as eq17_effective_mass;
+pub use crate::mechanics::symplectic_euler as eq01_symplectic_euler;
 
 pub use def_contact::Parameters;
 pub use law::{Interaction, Material, Wear};

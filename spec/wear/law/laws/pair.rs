@@ -3,7 +3,7 @@
 use super::super::*;
 use crate::mechanics::sphere::moment_of_inertia;
 use crate::wear::def_contact::Losses;
-use crate::wear::eq01_symplectic_euler::symplectic_euler;
+use crate::mechanics::symplectic_euler::symplectic_euler;
 
 /// Two equal spheres and their spring.
 pub struct Pair {
