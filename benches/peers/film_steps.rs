@@ -1,6 +1,6 @@
 //! Advances a film of water-covered titania: what `liggghts.py` sets against LIGGGHTS.
 //!
-//!     cargo run --release --example film_steps -- rigid|free SPHERES STEPS
+//!     cargo run --release -p veridem-peers --bin film_steps -- rigid|free SPHERES STEPS
 //!
 //! Aggregates are rigid bodies, or all their spheres are by themselves; those on the floor are fixed. Without steps it prints what the
 //! film is: a line with the sides of the box, the number of pairs in contact and of those in range, and a line `aggregate x y z radius

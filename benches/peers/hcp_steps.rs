@@ -1,6 +1,6 @@
 //! Advances a periodic HCP crystal: what `lammps.py` sets against LAMMPS.
 //!
-//!     cargo run --release --example hcp_steps -- CELLS_X CELLS_Y CELLS_Z STEPS THREADS
+//!     cargo run --release -p veridem-peers --bin hcp_steps -- CELLS_X CELLS_Y CELLS_Z STEPS THREADS
 
 mod crystal;
 

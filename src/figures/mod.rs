@@ -1,15 +1,22 @@
 //! Pictures: curves, snapshots, and the page that shows them beside a table of results.
 
-pub mod page;
-pub mod plot;
-pub mod report;
-pub mod snapshot;
+mod graph;
+#[cfg(feature = "cli")]
+mod page;
+#[cfg(feature = "cli")]
+mod plot;
+#[cfg(feature = "cli")]
+mod report;
+mod snapshot;
 
+pub use graph::Graph;
+#[cfg(feature = "cli")]
 pub use page::Report;
+#[cfg(feature = "cli")]
 pub use plot::{Axis, Curve, Mark, Plot};
-
-pub use report::{Graph, picture};
-pub use snapshot::snapshot;
+#[cfg(feature = "cli")]
+pub use report::report;
+pub use snapshot::{picture, snapshot};
 
 /// The colours of curves and bodies, told apart by readers with any colour vision (Okabe and Ito, with an olive for their yellow).
 pub(crate) const COLOURS: [(u8, u8, u8); 8] = [

@@ -1,6 +1,8 @@
 //! A picture of the spheres, a solid cut open at the middle, coloured by the body they belonged to at the beginning.
 
 use super::COLOURS;
+use crate::error::Error;
+use crate::output::{RunFolder, write_atomically};
 use crate::spec::Vec3;
 use crate::system::{Shape, Surface, System};
 use std::fmt::Write;
@@ -9,6 +11,27 @@ use std::fmt::Write;
 const WIDTH: f64 = 640.0;
 /// Resolution at which hidden spheres are found, pixels per pixel of the picture.
 const RESOLUTION: f64 = 0.5;
+
+/// Draws the particles as they are now into the figures of a run, with one of the axes pointing upwards.
+///
+/// # Errors
+///
+/// If the file cannot be written.
+pub fn picture(folder: &RunFolder, name: &str, system: &System, upwards: usize) -> Result<(), Error> {
+    let mut turned;
+    let system = if upwards == 1 {
+        system
+    } else {
+        turned = system.clone();
+        turned.domain.sides.swap(1, upwards);
+        turned.domain.periodic.swap(1, upwards);
+        turned.particles.x.iter_mut().for_each(|x| x.0.swap(1, upwards));
+        &turned
+    };
+    let height = system.domain.sides[1];
+    let path = folder.figures().join(name).with_extension("svg");
+    write_atomically(&path, snapshot(system, [-0.1 * height, 1.2 * height]).as_bytes())
+}
 
 /// The spheres seen along z, x to the right, y up, or, where they lean on surfaces, along y with z up; of a solid, which goes on along z, the half behind the middle plane. The frame follows `heights`, the
 /// lowest and the highest place to be shown, so that the pictures of one run can be compared.
