@@ -6,7 +6,7 @@ use common::{crowd, settings, wear};
 use veridem::run::advance;
 use veridem::simulation::Simulation;
 use veridem::spec::Vec3;
-use veridem::spec::titania::def_rotation::to_space;
+use veridem::spec::mechanics::rotation::to_space;
 use veridem::spec::wear::law::Wear;
 use veridem::system::{Domain, Motion, Particles, Steering, System};
 
@@ -23,7 +23,7 @@ fn mixed(seed: u64) -> System {
 }
 
 fn steps(mut simulation: Simulation<Wear>, count: usize) -> Simulation<Wear> {
-    advance(&mut simulation, count).expect("a stable step");
+    advance(&mut simulation, count as u64).expect("a stable step");
     simulation
 }
 

@@ -9,8 +9,9 @@ use std::path::Path;
 use veridem::run::advance_until;
 use veridem::simulation::{Integrator, Settings, Simulation};
 use veridem::spec::Vec3;
-use veridem::spec::soot::{Friction, Soot, Springs};
-use veridem::spec::wear::def_sphere::sphere_mass;
+use veridem::spec::mechanics::four_springs::{Friction, Springs};
+use veridem::spec::mechanics::sphere::sphere_mass;
+use veridem::spec::soot::Soot;
 use veridem::system::{Domain, Particles, System};
 
 fn runs(name: &str) -> Vec<Value> {

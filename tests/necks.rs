@@ -3,9 +3,9 @@
 use veridem::forces::Instructions;
 use veridem::run::advance;
 use veridem::simulation::{Integrator, Settings, Simulation};
-use veridem::spec::soot::Springs;
+use veridem::spec::mechanics::four_springs::Springs;
+use veridem::spec::mechanics::sphere::sphere_mass;
 use veridem::spec::titania::Titania;
-use veridem::spec::wear::def_sphere::sphere_mass;
 use veridem::spec::{Necked, Vec3};
 use veridem::system::{Domain, Particles, System};
 

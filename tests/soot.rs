@@ -9,7 +9,8 @@ use veridem::motion::inertia;
 use veridem::observe::morphology::coordination_number;
 use veridem::run::advance;
 use veridem::simulation::{Settings, Simulation};
-use veridem::spec::soot::{Memory, Stored};
+use veridem::spec::mechanics::four_springs::Memory;
+use veridem::spec::soot::Stored;
 use veridem::spec::{Contact, PairModel, Vec3};
 use veridem::system::{Particles, System};
 

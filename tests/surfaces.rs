@@ -9,9 +9,9 @@ use veridem::forces::Instructions;
 use veridem::run::{advance, advance_until};
 use veridem::simulation::{Settings, Simulation};
 use veridem::spec::Vec3;
+use veridem::spec::mechanics::sphere::sphere_mass;
 use veridem::spec::soot::{Soot, TIP};
-use veridem::spec::wear::def_sphere::sphere_mass;
-use veridem::system::mesh::Mesh;
+use veridem::system::Mesh;
 use veridem::system::{Course, Particles, Shape, Surface, System};
 
 /// A square far larger than the aggregate, whose diagonal passes below it.

@@ -15,6 +15,6 @@ fn main() -> Result<(), Halt> {
     pool.build_global().expect("the first thread pool");
     let mut simulation = crystal::simulation([x, y, z], Instructions::best())?;
     assert_eq!(simulation.pairs().count(), 24 * x * y * z, "every sphere has twelve neighbours");
-    advance(&mut simulation, steps)?;
+    advance(&mut simulation, steps as u64)?;
     Ok(())
 }

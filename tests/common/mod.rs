@@ -10,7 +10,7 @@ use veridem::forces::Instructions;
 use veridem::run::advance;
 use veridem::simulation::{Integrator, Settings, Simulation};
 use veridem::spec::Vec3;
-use veridem::spec::wear::def_sphere::sphere_mass;
+use veridem::spec::mechanics::sphere::sphere_mass;
 use veridem::spec::wear::law::{Interaction, Material, Wear};
 use veridem::system::{Domain, Motion, Particles, System};
 
