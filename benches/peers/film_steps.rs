@@ -8,6 +8,7 @@
 
 use veridem::forces::Instructions;
 use veridem::initial::film::{Bonding, FilmPlan};
+use veridem::run::advance;
 use veridem::simulation::{Integrator, Settings, Simulation};
 use veridem::spec::mechanics::sphere::sphere_mass;
 use veridem::spec::titania::{Tabulated, Titania};
@@ -56,8 +57,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             println!("{} {x} {y} {z} {} {} {}", p.tag[k], p.radius[k], p.mass[k], p.wall[k]);
         }
     }
-    for _ in 0..steps {
-        simulation.step()?;
-    }
+    advance(&mut simulation, steps)?;
     Ok(())
 }
