@@ -1,4 +1,4 @@
-//! `veridem check`: everything about a case short of running it.
+//! `veridem check`: checks a case without running it.
 
 use super::{Manner, print};
 use crate::error::Error;
@@ -12,7 +12,7 @@ pub struct Arguments {
     case: PathBuf,
 }
 
-/// Checks the case and prints it resolved.
+/// Checks the case and prints it with its defaults and derived values.
 pub fn run(arguments: &Arguments, papers: Papers, manner: Manner) -> Result<(), Error> {
     let job = papers.read(&arguments.case)?;
     job.examine()?;

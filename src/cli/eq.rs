@@ -20,7 +20,7 @@ pub struct Arguments {
 enum Action {
     /// List every equation; with --json names, symbols, units, domains and laws too
     List,
-    /// Show an equation: formula as printed, how it was read, table, laws, source file
+    /// Show an equation: formula as printed, reading, table, laws, source file
     Show {
         /// Its id, such as wear-3
         id: String,

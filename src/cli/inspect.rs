@@ -1,4 +1,4 @@
-//! `veridem inspect`: what a run folder holds, or where two of them differ.
+//! `veridem inspect`: summarises a run folder, or compares two.
 
 use super::run::table;
 use super::{Manner, print};
@@ -14,7 +14,7 @@ pub struct Arguments {
     /// The run folder
     #[arg(required_unless_present = "diff")]
     run: Option<PathBuf>,
-    /// Compare two run folders; exits with 4 if they differ
+    /// Compare two run folders; the exit status is 4 if they differ
     #[arg(long, num_args = 2, value_names = ["A", "B"], conflicts_with = "run")]
     diff: Option<Vec<PathBuf>>,
 }
@@ -85,7 +85,7 @@ fn compare(a: &Path, b: &Path, manner: Manner) -> Result<(), Error> {
             text.push_str(&format!("series: {} rows and {} rows\n", rows.0, rows.1));
         }
         if !same_columns {
-            text.push_str("series: the columns are not the same\n");
+            text.push_str("series: the columns differ\n");
         }
         for d in &differences {
             let Difference { column, row, largest, scale } = d;
@@ -106,7 +106,7 @@ fn compare(a: &Path, b: &Path, manner: Manner) -> Result<(), Error> {
     if identical { Ok(()) } else { Err(Error::Verification(format!("{} and {} differ", a.display(), b.display()))) }
 }
 
-/// Column by column, over the rows that both have.
+/// Compares column by column, over the rows that both have.
 fn differences(a: &Series, b: &Series) -> Vec<Difference> {
     let mut found = Vec::new();
     for (place, column) in a.columns.iter().enumerate() {

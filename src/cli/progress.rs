@@ -1,4 +1,4 @@
-//! What a user sees while a run goes.
+//! Progress of a run, shown to the user.
 
 use super::Manner;
 use crate::run::Glance;
@@ -6,7 +6,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use std::io::IsTerminal;
 use std::time::{Duration, Instant};
 
-/// How often a line is written where there is no terminal.
+/// Interval between progress lines if there is no terminal.
 const PAUSE: Duration = Duration::from_secs(5);
 
 /// A bar on a terminal, a line every few seconds elsewhere.
@@ -19,7 +19,7 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// Nothing is shown before the first glance.
+    /// Nothing is shown before the first report.
     pub fn new(manner: Manner) -> Self {
         let bar = (!manner.quiet && std::io::stderr().is_terminal()).then(|| {
             let style = if std::env::var_os("NO_COLOR").is_some() { "{bar:24}" } else { "{bar:24.cyan}" };
@@ -30,7 +30,7 @@ impl Progress {
         Self { manner, bar, stage: String::new(), begun: (Instant::now(), 0), written: None }
     }
 
-    /// Shows how a run is doing.
+    /// Shows the progress of a run.
     pub fn show(&mut self, glance: Glance) {
         if self.manner.quiet {
             return;
@@ -47,7 +47,7 @@ impl Progress {
         let each = since.elapsed().as_secs_f64() / taken.max(1.0);
         let cost = 1e9 * each / glance.particles as f64;
         let message =
-            format!("{cost:.0} ns/particle-step, ledger {:.1e}, overlap {:.3}", glance.residual, glance.overlap);
+            format!("{cost:.0} ns/particle-step, energy error {:.1e}, overlap {:.3}", glance.residual, glance.overlap);
         if let Some(bar) = &self.bar {
             bar.set_prefix(self.stage.clone());
             bar.set_length(glance.steps);
@@ -60,7 +60,7 @@ impl Progress {
         }
     }
 
-    /// Takes the bar away.
+    /// Removes the bar.
     pub fn finish(&self) {
         if let Some(bar) = &self.bar {
             bar.finish_and_clear();

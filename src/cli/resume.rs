@@ -1,4 +1,4 @@
-//! `veridem resume`: goes on with a run that was stopped, as if it had not been.
+//! `veridem resume`: resumes a stopped run, as if it had never been stopped.
 
 use super::Manner;
 use super::progress::Progress;
@@ -18,7 +18,7 @@ pub struct Arguments {
     limits: Limits,
 }
 
-/// Goes on from the latest checkpoint.
+/// Resumes from the latest checkpoint.
 pub fn run(arguments: &Arguments, papers: Papers, manner: Manner) -> Result<(), Error> {
     let interrupt = arguments.limits.interrupt()?;
     let folder = RunFolder::open(&arguments.run)?;
@@ -28,7 +28,9 @@ pub fn run(arguments: &Arguments, papers: Papers, manner: Manner) -> Result<(), 
         return Err(Error::Usage(format!("{}: has finished; there is nothing to resume", arguments.run.display())));
     }
     if !manifest.is_ours() {
-        manner.say("warning: the run was begun by another build of this program; it may not go on with the same bits");
+        manner.say(
+            "warning: the run was started by another build of this program; it may not continue with the same bits",
+        );
     }
     let mut progress = Progress::new(manner);
     let mut show = |glance: Glance| progress.show(glance);

@@ -1,4 +1,4 @@
-//! `veridem run`: a case from its file to its run folder.
+//! `veridem run`: runs a case into a run folder.
 
 use super::progress::Progress;
 use super::{Manner, print};
@@ -14,20 +14,20 @@ use std::time::Duration;
 pub struct Arguments {
     /// The case file
     case: PathBuf,
-    /// Name of the run; that of the case file by default
+    /// Name of the run; by default the name of the case file
     #[arg(long)]
     name: Option<String>,
-    /// Folder that run folders are made in
+    /// Folder in which run folders are created
     #[arg(long, value_name = "FOLDER", default_value = "run")]
     out: PathBuf,
-    /// Replace a run folder of that name
+    /// Replace an existing run folder of that name
     #[arg(long)]
     force: bool,
     #[command(flatten)]
     limits: Limits,
 }
 
-/// When to stop a run before its end.
+/// Limits at which a run is stopped before its end.
 #[derive(clap::Args)]
 pub struct Limits {
     /// Stop after this many seconds; the run can be resumed
@@ -39,7 +39,7 @@ pub struct Limits {
 }
 
 impl Limits {
-    /// The limits, and the signals, that stop this process.
+    /// The limits and the signals that stop this process.
     pub fn interrupt(&self) -> Result<Interrupt, Error> {
         let time = self.max_time.map(Duration::try_from_secs_f64).transpose();
         let time = time.map_err(|error| Error::Usage(format!("--max-time: {error}")))?;
@@ -60,7 +60,7 @@ pub fn run(arguments: &Arguments, papers: Papers, manner: Manner) -> Result<(), 
     conclude(&folder, &findings, manner)
 }
 
-/// Tells what came out.
+/// Reports the findings.
 pub fn conclude(folder: &RunFolder, findings: &[Finding], manner: Manner) -> Result<(), Error> {
     manner.say(format!("finished: {}", folder.report().display()));
     if manner.json {

@@ -1,4 +1,4 @@
-//! `veridem schema`: every key of a case file, from the declarations that also read it.
+//! `veridem schema`: every key of a case file, from the declarations by which it is read.
 
 use super::{Manner, print};
 use crate::case::section::Key;
@@ -30,7 +30,7 @@ fn list(keys: &[Key], depth: usize, text: &mut String) {
             None if keys.is_empty() => " ...".into(),
             _ => String::new(),
         };
-        let must = if default.is_none() && keys.is_empty() { " Must be given." } else { "" };
+        let must = if default.is_none() && keys.is_empty() { " Required." } else { "" };
         text.push_str(&format!("{indent}# {about}{expects}{must}\n{indent}{key}:{written}\n"));
         list(keys, depth + 1, text);
     }

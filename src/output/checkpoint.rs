@@ -1,4 +1,4 @@
-//! Complete states on disk: a line that says what it is, a checksum, and the state.
+//! Complete states on disk: a heading, a checksum, and the state.
 
 use super::files::{read, write_atomically};
 use crate::error::{AtPath, Error};
@@ -6,10 +6,10 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::path::{Path, PathBuf};
 
-/// What a kept state is.
+/// The kind of a saved state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kept {
-    /// A point that a run can be resumed from.
+    /// A checkpoint, from which a run can be resumed.
     Checkpoint,
     /// An equilibrated sample.
     Sample,
@@ -31,7 +31,7 @@ pub fn keep<T: Serialize>(path: &Path, what: Kept, state: &T) -> Result<(), Erro
     write_atomically(path, &[what.heading(), &checksum, &body].concat())
 }
 
-/// Reads a state back.
+/// Reads a state.
 pub fn kept<T: DeserializeOwned>(path: &Path, what: Kept) -> Result<T, Error> {
     let bytes = read(path)?;
     let rest = bytes.strip_prefix(what.heading());
@@ -45,7 +45,7 @@ pub fn kept<T: DeserializeOwned>(path: &Path, what: Kept) -> Result<T, Error> {
     postcard::from_bytes(body).map_err(|_| Error::input(path, "was written by another version"))
 }
 
-/// The checkpoints of a run: the last two that were due, and the one it was stopped at.
+/// The checkpoints of a run: the last two regular ones, and the one at which it was stopped.
 pub struct Checkpoints {
     folder: PathBuf,
 }
@@ -54,7 +54,7 @@ const EXTENSION: &str = "checkpoint";
 const STOPPED: &str = "stopped";
 
 impl Checkpoints {
-    /// Those in `folder`.
+    /// The checkpoints in `folder`.
     pub fn new(folder: PathBuf) -> Self {
         Self { folder }
     }
@@ -63,12 +63,12 @@ impl Checkpoints {
         self.folder.join(name).with_extension(EXTENSION)
     }
 
-    /// Whether there is none to resume from.
+    /// Whether there is no checkpoint.
     pub fn is_empty(&self) -> Result<bool, Error> {
         Ok(self.due()?.is_empty() && !self.path(STOPPED).exists())
     }
 
-    /// Those that were due, the oldest first.
+    /// The regular checkpoints, oldest first.
     fn due(&self) -> Result<Vec<PathBuf>, Error> {
         let mut found = Vec::new();
         for entry in std::fs::read_dir(&self.folder).at(&self.folder)? {
@@ -81,7 +81,7 @@ impl Checkpoints {
         Ok(found)
     }
 
-    /// Keeps the state after so many steps; forgets all but the last two, and where the run was stopped before.
+    /// Saves the state after a number of steps; removes all but the last two, and the checkpoint of an earlier stop.
     pub fn keep<T: Serialize>(&self, steps: u64, state: &T) -> Result<(), Error> {
         keep(&self.path(&format!("{steps:012}")), Kept::Checkpoint, state)?;
         let due = self.due()?;
@@ -91,18 +91,18 @@ impl Checkpoints {
         self.forget_stopped()
     }
 
-    /// Forgets where the run was stopped: it has gone on beyond that.
+    /// Removes the checkpoint of a stop, which the resumed run has passed.
     pub fn forget_stopped(&self) -> Result<(), Error> {
         let stopped = self.path(STOPPED);
         if stopped.exists() { std::fs::remove_file(&stopped).at(&stopped) } else { Ok(()) }
     }
 
-    /// Keeps the state that a run is stopped in.
+    /// Saves the state in which a run is stopped.
     pub fn keep_stopped<T: Serialize>(&self, state: &T) -> Result<(), Error> {
         keep(&self.path(STOPPED), Kept::Checkpoint, state)
     }
 
-    /// The latest state that can be read; the complaint about the latest if none can.
+    /// The latest readable state; the error of the latest if none is readable.
     pub fn latest<T: DeserializeOwned>(&self) -> Result<T, Error> {
         let candidates = [self.path(STOPPED)].into_iter().filter(|path| path.exists());
         let mut complaint = None;

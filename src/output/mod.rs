@@ -1,4 +1,4 @@
-//! The run folder: what a run leaves behind, and how it is written so that nothing half-written is ever mistaken for a result.
+//! The run folder: the output of a run, written so that an incomplete file is never mistaken for a result.
 
 mod checkpoint;
 pub mod columns;

@@ -1,4 +1,4 @@
-//! The driver: sets up, steps, intervenes, follows, stops. Whatever takes steps does it here.
+//! The driver: set-up, steps, interventions, observation and end of every stage. All steps are taken here.
 
 use super::{Progress, Sink, Step, Study};
 use crate::error::{Error, Halt};
@@ -10,42 +10,42 @@ use serde::{Deserialize, Serialize};
 
 /// A stage under way.
 pub struct Stage<'a, S: Study> {
-    /// The study that it belongs to.
+    /// Its study.
     pub study: &'a S,
     /// Its number, from zero.
     pub number: usize,
     /// Its name, unique in the run.
     pub name: String,
-    /// What is simulated.
+    /// The simulation.
     pub simulation: Simulation<S::Model>,
-    /// What its observer remembers.
+    /// The state of its observer.
     pub watch: S::Watch,
 }
 
 impl<S: Study> Stage<'_, S> {
-    /// Its last step, at the latest.
+    /// Its largest number of steps.
     pub fn last_step(&self) -> u64 {
         self.study.steps(self.number, self.simulation.settings().dt)
     }
 }
 
-/// What goes from stage to stage.
+/// The state passed from stage to stage.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Course {
-    /// Steps of all stages together.
+    /// Total number of steps of all stages.
     pub steps: u64,
     /// The sample, once a stage has needed it.
     pub sample: Option<System>,
-    /// What the stages that have ended amount to.
+    /// The findings of the stages that have ended.
     pub findings: Vec<Finding>,
 }
 
-/// What is left at the end of a run.
+/// The outcome of a run.
 #[derive(Clone, Debug)]
 pub struct Outcome {
-    /// What its stages amount to.
+    /// The findings of its stages.
     pub findings: Vec<Finding>,
-    /// The state at the end.
+    /// The final state.
     pub system: System,
 }
 
@@ -54,12 +54,12 @@ pub struct Driver<'a, S: Study> {
     study: &'a S,
     interrupt: &'a Interrupt,
     names: Vec<String>,
-    /// Steps of this process.
+    /// Number of steps taken by this process.
     taken: u64,
 }
 
 impl<'a, S: Study> Driver<'a, S> {
-    /// A driver that stops when `interrupt` says so.
+    /// A driver that stops when `interrupt` requests it.
     pub fn new(study: &'a S, interrupt: &'a Interrupt) -> Self {
         Self { study, interrupt, names: study.names(), taken: 0 }
     }
@@ -68,13 +68,13 @@ impl<'a, S: Study> Driver<'a, S> {
     ///
     /// # Errors
     ///
-    /// What the study cannot build, a halt, a stage that fails, an interruption, or what the sink cannot do.
+    /// If the study cannot build its system, the simulation halts, a stage fails, the run is interrupted, or the sink fails.
     pub fn run(&mut self, sink: &mut impl Sink<S>) -> Result<Outcome, Error> {
         let initial = self.study.initial(self.interrupt)?;
         self.run_from(initial, sink)
     }
 
-    /// Runs all stages from the state before the first.
+    /// Runs all stages from the initial state.
     ///
     /// # Errors
     ///
@@ -100,7 +100,7 @@ impl<'a, S: Study> Driver<'a, S> {
         self.go_on(next, system, course, sink)
     }
 
-    /// A stage that is taken up in the middle.
+    /// Resumes a stage in the middle.
     pub fn stage(&self, number: usize, simulation: Simulation<S::Model>, watch: S::Watch) -> Stage<'a, S> {
         Stage { study: self.study, number, name: self.names[number].clone(), simulation, watch }
     }
@@ -138,7 +138,7 @@ impl<'a, S: Study> Driver<'a, S> {
             before
         };
         let mut system = self.study.set_up(number, from)?;
-        // Steps are counted stage by stage; time goes on, whatever the stage starts from.
+        // Steps are counted per stage; time continues through all stages, whatever state they start from.
         (system.step, system.time) = (0, clock);
         let settings = self.study.settings(number, &system);
         let simulation = Simulation::new(self.study.model(number), system, settings)?;
@@ -175,7 +175,7 @@ impl<'a, S: Study> Driver<'a, S> {
         }
     }
 
-    /// One step, and what may happen between two steps.
+    /// One step, and the interventions between two steps.
     fn step(&self, stage: &mut Stage<'a, S>) -> Result<Vec<String>, Halt> {
         stage.simulation.step()?;
         let mut events = self.study.intervene(stage.number, &mut stage.simulation)?;

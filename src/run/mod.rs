@@ -1,4 +1,4 @@
-//! A run: the stages of a study, one after another, driven step by step, watched, recorded, and kept so that it can be resumed bit by bit.
+//! A run: the stages of a study in succession, advanced step by step, observed, recorded, and checkpointed so that a resumed run has the same bits.
 
 mod driver;
 mod job;

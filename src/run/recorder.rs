@@ -23,24 +23,24 @@ pub(super) struct State<W> {
     pub(super) extent: Extent,
 }
 
-/// How a run is doing, for whoever waits for it.
+/// Progress of a run.
 #[derive(Clone, Copy, Debug)]
 pub struct Glance<'a> {
     /// The stage.
     pub stage: &'a str,
-    /// Steps of this stage so far.
+    /// Number of steps taken in this stage.
     pub step: u64,
-    /// Its last step, at the latest.
+    /// Largest number of steps of the stage.
     pub steps: u64,
     /// Number of particles.
     pub particles: usize,
-    /// Residual of the physical energy account over all that moved.
+    /// Relative residual of the physical energy balance.
     pub residual: f64,
-    /// Largest overlap over the sum of the radii.
+    /// Largest overlap, relative to the sum of the radii.
     pub overlap: f64,
 }
 
-/// Steps of a stage from one row, frame, checkpoint and picture to the next.
+/// Output intervals of a stage, in steps: rows, frames, checkpoints and pictures.
 #[derive(Clone, Copy)]
 struct Intervals {
     series: u64,
@@ -71,7 +71,7 @@ impl<'a> Recorder<'a> {
         Ok(Self { folder, output, record, show, seen: (0.0, 0.0) })
     }
 
-    /// Takes the record up as it was at a checkpoint.
+    /// Restores the record to its state at a checkpoint.
     pub(super) fn resume(
         folder: &'a RunFolder,
         output: &'a Output,
@@ -180,7 +180,7 @@ impl<S: Study> Sink<S> for Recorder<'_> {
         }
     }
 
-    /// Dumps the state that could not be left.
+    /// Writes the state in which the simulation halted.
     fn halt(&mut self, stage: &mut Stage<'_, S>, halt: Halt) -> Error {
         stage.simulation.place_members();
         let dumped = self.event(stage, &format!("halted at {halt}")).and_then(|()| {

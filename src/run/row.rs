@@ -1,4 +1,4 @@
-//! What every row of the series holds, whatever the stage.
+//! The columns that every row of the series has, whatever the stage.
 
 use super::{Stage, Study};
 use crate::output::columns::{
@@ -8,7 +8,7 @@ use crate::output::columns::{
 use crate::output::{Cell, Column};
 use crate::spec::{Named, PairModel};
 
-/// The columns of the accounts, between what pairs lose and the stress.
+/// The columns of the energy balance, between the energies of pairs and the stress.
 const ACCOUNTS: [Column; 9] = [
     LOST_TO_DRAG,
     LOST_TO_BREAKING,
@@ -30,13 +30,13 @@ pub fn columns<S: Study>(study: &S) -> Vec<String> {
     first.chain(held).chain(gone).chain(last).collect()
 }
 
-/// A row of the series, and the numbers of it that those who wait want to see.
+/// A row of the series, and its numbers that are shown as progress.
 pub struct Row {
     /// The cells.
     pub cells: Vec<Cell>,
-    /// Relative residual of the physical account.
+    /// Relative residual of the physical energy balance.
     pub residual: f64,
-    /// Largest overlap over the sum of the radii.
+    /// Largest overlap, relative to the sum of the radii.
     pub overlap: f64,
 }
 

@@ -1,20 +1,20 @@
-//! Where a run goes: into a folder, into memory, or to a closure.
+//! Sinks of a run: a folder, memory, or a closure.
 
 use super::{Course, Stage, Study};
 use crate::error::{Error, Halt};
 use crate::output::Cell;
 use std::ops::ControlFlow;
 
-/// What happened in a step.
+/// The outcome of a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Step<'a> {
-    /// What observers and interventions say of it.
+    /// Events reported by observers and interventions.
     pub events: &'a [String],
     /// Whether the stage ends here.
     pub last: bool,
 }
 
-/// Hears of everything that happens in a run.
+/// Receives everything that happens in a run.
 pub trait Sink<S: Study> {
     /// A stage begins.
     fn begin(&mut self, _stage: &mut Stage<'_, S>, _course: &Course) -> Result<(), Error> {
@@ -24,28 +24,28 @@ pub trait Sink<S: Study> {
     fn step(&mut self, _stage: &mut Stage<'_, S>, _course: &Course, _step: &Step) -> Result<ControlFlow<()>, Error> {
         Ok(ControlFlow::Continue(()))
     }
-    /// A stage has come to its end.
+    /// A stage has ended.
     fn end(&mut self, _stage: &mut Stage<'_, S>, _course: &Course) -> Result<(), Error> {
         Ok(())
     }
-    /// A stage has not come to the end that it should, for this reason.
+    /// A stage has failed, for this reason.
     fn fail(&mut self, _stage: &mut Stage<'_, S>, _reason: &str) -> Result<(), Error> {
         Ok(())
     }
-    /// The run is interrupted here: keeps what it can be resumed from. Returns the error that the run ends with.
+    /// The run is interrupted here: saves a checkpoint. Returns the error with which the run ends.
     fn stop(&mut self, _stage: &mut Stage<'_, S>, _course: &Course) -> Error {
         Error::Stopped(None)
     }
-    /// The simulation has left its domain. Returns the error that the run ends with.
+    /// The simulation has halted. Returns the error with which the run ends.
     fn halt(&mut self, _stage: &mut Stage<'_, S>, halt: Halt) -> Error {
         Error::Halted(halt, None)
     }
 }
 
-/// Nobody listens.
+/// The sink that discards everything.
 impl<S: Study> Sink<S> for () {}
 
-/// A closure that sees every step, and may end the stage.
+/// A closure that observes every step, and may end the stage.
 pub struct Each<F>(pub F);
 
 impl<S: Study, F: FnMut(&mut Stage<'_, S>, &Step) -> ControlFlow<()>> Sink<S> for Each<F> {
@@ -57,7 +57,7 @@ impl<S: Study, F: FnMut(&mut Stage<'_, S>, &Step) -> ControlFlow<()>> Sink<S> fo
 /// A run in memory: the rows of its series, and its events.
 #[derive(Clone, Debug, Default)]
 pub struct Memory {
-    /// Steps from one row to the next; none but the first and the last of each stage for 0.
+    /// Number of steps between rows; 0 for only the first and the last row of each stage.
     pub every: u64,
     /// The rows; their columns are those of [`columns`](super::columns).
     pub rows: Vec<Vec<Cell>>,

@@ -1,4 +1,4 @@
-//! The tetrahedral tip of the force microscope.
+//! The tetrahedral tip of the atomic force microscope.
 
 use crate::spec::Vec3;
 use crate::system::mesh::Mesh;
@@ -24,7 +24,7 @@ mod tests {
         tip.see(Vec3([0.0, 0.0, -3.0]), 14.0, 14.0, &mut seen);
         assert_eq!(seen.len(), 1);
         assert_eq!((seen[0].n, seen[0].distance), (Vec3([0.0, 0.0, -1.0]), 3.0));
-        // A sphere inside it is told so.
+        // A sphere inside it has a negative distance.
         seen.clear();
         tip.see(Vec3([0.0, 0.0, 30.0]), 100.0, 14.0, &mut seen);
         assert_eq!(seen.len(), 1);

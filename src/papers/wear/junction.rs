@@ -1,9 +1,9 @@
-//! Two bodies linked by a cylinder (Section 4), carved out of a relaxed box.
+//! Two bodies joined by a cylinder (Section 4), carved out of a relaxed sample.
 
 use crate::spec::Vec3;
 use crate::system::{Domain, Motion, System};
 
-/// The body that a sphere belongs to at the beginning; its colour from then on.
+/// The initial body of a sphere, shown by its colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u32)]
 pub enum Body {
@@ -18,7 +18,7 @@ pub enum Body {
 }
 
 impl Body {
-    /// True for the tag of a sphere of the junction.
+    /// Whether a tag marks a sphere of the junction.
     pub fn is_junction(tag: u32) -> bool {
         tag == Self::JunctionBottom as u32 || tag == Self::JunctionTop as u32
     }
@@ -29,13 +29,13 @@ impl Body {
 pub struct Junction {
     /// Diameter of the cylinder, nm.
     pub diameter: f64,
-    /// Distance of the two bodies, nm.
+    /// Distance between the two bodies, nm.
     pub height: f64,
     /// Thickness of the rigid layers at the lower and the upper end, nm.
     pub wall: f64,
     /// Velocity of the upper wall along x, m/s.
     pub velocity: f64,
-    /// Normal stress on the upper wall, MPa; positive presses.
+    /// Normal stress on the upper wall, MPa; positive in compression.
     pub pressure: f64,
 }
 
@@ -62,7 +62,7 @@ impl Junction {
         system
     }
 
-    /// What a sphere centred at `x` becomes part of; none if it is carved away.
+    /// The body that a sphere centred at `x` belongs to; none if it is removed.
     fn body(&self, x: Vec3<f64>, sides: [f64; 3]) -> Option<Body> {
         let [x, y, z] = std::array::from_fn(|a| x.0[a] - 0.5 * sides[a]);
         let radius = 0.5 * self.diameter;
@@ -93,11 +93,11 @@ mod tests {
     fn a_cylinder_of_the_given_diameter_and_height_links_two_slabs() {
         let system = carved();
         let count = |body: Body| system.particles.tag.iter().filter(|&&tag| tag == body as u32).count() as f64;
-        let density = 2f64.sqrt(); // spheres of diameter 1 per volume
+        let density = 2f64.sqrt(); // spheres of diameter 1 per unit volume
         let [lx, ly, lz] = system.domain.sides;
         let slab = density * lx * lz * 0.5 * (ly - 5.0);
         let half = density * f64::pi() * 25.0 * 2.5;
-        // Rows are counted whole: a face is off by half a row distance at most, the cylinder's edge by its own surface.
+        // Only whole rows are counted: a face is off by half the row spacing at most, the edge of the cylinder by its surface.
         assert!(
             (count(Body::Bottom) / slab - 1.0).abs() < 0.5 * 0.87 / (0.5 * (ly - 5.0)),
             "{}",

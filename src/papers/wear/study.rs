@@ -1,4 +1,4 @@
-//! The stages that a case of the wear paper asks for, and the particles they begin with.
+//! The stages of a case of the wear paper, and their initial particles.
 
 use super::case::{Amorphous, Case, Experiment, Sample};
 use super::derived::{Scales, material};
@@ -16,16 +16,16 @@ use crate::spec::wear::{Interaction, Wear};
 use crate::system::System;
 use serde::{Deserialize, Serialize};
 
-/// The stages of a case: those that make the sample, one after another, then those that each start from the sample.
+/// The stages of a case: those that prepare the sample, one after the other, then the tests, each of which starts from the sample.
 pub struct Plan {
     case: Case,
     scales: Scales,
-    /// Those that make the sample.
+    /// The stages that prepare the sample.
     preparation: usize,
     stages: Vec<Stage>,
 }
 
-/// An equilibrated sample on disk, with what it was made from.
+/// An equilibrated sample on disk, with the parameters from which it was made.
 #[derive(Serialize, Deserialize)]
 struct Equilibrated {
     origin: String,
@@ -56,7 +56,7 @@ impl Plan {
         Self { case: case.clone(), scales, preparation: preparation.len(), stages: [preparation, experiments].concat() }
     }
 
-    /// Everything that a sample depends on.
+    /// All parameters that determine a sample.
     fn origin(&self) -> String {
         let mut sample = self.case.sample.clone();
         if let Sample::Amorphous(amorphous) = &mut sample {
@@ -120,7 +120,7 @@ impl Study for Plan {
 
     fn settings(&self, stage: usize, system: &System) -> Settings {
         let stage = &self.stages[stage];
-        // Random spheres overlap without limit until they have been pushed apart.
+        // The overlap of random spheres has no limit until the repulsion has separated them.
         let pushed_apart = stage.interaction != Interaction::Repulsive;
         let max_overlap = if pushed_apart { self.case.limits.overlap } else { f64::INFINITY };
         stage.settings(system, &material(&self.case).spec(), max_overlap)
