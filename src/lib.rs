@@ -1,6 +1,7 @@
 //! The f64 engine built on the equations of [`veridem_spec`], and the command line that runs the cases of the papers.
 
 pub mod case;
+#[cfg(feature = "cli")]
 pub mod cli;
 pub mod error;
 pub mod figures;
@@ -15,6 +16,7 @@ pub mod observe;
 pub mod output;
 pub mod papers;
 pub mod random;
+#[cfg(feature = "cli")]
 pub mod reproduce;
 pub mod run;
 pub mod simulation;

@@ -87,7 +87,7 @@ fn a_sweep_begins_in_a_folder_that_holds_no_run_yet_and_leaves_others_alone() {
     let sweep = telling(place.path(), &["sweep", &case("patch-hcp"), "seed=1..3", "--out", "swept"]);
     assert_eq!(sweep.status.code(), Some(4));
     let (told, table) = (text(&sweep.stderr), text(&sweep.stdout));
-    let refused = "seed=3: swept/seed=3: is not a run that can be gone on with; remove this folder to begin anew\n";
+    let refused = "seed=3: swept/seed=3: is not a resumable run; remove this folder to begin anew\n";
     assert!(told.contains(refused), "{told}");
     let status: Vec<&str> = table.lines().skip(1).map(|row| row.split(',').nth(1).unwrap()).collect();
     assert_eq!(status, ["finished", "finished", "not run"]);

@@ -1,6 +1,6 @@
 //! Advances a film of water-covered titania: what `liggghts.py` sets against LIGGGHTS.
 //!
-//!     cargo run --release --example film_steps -- rigid|free SPHERES STEPS
+//!     cargo run --release -p veridem-peers --bin film_steps -- rigid|free SPHERES STEPS
 //!
 //! Aggregates are rigid bodies, or all their spheres are by themselves; those on the floor are fixed. Without steps it prints what the
 //! film is: a line with the sides of the box, the number of pairs in contact and of those in range, and a line `aggregate x y z radius
@@ -8,9 +8,10 @@
 
 use veridem::forces::Instructions;
 use veridem::initial::film::{Bonding, FilmPlan};
+use veridem::run::advance;
 use veridem::simulation::{Integrator, Settings, Simulation};
+use veridem::spec::mechanics::sphere::sphere_mass;
 use veridem::spec::titania::{Tabulated, Titania};
-use veridem::spec::wear::def_sphere::sphere_mass;
 
 /// Spheres per area of the paper's film, 1/nm².
 const PER_AREA: f64 = 200_000.0 / (1581.4 * 1581.4);
@@ -56,8 +57,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             println!("{} {x} {y} {z} {} {} {}", p.tag[k], p.radius[k], p.mass[k], p.wall[k]);
         }
     }
-    for _ in 0..steps {
-        simulation.step()?;
-    }
+    advance(&mut simulation, steps)?;
     Ok(())
 }

@@ -20,7 +20,7 @@ from pathlib import Path
 from process import HOME, ROOT, TARGET, cost_of_step
 
 HERE = Path(__file__).resolve().parent
-ENGINE = TARGET / "release" / "examples" / "film_steps"
+ENGINE = TARGET / "release" / "film_steps"
 STEPS = {"rigid": 10_000, "free": 3000}
 DENSITY = 4.23e-3  # ag/nm^3
 
@@ -62,7 +62,7 @@ def main():
     binary = shutil.which("liggghts")
     if binary is None:
         raise SystemExit("liggghts is missing; on Debian: apt-get install liggghts")
-    subprocess.run(["cargo", "build", "--release", "--example", "film_steps"], check=True, cwd=ROOT)
+    subprocess.run(["cargo", "build", "--release", "--package", "veridem-peers", "--bin", "film_steps"], check=True, cwd=ROOT)
     HOME.mkdir(parents=True, exist_ok=True)
 
     print("| spheres are | number | contacts, LIGGGHTS | contacts, veridem | pairs in range, veridem | LIGGGHTS, ns | veridem, ns | ratio |")

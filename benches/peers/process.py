@@ -43,10 +43,10 @@ def count(cells):
 
 def engine(threads):
     """The command that makes the engine advance a crystal by a number of steps."""
-    binary = TARGET / "release" / "examples" / "hcp_steps"
+    binary = TARGET / "release" / "hcp_steps"
     return lambda cells, steps: [binary, *cells, steps, threads]
 
 
 def build_engine():
     """Compiles that command."""
-    subprocess.run(["cargo", "build", "--release", "--example", "hcp_steps"], check=True, cwd=ROOT)
+    subprocess.run(["cargo", "build", "--release", "--package", "veridem-peers", "--bin", "hcp_steps"], check=True, cwd=ROOT)

@@ -1,15 +1,22 @@
 //! Figures: curves, snapshots, and the report page with a table of results.
 
-pub mod page;
-pub mod plot;
-pub mod report;
-pub mod snapshot;
+mod graph;
+#[cfg(feature = "cli")]
+mod page;
+#[cfg(feature = "cli")]
+mod plot;
+#[cfg(feature = "cli")]
+mod report;
+mod snapshot;
 
+pub use graph::Graph;
+#[cfg(feature = "cli")]
 pub use page::Report;
+#[cfg(feature = "cli")]
 pub use plot::{Axis, Curve, Mark, Plot};
-
-pub use report::{Graph, picture};
-pub use snapshot::snapshot;
+#[cfg(feature = "cli")]
+pub use report::report;
+pub use snapshot::{picture, snapshot};
 
 /// The colours of curves and bodies, distinguishable with any colour vision (Okabe and Ito, with olive in place of their yellow).
 pub(crate) const COLOURS: [(u8, u8, u8); 8] = [

@@ -1,43 +1,10 @@
 //! The report of a run: its findings, graphs of its record, and its pictures.
 
-use super::{Axis, Curve, Mark, Plot, Report, snapshot};
+use super::{Axis, Curve, Graph, Mark, Plot, Report};
 use crate::error::{AtPath, Error};
 use crate::output::columns::{self, AT_SURFACES, RELATIVE_RESIDUAL, TIME};
 use crate::output::{Column, Event, Finding, RunFolder, Series, between, write_atomically};
-use crate::system::System;
 use std::collections::BTreeMap;
-
-/// Draws the particles in their present state, with the given axis pointing upwards.
-pub fn picture(folder: &RunFolder, name: &str, system: &System, upwards: usize) -> Result<(), Error> {
-    let mut turned;
-    let system = if upwards == 1 {
-        system
-    } else {
-        turned = system.clone();
-        turned.domain.sides.swap(1, upwards);
-        turned.domain.periodic.swap(1, upwards);
-        turned.particles.x.iter_mut().for_each(|x| x.0.swap(1, upwards));
-        &turned
-    };
-    let height = system.domain.sides[1];
-    let path = folder.figures().join(name).with_extension("svg");
-    write_atomically(&path, snapshot(system, [-0.1 * height, 1.2 * height]).as_bytes())
-}
-
-/// A graph of a report: one column of the series against another.
-#[derive(Clone, Copy, Debug)]
-pub struct Graph {
-    /// Its name, also of the file of the figure.
-    pub name: &'static str,
-    /// The stages that it shows; none for all together.
-    pub stages: &'static [&'static str],
-    /// The horizontal axis.
-    pub x: Column,
-    /// The vertical axis.
-    pub y: Column,
-    /// Words of the events that are marked on the curve of the last stage.
-    pub marks: &'static [&'static str],
-}
 
 /// The graph of every run.
 const LEDGER: Graph = Graph { name: "ledger", stages: &[], x: TIME, y: RELATIVE_RESIDUAL, marks: &[] };

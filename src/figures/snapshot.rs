@@ -1,6 +1,8 @@
 //! A snapshot of the spheres, coloured by their initial body; a solid is cut open in the middle.
 
 use super::COLOURS;
+use crate::error::Error;
+use crate::output::{RunFolder, write_atomically};
 use crate::spec::Vec3;
 use crate::system::{Shape, Surface, System};
 use std::fmt::Write;
@@ -9,6 +11,27 @@ use std::fmt::Write;
 const WIDTH: f64 = 640.0;
 /// Resolution for the detection of hidden spheres, pixels per pixel of the picture.
 const RESOLUTION: f64 = 0.5;
+
+/// Draws the particles in their present state into the figures of a run, with the given axis pointing upwards.
+///
+/// # Errors
+///
+/// If the file cannot be written.
+pub fn picture(folder: &RunFolder, name: &str, system: &System, upwards: usize) -> Result<(), Error> {
+    let mut turned;
+    let system = if upwards == 1 {
+        system
+    } else {
+        turned = system.clone();
+        turned.domain.sides.swap(1, upwards);
+        turned.domain.periodic.swap(1, upwards);
+        turned.particles.x.iter_mut().for_each(|x| x.0.swap(1, upwards));
+        &turned
+    };
+    let height = system.domain.sides[1];
+    let path = folder.figures().join(name).with_extension("svg");
+    write_atomically(&path, snapshot(system, [-0.1 * height, 1.2 * height]).as_bytes())
+}
 
 /// The spheres seen along z, with x to the right and y upwards, or, in contact with surfaces, along y with z upwards; of a solid, which is periodic along z, the half behind the middle plane. The
 /// frame is given by `heights`, the lowest and the highest coordinate shown, so that the pictures of a run can be compared.

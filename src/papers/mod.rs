@@ -9,6 +9,7 @@ use crate::case::section::{Field, Key, Part};
 use crate::case::{self, Case, Outline, Words};
 use crate::error::Error;
 use crate::figures::Graph;
+#[cfg(feature = "cli")]
 use crate::reproduce::Chapter;
 use crate::run::{Job, Runnable};
 use serde_yaml::{Mapping, Value};
@@ -40,6 +41,7 @@ pub trait Paper: Sync {
     /// The graphs in its reports.
     const GRAPHS: &'static [Graph] = &[];
     /// The chapters of its claims.
+    #[cfg(feature = "cli")]
     const CHAPTERS: &'static [Chapter] = &[];
 
     /// The section below `model`: a choice of one key, which is the name.
@@ -76,6 +78,7 @@ pub trait AnyPaper: Sync {
     /// [`Paper::TITLE`].
     fn title(&self) -> &'static str;
     /// [`Paper::CHAPTERS`].
+    #[cfg(feature = "cli")]
     fn chapters(&self) -> &'static [Chapter];
     /// The keys below `model`, `sample` and `experiment`.
     fn sections(&self) -> [Vec<Key>; 3];
@@ -97,6 +100,7 @@ impl<P: Paper> AnyPaper for P {
     fn title(&self) -> &'static str {
         P::TITLE
     }
+    #[cfg(feature = "cli")]
     fn chapters(&self) -> &'static [Chapter] {
         P::CHAPTERS
     }

@@ -4,7 +4,7 @@ use super::recorder::{Recorder, State};
 use super::{Driver, Glance, Study};
 use crate::case::{Output, located};
 use crate::error::{AtPath, Error};
-use crate::figures::{Graph, report};
+use crate::figures::Graph;
 use crate::interrupt::Interrupt;
 use crate::output::{Finding, Manifest, RunFolder, Status, sha256_file, write_atomically};
 use crate::simulation::{Settings, Simulation};
@@ -255,7 +255,8 @@ impl Job {
         let result = run().and_then(|findings| {
             let results = serde_yaml::to_string(&findings).expect("findings are plain data");
             write_atomically(&folder.results(), results.as_bytes())?;
-            report::report(&self.title, self.graphs, folder, &findings)?;
+            #[cfg(feature = "cli")]
+            crate::figures::report(&self.title, self.graphs, folder, &findings)?;
             folder.checkpoints().forget_stopped()?;
             Ok(findings)
         });

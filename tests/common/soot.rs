@@ -9,6 +9,7 @@ use veridem::interrupt::Interrupt;
 use veridem::papers::parse;
 use veridem::papers::soot::tip::tetrahedron;
 use veridem::papers::soot::{self, case::parts};
+use veridem::run::advance;
 use veridem::simulation::{Integrator, Settings, Simulation};
 use veridem::spec::Vec3;
 use veridem::spec::soot::{Along, SUBSTRATE, Soot, TIP};
@@ -74,7 +75,7 @@ pub fn between(substrate: Shape) -> System {
     particles.w.fill(Vec3([0.1, -0.2, 0.3]));
     let highest = particles.x.iter().copied().reduce(|a, b| if b.0[2] > a.0[2] { b } else { a }).expect("spheres");
     let tip = tetrahedron(RADIUS).displaced(highest + Vec3([1.0, 2.0, RADIUS + 0.3]));
-    let course = Course::Tip { velocity: 15.0, rate: 5.0, turn: 0.15 };
+    let course = Course::Reversal { velocity: 15.0, rate: 5.0, turn: 0.15 };
     system.surfaces = vec![
         Surface::new("substrate", SUBSTRATE, substrate, Course::Still),
         Surface::new("tip", TIP, Shape::Mesh(tip), course),
@@ -91,9 +92,7 @@ pub fn settings(dt: f64) -> Settings {
 /// A simulation after some steps.
 pub fn run(law: Soot, system: System, settings: Settings, steps: usize) -> Simulation<Soot> {
     let mut simulation = Simulation::new(law, system, settings).expect("a stable step");
-    for _ in 0..steps {
-        simulation.step().expect("a stable step");
-    }
+    advance(&mut simulation, steps as u64).expect("a stable step");
     simulation
 }
 

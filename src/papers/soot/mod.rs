@@ -2,6 +2,7 @@
 
 pub mod case;
 pub mod check;
+#[cfg(feature = "cli")]
 pub mod claims;
 mod stage;
 mod study;
@@ -14,6 +15,7 @@ use super::Paper;
 use crate::case::check::Found;
 use crate::figures::Graph;
 use crate::output::columns::{KINETIC, TIME};
+#[cfg(feature = "cli")]
 use crate::reproduce::Chapter;
 use crate::run::Runnable;
 use crate::spec::soot::{Along, Printed, Programmed};
@@ -40,6 +42,7 @@ impl Paper for Soot {
         Graph { name: "force curve", stages: &["indentation"], x: TIP_DISPLACEMENT, y: READING, marks: &[] },
         Graph { name: "force on the tip", stages: &["indentation"], x: TIP_DISPLACEMENT, y: PULL, marks: MARKS },
     ];
+    #[cfg(feature = "cli")]
     const CHAPTERS: &'static [Chapter] = claims::CHAPTERS;
 
     type Model = Model;

@@ -3,6 +3,7 @@
 pub mod case;
 pub mod chain;
 mod check;
+#[cfg(feature = "cli")]
 pub mod claims;
 pub mod film;
 pub mod pair;
@@ -20,6 +21,7 @@ use super::Paper;
 use crate::case::check::Found;
 use crate::figures::Graph;
 use crate::output::columns::TIME;
+#[cfg(feature = "cli")]
 use crate::reproduce::Chapter;
 use crate::run::Runnable;
 use crate::spec::Necked;
@@ -47,6 +49,7 @@ impl Paper for Titania {
         Graph { name: "contacts", stages: &["pulling"], x: PULLED, y: CONTACTS, marks: &[] },
         Graph { name: "spectroscopy", stages: &["approach", "retraction"], x: TIP_MOVED, y: FORCE, marks: MARKS },
     ];
+    #[cfg(feature = "cli")]
     const CHAPTERS: &'static [Chapter] = claims::CHAPTERS;
 
     type Model = Model;

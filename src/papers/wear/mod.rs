@@ -2,6 +2,7 @@
 
 pub mod case;
 mod check;
+#[cfg(feature = "cli")]
 pub mod claims;
 mod derived;
 pub mod fate;
@@ -18,6 +19,7 @@ use super::Paper;
 use crate::case::check::Found;
 use crate::figures::Graph;
 use crate::output::columns::STEP;
+#[cfg(feature = "cli")]
 use crate::reproduce::Chapter;
 use crate::run::Runnable;
 use case::{Case, Experiment, Model, Sample};
@@ -42,6 +44,7 @@ impl Paper for Wear {
         Graph { name: "shear", stages: &["shear"], x: SHEAR_STRAIN, y: SHEAR_STRESS, marks: &[] },
         Graph { name: "relaxation", stages: &["cohesion"], x: STEP, y: VOLUME_FRACTION, marks: &[] },
     ];
+    #[cfg(feature = "cli")]
     const CHAPTERS: &'static [Chapter] = claims::CHAPTERS;
 
     type Model = Model;

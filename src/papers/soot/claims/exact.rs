@@ -8,14 +8,15 @@ use crate::interrupt::Interrupt;
 use crate::papers::soot::case::{NeckSet, Soot};
 use crate::reproduce::{Claim, Evidence};
 use crate::spec::PairModel;
+use crate::spec::mechanics::oscillation::speed_of_fall;
+use crate::spec::mechanics::primary_particle::solid_inertia;
+use crate::spec::mechanics::sphere::sphere_mass;
 use crate::spec::soot::Along;
-use crate::spec::soot::def_sphere::solid_inertia;
 use crate::spec::soot::eq19_equal_hamaker::{equal_hamaker_energy, saturated_hamaker};
 use crate::spec::soot::eq21_hamaker_plane::plane_energy;
 use crate::spec::soot::eq24_fractal;
 use crate::spec::soot::eq25_tip::tip_way;
 use crate::spec::soot::eq26_coordination::coordination_number;
-use crate::spec::wear::def_sphere::sphere_mass;
 
 /// Radius of the spheres, nm.
 const RADIUS: f64 = 14.0;
@@ -113,7 +114,7 @@ const INTERVALS: u32 = 20_000;
 
 /// Duration and final velocity of a fall from rest at the gap `from` to the gap `to`, by conservation of energy.
 fn fall(mass: f64, from: f64, to: f64, energy: impl Fn(f64) -> f64) -> (f64, f64) {
-    let speed = |gap: f64| (2.0 * (energy(from) - energy(gap)) / mass).sqrt();
+    let speed = |gap: f64| speed_of_fall(mass, energy(from), energy(gap));
     // The substitution of s^2 for the distance makes the integrand smooth, as the velocity is proportional to s at first.
     let ds = 1.0 / f64::from(INTERVALS);
     let duration = |k: u32| {
