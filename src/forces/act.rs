@@ -7,13 +7,13 @@ use num_traits::Zero;
 
 /// One number of eight pairs.
 pub type Row = Lanes<LANES>;
-/// What a row of pairs takes from its spheres: differences of position and velocity, two numbers that mean nothing, angular
+/// The gathered input of a row of pairs: differences of position and velocity, two unused numbers, angular
 /// velocity and radius of `i` and of `j`.
 pub type Seen = [Row; 16];
-/// What it gives back: force on `i`, torque on `i`, torque on `j`.
+/// The output of a row: force on `i`, torque on `i`, torque on `j`.
 pub type Given = [Row; 9];
 
-/// Evaluates a row, advances its springs by `dt`, and enters what it lost and did. Of pairs that are all `JOINED` the compiler leaves out what only contacts do.
+/// Evaluates a row, advances its springs by `dt`, and enters its losses and its work. For rows of `JOINED` pairs the compiler omits the terms of contacts.
 #[inline(always)]
 pub fn act<M: PairModel, const JOINED: bool>(
     model: &M,
@@ -31,7 +31,7 @@ pub fn act<M: PairModel, const JOINED: bool>(
             let constants = Flat::from_fn(|k| coefficients.at(k).0[lane]);
             near |= model.is_near(&contact(seen, lane), &constants);
         }
-        // Springs of a contact that has just ended let go of what they held: the law says what becomes of it.
+        // The springs of a contact that has just ended release their energy: the law accounts for it.
         if !near && !holds::<M>(memory) {
             return apart(model, seen, given, sums, allowed);
         }
@@ -65,7 +65,7 @@ fn holds<M: PairModel>(memory: &M::Memory<Row>) -> bool {
     (0..M::Memory::<f64>::LEN).any(|k| memory.at(k).0.iter().any(|&number| number != 0.0))
 }
 
-/// A row of pairs that might have been near: central forces are all that acts.
+/// A row of near pairs none of which is in range of contact: only central forces act.
 #[inline(always)]
 fn apart<M: PairModel>(model: &M, seen: &Seen, given: &mut Given, sums: &mut Sums<M>, allowed: f64) {
     given[3..].fill(Row::zero());
@@ -97,7 +97,7 @@ pub fn far<M: PairModel>(
     }
 }
 
-/// What the two spheres of a lane see of each other.
+/// The contact kinematics of the two spheres of a lane.
 #[inline(always)]
 fn contact(seen: &Seen, lane: usize) -> Contact<f64> {
     let number = |k: usize| seen[k].0[lane];

@@ -10,20 +10,20 @@ use crate::spec::{PairModel, Vec3};
 use crate::system::{Domain, Particles};
 use num_traits::Zero;
 
-/// Rows that are gathered before they are evaluated: what is stored number by number is then ready to be read row by row.
+/// Number of rows that are gathered before they are evaluated, so that stores of single numbers have completed before rows are loaded.
 const BATCH: usize = 8;
 
-/// Force (pN) and torque (pN nm) on a sphere, end to end; two numbers more make it one vector, and mean nothing.
+/// Force (pN) and torque (pN nm) on a sphere, padded by two unused numbers to one vector.
 pub type Load = Lanes<LANES>;
 
-/// The spheres of a block, side by side; aligned, so that a sphere does not straddle more lines of the cache than it must.
+/// The gathered spheres of a block, contiguous and aligned to cache lines.
 #[repr(align(64))]
 struct Bench {
     /// Position and velocity.
     motion: [[f64; LANES]; CAPACITY],
     /// Angular velocity and radius.
     spin: [[f64; 4]; CAPACITY],
-    /// How many spheres there are.
+    /// Number of spheres.
     len: usize,
 }
 
@@ -51,7 +51,7 @@ impl Bench {
         }
     }
 
-    /// Power that forces deliver to the spheres.
+    /// Power of the forces on the spheres.
     fn power(&self, loads: &[Load; CAPACITY]) -> f64 {
         let mut power = [0.0; 3];
         for (motion, load) in self.motion[..self.len].iter().zip(loads) {
@@ -63,8 +63,8 @@ impl Bench {
     }
 }
 
-/// Evaluates all pairs of a block, advances their springs by `dt`, and leaves the loads on its spheres (own, then halo) in it. Far pairs
-/// go on doing what they did, unless they are to be evaluated anew.
+/// Evaluates all pairs of a block, advances their springs by `dt`, and stores the loads on its spheres (own, then halo) in it. The forces of far pairs
+/// are held constant unless they are to be evaluated anew.
 pub fn evaluate<M: PairModel>(
     model: &M,
     instructions: Instructions,
@@ -125,7 +125,7 @@ fn dispatch_far<M: PairModel>(model: &M, instructions: Instructions, pairs: &mut
     baseline::far(model, pairs, bench);
 }
 
-/// Does work side by side with the given instructions.
+/// Does vectorised work with the given instructions.
 pub fn side_by_side<W: SideBySide>(instructions: Instructions, work: W) -> W::Outcome {
     #[cfg(target_arch = "x86_64")]
     #[expect(unsafe_code, reason = "`Instructions` exist only where the processor has them")]

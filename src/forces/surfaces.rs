@@ -1,4 +1,4 @@
-//! What surfaces do to the spheres that lean on them.
+//! The forces of surfaces on the spheres in contact with them.
 
 use super::{Block, Load};
 use crate::geometry::triangles::Seen;
@@ -6,21 +6,21 @@ use crate::spec::numbers::Lanes;
 use crate::spec::{Flat, Outcome, PairModel, Touch, Vec3};
 use crate::system::{Forces, Grips, Particles, Surface};
 
-/// A contact whose place has moved by more than this part of the radius in one step is another one.
+/// Displacement of a contact point in one step, in radii, above which the contact is a new one.
 const JUMP: f64 = 0.1;
 
-/// Places are looked for up to this gap, in radii: farther than a contact parts in one step.
+/// Largest gap of the contact search, in radii: larger than the displacement in one step.
 const JUST: f64 = 0.01;
 
-/// What happened at one surface in one step.
+/// The contributions of one surface in one step.
 pub struct Leaning<M: PairModel> {
     /// Forces on the spheres.
     pub force: Forces,
-    /// Power that the surface delivers to the spheres.
+    /// Power of the surface on the spheres.
     pub power: f64,
     /// Energy lost, by cause.
     pub losses: M::Losses<f64>,
-    /// Contacts and their springs: id of the sphere, place on the surface before it moved.
+    /// Contacts and their springs: id of the sphere, contact point in the frame of the surface.
     pub contacts: Vec<(u32, Vec3<f64>, M::Memory<f64>)>,
     /// The deepest sphere and its overlap over its radius.
     pub deepest: (u32, f64),
@@ -79,7 +79,7 @@ pub fn lean<M: PairModel>(
 }
 
 impl<M: PairModel> Leaning<M> {
-    /// A sphere at one place of the surface: what acts on it.
+    /// The forces on a sphere at one contact point of the surface.
     fn enter(
         &mut self,
         model: &M,
@@ -91,7 +91,7 @@ impl<M: PairModel> Leaning<M> {
     ) -> Load {
         let material = surface.material;
         let (mut force, mut torque) = (Vec3::zero(), Vec3::zero());
-        // A contact that has just ended is evaluated once more: its springs let go of what they held.
+        // A contact that has just ended is evaluated once more: its springs release their energy.
         if touch.gap < 0.0 || springs.is_some() {
             let springs = springs.unwrap_or(Flat::from_fn(|_| 0.0));
             let Outcome { wrench, memory, losses } = model.surface_contact(material, touch, springs, dt);

@@ -1,4 +1,4 @@
-//! Sets of spheres: their mass, centre, gyration radius, and the pairs that are near each other.
+//! Sets of spheres: mass, centre of mass, radius of gyration, and pairs of neighbours.
 
 use super::neighbours;
 use crate::spec::Vec3;
@@ -29,7 +29,7 @@ impl Particles {
     }
 }
 
-/// Whether the spheres' own extent counts in the gyration radius.
+/// Whether the size of the spheres counts in the radius of gyration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Extent {
     /// Only the centres count, as in the fractal law.

@@ -1,4 +1,4 @@
-//! From where spheres see a surface nearest.
+//! Nearest points of a surface.
 
 use super::triangles::Seen;
 use crate::spec::Vec3;

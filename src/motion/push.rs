@@ -1,4 +1,4 @@
-//! Rigid bodies pushed by the loads on them, several side by side.
+//! Integration of rigid bodies under their loads, several in one vector.
 
 use crate::forces::{LANES, SideBySide, Square};
 use crate::spec::mechanics::body::spin;

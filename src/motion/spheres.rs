@@ -58,7 +58,7 @@ impl<'a> Spheres<'a> {
     }
 }
 
-/// What all spheres share in a step.
+/// The parameters of a step, common to all spheres.
 pub struct Step<'a> {
     /// Time step, ns.
     pub dt: f64,
@@ -74,7 +74,7 @@ pub struct Step<'a> {
     pub instructions: Instructions,
 }
 
-/// What happened to the spheres of a block in one step.
+/// Sums over the spheres of a block in one step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Moved {
     /// Kinetic energy after the step, zJ.
@@ -117,7 +117,7 @@ impl Moved {
         }
     }
 
-    /// Enters the momentum that a mass carries along.
+    /// Adds the momentum flux of a mass.
     pub fn add_momentum_flux(&mut self, m: f64, v: Vec3<f64>) {
         for (sum, flux) in self.momentum_flux.iter_mut().zip(momentum_flux(m, v).0) {
             *sum += flux;

@@ -1,4 +1,4 @@
-//! Surfaces move as they are told, whatever acts on them.
+//! Prescribed motion of surfaces, independent of the forces on them.
 
 use crate::spec::Vec3;
 use crate::spec::mechanics::approach::tip_velocity;

@@ -6,7 +6,7 @@ use crate::spec::mechanics::kinetic_energy::kinetic_energy;
 use crate::spec::mechanics::verlet::{verlet_begin, verlet_end};
 use crate::system::Particles;
 
-/// How velocities go with positions.
+/// The time integration: velocities staggered by half a step, or synchronous with the positions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Integrator {
     /// Half a step behind them: [`half_step`](crate::spec::mechanics::verlet::half_step), the symplectic Euler method with its velocities so understood. The

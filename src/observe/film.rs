@@ -13,7 +13,7 @@ const BULK: [f64; 2] = [0.2, 0.8];
 /// Layers of the profile.
 const LAYERS: usize = 20;
 
-/// What a film is like.
+/// The structure of a film.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Structure {
     /// Height of the highest point, nm.
@@ -24,11 +24,11 @@ pub struct Structure {
     pub porosity: f64,
     /// Solid part of equal layers, from the floor to the highest point.
     pub profile: Vec<f64>,
-    /// Contacts between spheres of one aggregate, of a sphere on average.
+    /// Mean coordination number within an aggregate.
     pub contacts_within: f64,
-    /// Contacts with other aggregates, of an aggregate on average.
+    /// Mean number of contacts of an aggregate with others.
     pub contacts_between: f64,
-    /// Diameters (nm) of the largest empty balls that hold a random point of the bulk: 10, 50 and 90 % of the points have smaller ones.
+    /// Pore diameter (nm), 10th, 50th and 90th percentile: the diameter of the largest empty sphere that contains a random point of the bulk.
     pub pores: [f64; 3],
 }
 

@@ -1,4 +1,4 @@
-//! Springs when neighbours are listed anew: which a pair keeps, and what those held that it loses.
+//! Springs at a rebuild of the neighbour list: the springs that a pair keeps, and the energy of those that it loses.
 
 use super::Simulation;
 use crate::error::Halt;
@@ -8,7 +8,7 @@ use crate::system::{Bond, Springs};
 use std::collections::{BTreeMap, BTreeSet};
 
 impl<M: PairModel> Simulation<M> {
-    /// Lists neighbours anew. Springs that are lost on the way are entered as lost.
+    /// Rebuilds the neighbour list. The energy of springs that are dropped is entered as lost.
     pub(super) fn list_anew(&mut self) -> Result<(), Halt> {
         let (springs, forgotten) = self.springs();
         self.enter_lost(&forgotten);
@@ -67,7 +67,7 @@ impl<M: PairModel> Simulation<M> {
         }
     }
 
-    /// The lasting name of two spheres, each a place and a copy.
+    /// The persistent key of two spheres, each given by index and copy.
     pub(super) fn bond(&self, (p, a): (usize, [i16; 3]), (q, b): (usize, [i16; 3])) -> Bond {
         forces::bond(&self.system.particles, p, q, std::array::from_fn(|k| b[k] - a[k]))
     }

@@ -1,4 +1,4 @@
-//! Who is listed as whose neighbour, and in which order everything lies in memory.
+//! The neighbour list, and the order of spheres and bodies in memory.
 
 use super::Simulation;
 use crate::error::{Halt, Reason};
@@ -55,7 +55,7 @@ impl<M: PairModel> Simulation<M> {
         self.lay_out(&pairs, springs)
     }
 
-    /// What is close in space shall be close in memory: first the particles by themselves, then body after body.
+    /// Orders particles so that neighbours in space are close in memory: first single particles, then the members of each body.
     fn put_in_order(&mut self) {
         let side = self.system.particles.mean_diameter();
         let system = &mut self.system;
@@ -120,7 +120,7 @@ impl<M: PairModel> Simulation<M> {
         missing.into_iter().map(neighbours).collect()
     }
 
-    /// Puts the members of bodies that have no partner behind all others: they need not be moved until neighbours are listed again.
+    /// Moves the members of bodies that have no partner behind all others: their positions need no update until the next rebuild.
     fn part(&mut self, pairs: &mut [Neighbour]) {
         let particles = &self.system.particles;
         let mut moving: Vec<bool> = particles.body.iter().map(|&body| body == 0).collect();
@@ -168,7 +168,7 @@ impl<M: PairModel> Simulation<M> {
     /// and several contacts together must not turn it back.
     fn shares(&self, pairs: &[Neighbour]) -> Vec<f64> {
         let System { particles, bodies, necks, .. } = &self.system;
-        // Spheres by themselves stand behind the bodies.
+        // Single spheres are numbered after the bodies.
         let turning = |p: usize| (particles.body[p] as usize).checked_sub(1).unwrap_or(bodies.len() + p);
         let mut contacts = vec![0.0f64; bodies.len() + particles.len()];
         for pair in pairs {

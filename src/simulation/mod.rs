@@ -36,22 +36,22 @@ pub struct Simulation<M: PairModel> {
     settings: Settings,
     system: System,
     blocks: Vec<Block<M>>,
-    /// Where the loads on the members of bodies are.
+    /// The locations of the loads on the members of bodies.
     grips: Grips,
-    /// Where the loads on walls are: wall, block, place within the block.
+    /// The locations of the loads on walls: wall, block, index within the block.
     on_walls: Vec<(u32, u32, u32)>,
-    /// What the neighbour list was built from, and is a function of.
+    /// The state from which the neighbour list was built, of which it is a function.
     listed: Listed,
     /// Largest distance at which it lists neighbours.
     reach: f64,
-    /// Whether what the far pairs do has been looked at since neighbours were listed.
+    /// Whether the far pairs have been evaluated since the last rebuild of the neighbour list.
     far_known: bool,
     /// Rates of strain of the sides, 1/ns.
     box_rate: [f64; 3],
     momentum_flux: [f64; 3],
     stress: [f64; 3],
     ledger: Ledger,
-    /// What velocity Verlet goes on with.
+    /// The state of velocity Verlet.
     held: Held,
 }
 
@@ -91,18 +91,18 @@ impl<M: PairModel> Simulation<M> {
         &self.system
     }
 
-    /// Moves all members of bodies to where their bodies are.
+    /// Updates the positions of all members of bodies.
     pub fn place_members(&mut self) {
         self.system.place_members(self.listed.moving);
     }
 
-    /// Ends the simulation and hands back the state.
+    /// Ends the simulation and returns the state.
     pub fn into_system(mut self) -> System {
         self.place_members();
         self.system
     }
 
-    /// Ends the simulation and hands back the state with the springs of all contacts, for the next simulation to go on with.
+    /// Ends the simulation and returns the state with the springs of all contacts, from which the next simulation continues.
     pub fn into_system_with_springs(self) -> System {
         let springs = self.springs().0;
         System { springs, ..self.into_system() }

@@ -10,17 +10,17 @@ use crate::system::{Image, Particles};
 /// One pair in range, or joined by a neck.
 #[derive(Clone, Copy, Debug)]
 pub struct Pair<M: PairModel> {
-    /// Place of the sphere with the lower id.
+    /// Index of the sphere with the lower id.
     pub i: usize,
-    /// Place of the other.
+    /// Index of the other sphere.
     pub j: usize,
     /// From the centre of `j` to that of `i`, nm.
     pub branch: Vec3<f64>,
-    /// What they see of each other.
+    /// The contact kinematics.
     pub contact: Contact<f64>,
-    /// What they will do in the next step.
+    /// The forces of the next step.
     pub outcome: Outcome<f64, M::Memory<f64>, M::Losses<f64>>,
-    /// What the pair holds.
+    /// The energy stored in the pair.
     pub stored: M::Stored<f64>,
 }
 
@@ -86,14 +86,14 @@ impl<M: PairModel> Simulation<M> {
         contact.distance <= self.model.range(contact.r_i, contact.r_j) || joined()
     }
 
-    /// What two spheres, each a place and a copy, see of each other.
+    /// The contact kinematics of two spheres, each given by index and copy.
     pub(super) fn contact(&self, (i, image_i): (usize, Image), (j, image_j): (usize, Image)) -> Contact<f64> {
         let (Particles { x, v, w, radius, .. }, domain) = (&self.system.particles, &self.system.domain);
         let branch = x[i] + domain.shift(image_i) - (x[j] + domain.shift(image_j));
         Contact::new(branch, v[i] - v[j], w[i], w[j], radius[i], radius[j])
     }
 
-    /// Where the energy went, up to now.
+    /// The energy balance up to now.
     pub fn ledger(&self) -> Ledger {
         let mut ledger = Ledger { stored: self.stored(), ..self.ledger.clone() };
         ledger.surfaces.stored = self.stored_at_surfaces();

@@ -1,4 +1,4 @@
-//! The complete state, to be written and taken up again.
+//! The complete state, to be saved and restored.
 //!
 //! The neighbour list is not stored but what it was built from, so a simulation taken up from a snapshot has the same list,
 //! the same order of sums, and goes on with the same bits.
@@ -11,14 +11,14 @@ use crate::system::Springs;
 use crate::system::System;
 use serde::{Deserialize, Serialize};
 
-/// All that a simulation is, besides its model and settings.
+/// The complete state of a simulation, without its model and settings.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Snapshot {
     system: System,
     listed: Listed,
     /// Springs of all pairs, in the order of the list.
     memory: Vec<f64>,
-    /// What the far pairs do, block by block, where the next step goes on with it.
+    /// The held forces of far pairs, block by block, if the next step uses them.
     far: Option<Vec<f64>>,
     box_rate: [f64; 3],
     momentum_flux: [f64; 3],
@@ -58,7 +58,7 @@ impl<M: PairModel> Simulation<M> {
         }
     }
 
-    /// Takes a simulation up where a snapshot left it.
+    /// Restores a simulation from a snapshot.
     pub fn resume(model: M, settings: Settings, snapshot: Snapshot) -> Result<Self, Halt> {
         let Snapshot { system, listed, memory, far, box_rate, momentum_flux, stress, ledger, held } = snapshot;
         let (blocks, grips, on_walls, reach, far_known) = (Vec::new(), Grips::default(), Vec::new(), 0.0, false);

@@ -1,4 +1,4 @@
-//! Surfaces: what they do to the spheres in a step, and what their contacts hold.
+//! Surfaces: their forces on the spheres in a step, and the energy stored in their contacts.
 
 use super::{Simulation, SurfaceAccount};
 use crate::error::{Halt, Reason};
@@ -7,7 +7,7 @@ use crate::spec::mechanics::work::work;
 use crate::spec::{Flat, PairModel, Vec3};
 use rayon::prelude::*;
 
-/// Below this number of blocks one core has looked at all surfaces sooner than others have been called.
+/// Number of blocks below which one core processes the surfaces faster than several threads.
 const MANY: usize = 16;
 
 impl<M: PairModel> Simulation<M> {
@@ -45,7 +45,7 @@ impl<M: PairModel> Simulation<M> {
         if ratio > limit { Err(self.halt(Reason::Sunk { particle, ratio, limit })) } else { Ok(leaning) }
     }
 
-    /// What the surfaces hold, zJ, by cause.
+    /// Energy stored at the surfaces, zJ, by cause.
     pub(super) fn stored_at_surfaces(&self) -> Vec<f64> {
         let mut sums = vec![0.0; M::Stored::<f64>::LEN];
         let mut seen = Vec::new();

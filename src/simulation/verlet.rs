@@ -12,7 +12,7 @@ use crate::spec::{Flat, PairModel, Vec3};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-/// What the next step begins with: the forces that end the last one.
+/// The state between steps: the forces at the end of the last one.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Held {
     /// Force and torque on each sphere.
@@ -66,7 +66,7 @@ impl<M: PairModel> Simulation<M> {
         self.check_finite(moved.kinetic)
     }
 
-    /// Looks which forces act now, at the start and when necks have broken: springs do not advance.
+    /// Evaluates the present forces, at the start and after necks have broken, without advancing springs.
     pub(super) fn hold(&mut self) -> Result<(), Halt> {
         let free = self.system.walls.is_empty() && self.system.bodies.is_empty();
         let plain = self.settings.damping == 0.0 && self.settings.relax_box.is_none();

@@ -1,10 +1,10 @@
-//! Surfaces that spheres lean on: the substrate, the tip. They move as they are told, whatever acts on them.
+//! Surfaces in contact with spheres, such as a substrate or a tip. Their motion is prescribed.
 
 use super::Mesh;
 use crate::spec::Vec3;
 use serde::{Deserialize, Serialize};
 
-/// What a surface looks like before it has moved.
+/// The shape of a surface before it has moved.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Shape {
     /// The half-space behind a plane.
@@ -18,7 +18,7 @@ pub enum Shape {
     Mesh(Mesh),
 }
 
-/// How a surface moves.
+/// The prescribed motion of a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Course {
     /// Not at all.
@@ -45,7 +45,7 @@ pub struct Forces {
     pub van_der_waals: Vec3<f64>,
 }
 
-/// Springs of the contacts of a surface, found again by sphere and place: a contact that slides from a face to an edge goes on.
+/// Springs of the contacts of a surface, matched by sphere and position: a contact that slides from a face to an edge persists.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Grips {
     /// Ids of the spheres, ascending, and the places on the surface before it moved.
@@ -97,17 +97,17 @@ impl<'a> GripsOf<'a> {
 pub struct Surface {
     /// Its name in the records of a run.
     pub name: String,
-    /// What it is made of: the model knows.
+    /// Its material, an index into the materials of the model.
     pub material: usize,
     /// Its shape before it has moved.
     pub shape: Shape,
-    /// How it moves.
+    /// Its prescribed motion.
     pub course: Course,
     /// Its velocity, m/s.
     pub velocity: Vec3<f64>,
-    /// How far it has moved, nm.
+    /// Its displacement, nm.
     pub way: Vec3<f64>,
-    /// For how long, ns.
+    /// The time for which it has moved, ns.
     pub age: f64,
     /// The forces of the spheres on it in the last step.
     pub force: Forces,

@@ -1,4 +1,4 @@
-//! Triangulated surfaces: who shares which edge and which corner, and from where a point sees them nearest.
+//! Triangulated surfaces: their topology, and the nearest points to a given point.
 //!
 //! A sphere touches a surface wherever its distance has a minimum. On one triangle that is the nearest point; where this lies on an edge or a
 //! corner, the surface goes on, and it is a minimum only if no triangle around that edge or corner comes nearer. So a sphere has one
@@ -16,7 +16,7 @@ use crate::system::Mesh;
 /// Two minima whose points are closer than this part of their distance are one, found twice by rounding: that of the single precision of STL files bends a flat surface of small triangles by some 1e-5.
 const SAME: f64 = 1e-3;
 
-/// A place from which a surface is seen nearest.
+/// A minimum of the distance between a point and a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Seen {
     /// Unit vector from the surface to the point that sees it.

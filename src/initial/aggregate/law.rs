@@ -1,4 +1,4 @@
-//! Fractal laws: how large an aggregate of given spheres is.
+//! Fractal laws: the size of an aggregate of given spheres.
 
 use crate::geometry::Extent;
 use crate::geometry::Sphere;
@@ -18,7 +18,7 @@ pub struct Law {
     pub form: Form,
 }
 
-/// What a law takes for the size of an aggregate and for that of its spheres.
+/// The measures that a law uses for the size of an aggregate and of its spheres.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
     /// The gyration radius of the centres and the geometric mean of the radii: Eq. 24 of the soot paper.

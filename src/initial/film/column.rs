@@ -1,4 +1,4 @@
-//! What has been deposited, in cells, so that a falling aggregate soon knows how much room it has.
+//! The deposited spheres, in cells, for fast queries of the free distance around a falling aggregate.
 
 use crate::spec::Vec3;
 

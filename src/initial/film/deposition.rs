@@ -1,4 +1,4 @@
-//! Aggregates fall one by one.
+//! Deposition of aggregates, one after the other.
 //!
 //! An aggregate begins anywhere above the highest point of the film, where every place is as likely as any other, and goes from ball
 //! to ball: as far in one step as there is room, exactly (`exit_cosine` of the specification). What it is about to touch it touches.

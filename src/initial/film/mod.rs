@@ -1,4 +1,4 @@
-//! A film of aggregates, Section 5.3 of the titania paper: particles of many sizes grow to fractal aggregates, which diffuse and drift
+//! A film of aggregates, Section 5.3 of the titania paper: polydisperse particles form fractal aggregates, which diffuse and drift
 //! down one by one and stay where they touch the floor or an earlier one.
 //!
 //! Choices where the paper is silent: gyration radii count a sphere alone by its radius, as the work does that the paper takes its
@@ -126,7 +126,7 @@ impl fmt::Display for Failure {
             Self::Ungrown(failure) => failure.fmt(f),
             Self::Wide { number, extent } => write!(
                 f,
-                "an aggregate of {number} spheres is {extent:.0} nm long and touches its own periodic image, the column is too narrow for it"
+                "an aggregate of {number} spheres is {extent:.0} nm long and touches its own periodic image: the column is too narrow"
             ),
             Self::Narrow { least } => write!(f, "the column is too narrow, its sides must not be below {least} nm"),
         }

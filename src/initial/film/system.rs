@@ -1,11 +1,11 @@
-//! A film as spheres that can be moved.
+//! A film as a system of spheres.
 
 use super::Film;
 use crate::geometry::Sphere;
 use crate::initial::aggregate::necks::necks;
 use crate::system::{Domain, Motion, Particles, System};
 
-/// What holds the particles of an aggregate together.
+/// The bonding of the particles of an aggregate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bonding {
     /// They are one rigid body.

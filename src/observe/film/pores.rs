@@ -1,4 +1,4 @@
-//! Pore sizes: the largest empty ball that holds a point (Gelb & Gubbins, Langmuir 15, 305, 1999), by Monte Carlo.
+//! Pore sizes: the largest empty sphere that contains a point (Gelb & Gubbins, Langmuir 15, 305, 1999), by Monte Carlo.
 
 use super::radius;
 use crate::geometry::directions::direction;

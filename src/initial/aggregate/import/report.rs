@@ -1,4 +1,4 @@
-//! What an imported aggregate looks like.
+//! A description of an imported aggregate.
 
 use crate::geometry::Sphere;
 use crate::geometry::{Extent, gyration_radius, pairs_within};
