@@ -6,7 +6,7 @@
 //! bit of the trajectory, do not depend on how many threads share the work.
 
 use super::Load;
-use super::pairs::{FarPairs, Pairs, Places, seat};
+use super::pairs::{FarPairs, Pairs, Places, row_and_lane};
 use crate::error::Reason;
 use crate::geometry::Neighbour;
 use crate::spec::{PairModel, Vec3};
@@ -60,13 +60,13 @@ impl<M: PairModel> Block<M> {
 
     /// Its pairs, but for the far ones, one by one: places within the block, row and lane.
     pub fn each_pair(&self) -> impl Iterator<Item = (u16, u16, usize, usize)> {
-        self.pairs.seats().map(|(row, lane)| (self.pairs.i[row][lane], self.pairs.j[row][lane], row, lane))
+        self.pairs.rows_and_lanes().map(|(row, lane)| (self.pairs.i[row][lane], self.pairs.j[row][lane], row, lane))
     }
 
     /// The far pairs one by one: places within the block.
     pub fn each_far(&self) -> impl Iterator<Item = (u16, u16)> {
         (0..self.far.len).map(|k| {
-            let (row, lane) = seat(k, self.far.len);
+            let (row, lane) = row_and_lane(k, self.far.len);
             (self.far.i[row][lane], self.far.j[row][lane])
         })
     }
@@ -123,8 +123,8 @@ pub fn partition<M: PairModel>(
             }
             near.extend(joined.split_off(joined.len() / LANES * LANES));
             let places = Places { particles, own: &own, halo: &halo };
-            let far = FarPairs::lay(&places, &far);
-            let pairs = Pairs::lay(model, &places, [&joined, &near, &others], necks, springs, shares);
+            let far = FarPairs::arrange(&places, &far);
+            let pairs = Pairs::arrange(model, &places, [&joined, &near, &others], necks, springs, shares);
             Block { own, halo, pairs, far, incoming: Vec::new(), loads: no_loads() }
         })
         .collect();

@@ -51,7 +51,7 @@ impl Instructions {
 }
 
 /// Vectorised work, which is compiled for every instruction set.
-pub trait SideBySide {
+pub trait Vectorised {
     /// The result.
     type Outcome;
     /// Does the work; `across` transposes rows and columns. To be inlined.

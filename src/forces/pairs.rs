@@ -48,7 +48,7 @@ pub struct FarPairs {
 }
 
 /// Where the pair `k` of `of` is: row and lane.
-pub fn seat(k: usize, of: usize) -> (usize, usize) {
+pub fn row_and_lane(k: usize, of: usize) -> (usize, usize) {
     let rows = of.div_ceil(LANES);
     (k % rows, k / rows)
 }
@@ -132,16 +132,16 @@ impl<M: PairModel> Pairs<M> {
     }
 
     /// Rows and lanes of the pairs, in order.
-    pub fn seats(&self) -> impl Iterator<Item = (usize, usize)> + use<M> {
+    pub fn rows_and_lanes(&self) -> impl Iterator<Item = (usize, usize)> + use<M> {
         let parts = self.parts;
         (0..parts.len()).flat_map(move |part| {
             let before: usize = parts[..part].iter().map(|pairs| pairs.div_ceil(LANES)).sum();
-            (0..parts[part]).map(move |k| seat(k, parts[part])).map(move |(row, lane)| (before + row, lane))
+            (0..parts[part]).map(move |k| row_and_lane(k, parts[part])).map(move |(row, lane)| (before + row, lane))
         })
     }
 
     /// Lays out joined pairs, near pairs, and others that may come near.
-    pub fn lay(
+    pub fn arrange(
         model: &M,
         places: &Places,
         parts: [&[Neighbour]; 3],
@@ -194,7 +194,7 @@ impl<M: PairModel> Pairs<M> {
 
 impl FarPairs {
     /// Lays out far pairs.
-    pub fn lay(places: &Places, pairs: &[Neighbour]) -> Self {
+    pub fn arrange(places: &Places, pairs: &[Neighbour]) -> Self {
         let mut laid = Self {
             i: Vec::new(),
             j: Vec::new(),
@@ -224,7 +224,7 @@ impl FarPairs {
     }
 
     /// The held loads on the first spheres, as numbers to be saved.
-    pub fn kept(&self, spheres: usize) -> impl Iterator<Item = f64> + '_ {
+    pub fn held_loads(&self, spheres: usize) -> impl Iterator<Item = f64> + '_ {
         let loads = self
             .loads
             .iter()
@@ -233,7 +233,7 @@ impl FarPairs {
     }
 
     /// Restores the held loads.
-    pub fn keep(&mut self, spheres: usize, numbers: &mut impl Iterator<Item = f64>) {
+    pub fn restore_loads(&mut self, spheres: usize, numbers: &mut impl Iterator<Item = f64>) {
         let mut next = || numbers.next().unwrap_or(f64::NAN);
         self.virial = std::array::from_fn(|_| next());
         for load in self.loads.iter_mut().flat_map(|loads| loads[..spheres].iter_mut()) {

@@ -2,7 +2,7 @@
 
 use super::push::Push;
 use super::{Moved, Step};
-use crate::forces::{Block, LANES, places, side_by_side};
+use crate::forces::{Block, LANES, places, vectorised};
 use crate::spec::mechanics::body::aggregate_drag;
 use crate::spec::mechanics::kick_and_drift::drift;
 use crate::spec::mechanics::rotation::to_space;
@@ -126,7 +126,7 @@ impl Crew<'_> {
             }
             push.put(lane, body, &self.listed[k], force, torque);
         }
-        let [kinetic, scheme, away] = side_by_side(step.instructions, &mut push);
+        let [kinetic, scheme, away] = vectorised(step.instructions, &mut push);
         for (lane, k) in group.enumerate() {
             let (body, before) = (&mut self.bodies[k], &self.listed[k]);
             let (omega, turned) = match (body.wall as usize).checked_sub(1) {

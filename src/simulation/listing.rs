@@ -46,13 +46,13 @@ impl<M: PairModel> Simulation<M> {
         if !self.system.bodies.is_empty() && self.system.surfaces.is_empty() {
             self.part(&mut pairs);
         }
-        self.lay_out(&pairs, springs)
+        self.build_blocks(&pairs, springs)
     }
 
     /// Builds the list from what it was built from, which the particles are already in the order of.
     pub(super) fn relist(&mut self, springs: &Springs) -> Result<(), Halt> {
         let pairs = self.search()?;
-        self.lay_out(&pairs, springs)
+        self.build_blocks(&pairs, springs)
     }
 
     /// Orders particles so that neighbours in space are close in memory: first single particles, then the members of each body.
@@ -142,7 +142,7 @@ impl<M: PairModel> Simulation<M> {
     }
 
     /// Cuts the pairs into blocks.
-    fn lay_out(&mut self, pairs: &[Neighbour], springs: &Springs) -> Result<(), Halt> {
+    fn build_blocks(&mut self, pairs: &[Neighbour], springs: &Springs) -> Result<(), Halt> {
         let (particles, necks) = (&self.system.particles, &self.system.necks);
         let domain = Domain { sides: self.listed.sides, ..self.system.domain };
         let moments = (self.listed.moving, &self.shares(pairs)[..]);

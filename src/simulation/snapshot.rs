@@ -47,7 +47,8 @@ impl<M: PairModel> Simulation<M> {
         system.place_members(self.listed.moving);
         Snapshot {
             memory: memory.collect(),
-            far: (!self.far_due()).then(|| self.blocks.iter().flat_map(|block| block.far.kept(block.len())).collect()),
+            far: (!self.far_due())
+                .then(|| self.blocks.iter().flat_map(|block| block.far.held_loads(block.len())).collect()),
             system,
             listed: self.listed.clone(),
             box_rate: self.box_rate,
@@ -81,7 +82,7 @@ impl<M: PairModel> Simulation<M> {
         simulation.relist(&Springs::default())?;
         let mut numbers = memory.into_iter();
         for block in &mut simulation.blocks {
-            for (row, lane) in block.pairs.seats() {
+            for (row, lane) in block.pairs.rows_and_lanes() {
                 let row = &mut block.pairs.memory[row];
                 for k in 0..M::Memory::<f64>::LEN {
                     row.at_mut(k).0[lane] = numbers.next().unwrap_or(f64::NAN);
@@ -92,7 +93,7 @@ impl<M: PairModel> Simulation<M> {
             let mut numbers = numbers.into_iter();
             for block in &mut simulation.blocks {
                 let spheres = block.len();
-                block.far.keep(spheres, &mut numbers);
+                block.far.restore_loads(spheres, &mut numbers);
             }
             simulation.far_known = true;
         }
