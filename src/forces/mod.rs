@@ -16,6 +16,6 @@ pub use instructions::{Instructions, Vectorised};
 pub use kernel::{Load, evaluate, vectorised};
 pub use order::spatial_order;
 pub use pairs::{FarPairs, Pairs};
-pub use surfaces::{Leaning, each_touch, lean};
+pub use surfaces::{SurfaceTotals, each_touch, surface_forces};
 pub use totals::Totals;
 pub use transpose::Square;

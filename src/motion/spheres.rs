@@ -76,7 +76,7 @@ pub struct Step<'a> {
 
 /// Sums over the spheres of a block in one step.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Moved {
+pub struct MotionTotals {
     /// Kinetic energy after the step, zJ.
     pub kinetic: f64,
     /// Diagonal of the sum of `m v v` after the step, zJ.
@@ -91,7 +91,7 @@ pub struct Moved {
     pub most: [f64; 3],
 }
 
-impl Default for Moved {
+impl Default for MotionTotals {
     fn default() -> Self {
         Self {
             kinetic: 0.0,
@@ -104,7 +104,7 @@ impl Default for Moved {
     }
 }
 
-impl Moved {
+impl MotionTotals {
     /// Both together.
     pub fn and(self, other: Self) -> Self {
         Self {
@@ -156,10 +156,10 @@ pub fn gathered<M: PairModel>(blocks: &[Block<M>], number: usize, count: usize) 
 }
 
 /// Moves the first spheres of a block by one step of Eq. 1.
-pub fn advance<M: PairModel>(blocks: &[Block<M>], number: usize, spheres: Spheres, step: &Step) -> Moved {
+pub fn advance<M: PairModel>(blocks: &[Block<M>], number: usize, spheres: Spheres, step: &Step) -> MotionTotals {
     let Step { dt, damping, .. } = *step;
     let loads = gathered(blocks, number, spheres.x.len());
-    let mut moved = Moved::default();
+    let mut moved = MotionTotals::default();
     for (p, load) in loads.iter().enumerate() {
         let (m, x, v, w) = (spheres.mass[p], spheres.x[p], spheres.v[p], spheres.w[p]);
         let (x, v, w) = if spheres.wall[p] == 0 {

@@ -86,12 +86,12 @@ fn outline(surface: &Surface, domain: &Domain) -> (Vec<Vec3<f64>>, Vec<[u32; 3]>
 mod tests {
     use super::*;
     use crate::papers::soot::tip::tetrahedron;
-    use crate::system::{Course, Particles};
+    use crate::system::{Particles, PrescribedMotion};
 
     #[test]
     fn surfaces_are_drawn_where_they_have_moved_to() {
         let mut system = System::new(Particles::default(), Domain { sides: [2.0; 3], periodic: [false; 3] });
-        let (up, still) = (Vec3([0.0, 0.0, 1.0]), Course::Still);
+        let (up, still) = (Vec3([0.0, 0.0, 1.0]), PrescribedMotion::Still);
         system.surfaces.push(Surface::new("substrate", 0, Shape::Plane { point: Vec3::zero(), normal: up }, still));
         system.surfaces.push(Surface::new("tip", 1, Shape::Mesh(tetrahedron(1.0)), still));
         system.surfaces[1].way = up;

@@ -6,7 +6,7 @@
 //! order in the time step.
 
 use crate::forces::Totals;
-use crate::motion::{Moved, WallWork};
+use crate::motion::{MotionTotals, WallWork};
 use crate::spec::Flat;
 use serde::{Deserialize, Serialize};
 
@@ -70,7 +70,7 @@ impl Ledger {
         &mut self,
         totals: &Totals<L>,
         walls: &WallWork,
-        moved: &Moved,
+        moved: &MotionTotals,
         box_work: f64,
         dt: f64,
     ) {

@@ -4,7 +4,7 @@ use super::Simulation;
 use crate::error::{Halt, Reason};
 use crate::forces;
 use crate::geometry::{Neighbour, neighbours_but};
-use crate::motion::{self, Grips, Moved};
+use crate::motion::{self, LoadTable, MotionTotals};
 use crate::spec::mechanics::friction_share::inertia_share;
 use crate::spec::{PairModel, Vec3};
 use crate::system::Springs;
@@ -25,7 +25,7 @@ pub struct Listed {
 
 impl<M: PairModel> Simulation<M> {
     /// Whether spheres may have come into range that the neighbour list does not hold.
-    pub(super) fn stale(&self, moved: &Moved) -> bool {
+    pub(super) fn stale(&self, moved: &MotionTotals) -> bool {
         let strain =
             (0..3).map(|a| (self.system.domain.sides[a] / self.listed.sides[a] - 1.0).abs()).fold(0.0, f64::max);
         let deformed = strain * self.reach;
@@ -157,7 +157,7 @@ impl<M: PairModel> Simulation<M> {
         )
         .map_err(|reason| self.halt(reason))?;
         self.far_known = false;
-        self.grips = Grips::find(particles, self.listed.moving, self.system.bodies.len(), &self.blocks);
+        self.load_table = LoadTable::find(particles, self.listed.moving, self.system.bodies.len(), &self.blocks);
         self.on_walls = forces::places(&self.blocks)
             .filter_map(|(p, block, place)| Some((particles.wall[p].checked_sub(1)?, block, place)))
             .collect();

@@ -21,14 +21,14 @@ pub use snapshot::Snapshot;
 
 use crate::error::Halt;
 use crate::forces::{self, Block, Totals};
-use crate::motion::{self, Grips, Moved, Spheres};
+use crate::motion::{self, LoadTable, MotionTotals, Spheres};
 use crate::spec::mechanics::box_relaxation::box_work;
 use crate::spec::mechanics::box_stress::box_stress;
 use crate::spec::{PairModel, Vec3};
 use crate::system::System;
 use listing::Listed;
 use rayon::prelude::*;
-use verlet::Held;
+use verlet::VerletState;
 
 /// A system under a contact model.
 pub struct Simulation<M: PairModel> {
@@ -37,7 +37,7 @@ pub struct Simulation<M: PairModel> {
     system: System,
     blocks: Vec<Block<M>>,
     /// The locations of the loads on the members of bodies.
-    grips: Grips,
+    load_table: LoadTable,
     /// The locations of the loads on walls: wall, block, index within the block.
     on_walls: Vec<(u32, u32, u32)>,
     /// The state from which the neighbour list was built, of which it is a function.
@@ -52,7 +52,7 @@ pub struct Simulation<M: PairModel> {
     stress: [f64; 3],
     ledger: Ledger,
     /// The state of velocity Verlet.
-    held: Held,
+    held: VerletState,
 }
 
 impl<M: PairModel> Simulation<M> {
@@ -64,7 +64,7 @@ impl<M: PairModel> Simulation<M> {
             model,
             settings,
             blocks: Vec::new(),
-            grips: Grips::default(),
+            load_table: LoadTable::default(),
             on_walls: Vec::new(),
             listed,
             reach: 0.0,
@@ -73,7 +73,7 @@ impl<M: PairModel> Simulation<M> {
             momentum_flux: [0.0; 3],
             stress: [0.0; 3],
             ledger: Ledger::default(),
-            held: Held::default(),
+            held: VerletState::default(),
             system,
         };
         simulation.check_time_step()?;
@@ -194,12 +194,12 @@ impl<M: PairModel> Simulation<M> {
     }
 
     /// Moves everything; also returns what forces inside bodies must correct the virial by.
-    fn advance(&mut self, growth: [f64; 3], dt: f64, damping: f64) -> (Moved, [f64; 3]) {
+    fn advance(&mut self, growth: [f64; 3], dt: f64, damping: f64) -> (MotionTotals, [f64; 3]) {
         let stretch = std::array::from_fn(|a| self.system.domain.sides[a] / self.listed.sides[a] * growth[a]);
         let instructions = self.settings.instructions;
         let step = motion::Step { dt, damping, walls: &self.system.walls, growth, stretch, instructions };
         let (particles, blocks) = (&mut self.system.particles, &self.blocks);
-        let single = self.grips.single;
+        let single = self.load_table.single;
         let mut spheres = Spheres {
             x: &mut particles.x,
             v: &mut particles.v,
@@ -215,7 +215,7 @@ impl<M: PairModel> Simulation<M> {
             parts.push(part);
             spheres = rest;
         }
-        let moved: Vec<Moved> = self
+        let moved: Vec<MotionTotals> = self
             .blocks
             .par_iter()
             .zip(parts)
@@ -223,13 +223,13 @@ impl<M: PairModel> Simulation<M> {
             .with_max_len(1)
             .map(|(number, (_, part))| motion::advance(blocks, number, part, &step))
             .collect();
-        let moved = moved.into_iter().fold(Moved::default(), Moved::and);
+        let moved = moved.into_iter().fold(MotionTotals::default(), MotionTotals::and);
         if self.system.bodies.is_empty() {
             return (moved, [0.0; 3]);
         }
         let bodies = (&mut self.system.bodies[..], &self.listed.poses[..]);
         let (carried, inside) =
-            motion::advance_bodies(bodies, particles, single..self.listed.moving, (&self.grips, blocks), &step);
+            motion::advance_bodies(bodies, particles, single..self.listed.moving, (&self.load_table, blocks), &step);
         (moved.and(carried), inside)
     }
 

@@ -3,9 +3,9 @@
 //! The neighbour list is not stored but what it was built from, so a simulation taken up from a snapshot has the same list,
 //! the same order of sums, and goes on with the same bits.
 
-use super::{Held, Ledger, Listed, Settings, Simulation};
+use super::{Ledger, Listed, Settings, Simulation, VerletState};
 use crate::error::Halt;
-use crate::motion::Grips;
+use crate::motion::LoadTable;
 use crate::spec::{Flat, PairModel};
 use crate::system::Springs;
 use crate::system::System;
@@ -24,7 +24,7 @@ pub struct Snapshot {
     momentum_flux: [f64; 3],
     stress: [f64; 3],
     ledger: Ledger,
-    held: Held,
+    held: VerletState,
 }
 
 impl Snapshot {
@@ -62,12 +62,13 @@ impl<M: PairModel> Simulation<M> {
     /// Restores a simulation from a snapshot.
     pub fn resume(model: M, settings: Settings, snapshot: Snapshot) -> Result<Self, Halt> {
         let Snapshot { system, listed, memory, far, box_rate, momentum_flux, stress, ledger, held } = snapshot;
-        let (blocks, grips, on_walls, reach, far_known) = (Vec::new(), Grips::default(), Vec::new(), 0.0, false);
+        let (blocks, load_table, on_walls, reach, far_known) =
+            (Vec::new(), LoadTable::default(), Vec::new(), 0.0, false);
         let mut simulation = Self {
             model,
             settings,
             blocks,
-            grips,
+            load_table,
             on_walls,
             listed,
             reach,

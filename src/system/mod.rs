@@ -13,7 +13,7 @@ pub use domain::{Domain, Image};
 pub use history::{Bond, Springs};
 pub use mesh::Mesh;
 pub use steering::Steering;
-pub use surface::{Course, Forces, Grips, Shape, Surface};
+pub use surface::{ContactTable, Forces, PrescribedMotion, Shape, Surface};
 pub use wall::{Motion, Wall};
 
 use crate::spec::Vec3;

@@ -9,7 +9,7 @@ use crate::random::Stream;
 use crate::spec::Vec3;
 use crate::spec::soot::{SUBSTRATE, TIP};
 use crate::system::Mesh;
-use crate::system::{Course, Particles, Shape, Surface, System};
+use crate::system::{Particles, PrescribedMotion, Shape, Surface, System};
 use std::collections::BTreeSet;
 use std::path::Path;
 
@@ -74,7 +74,7 @@ fn deposit(test: &Deposition, solid: Option<Mesh>, radius: f64, system: &mut Sys
             Shape::Mesh(mesh.displaced(Vec3([0.5 * a - middle.0[0], 0.5 * b - middle.0[1], -high.0[2]])))
         }
     };
-    system.surfaces = vec![Surface::new("substrate", SUBSTRATE, shape, Course::Still)];
+    system.surfaces = vec![Surface::new("substrate", SUBSTRATE, shape, PrescribedMotion::Still)];
 }
 
 fn indent(test: &Indentation, solid: Option<Mesh>, ground: &mut Ground, system: &mut System) -> Result<(), Error> {
@@ -86,10 +86,11 @@ fn indent(test: &Indentation, solid: Option<Mesh>, ground: &mut Ground, system: 
         }
     };
     let particles = &system.particles;
-    let course = Course::Reversal { velocity: test.velocity.value, rate: test.turn_rate.value, turn: test.turn.value };
+    let motion =
+        PrescribedMotion::Reversal { velocity: test.velocity.value, rate: test.turn_rate.value, turn: test.turn.value };
     let above = |p: usize| {
         let apex = particles.x[p] + Vec3([0.0, 0.0, particles.radius[p] + test.gap.value(ground.radius)]);
-        Surface::new("tip", TIP, Shape::Mesh(mesh.displaced(apex - lowest)), course)
+        Surface::new("tip", TIP, Shape::Mesh(mesh.displaced(apex - lowest)), motion)
     };
     let mut free: Vec<usize> = (0..particles.len())
         .filter(|&p| is_unhindered(particles, p) && is_met_first(particles, p, &above(p)))
@@ -120,7 +121,7 @@ fn is_met_first(Particles { x, radius, .. }: &Particles, p: usize, tip: &Surface
     let mut seen = Vec::new();
     let mut gap = |q: usize| {
         seen.clear();
-        tip.see(x[q], f64::INFINITY, 0.0, &mut seen);
+        tip.distance_minima(x[q], f64::INFINITY, 0.0, &mut seen);
         seen[0].distance - radius[q]
     };
     let least = gap(p);

@@ -242,7 +242,7 @@ fn spheres_on(Particles { x, radius, .. }: &Particles, surface: &Surface) -> u64
     let mut seen = Vec::new();
     let near = |p: usize| {
         seen.clear();
-        surface.see(x[p], (1.0 + 2.0 * NEIGHBOURLY) * radius[p], 0.0, &mut seen);
+        surface.distance_minima(x[p], (1.0 + 2.0 * NEIGHBOURLY) * radius[p], 0.0, &mut seen);
         !seen.is_empty()
     };
     (0..x.len()).map(near).filter(|near| *near).count() as u64
@@ -258,12 +258,12 @@ pub fn height(system: &System) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::system::{Course, Shape};
+    use crate::system::{PrescribedMotion, Shape};
 
     #[test]
     fn a_sphere_lies_on_a_plane_up_to_a_gap_of_a_hundredth_of_its_diameter() {
         let shape = Shape::Plane { point: Vec3::zero(), normal: Vec3([0.0, 0.0, 1.0]) };
-        let plane = Surface::new("substrate", SUBSTRATE, shape, Course::Still);
+        let plane = Surface::new("substrate", SUBSTRATE, shape, PrescribedMotion::Still);
         let mut particles = Particles::default();
         [13.9, 14.0, 14.27, 14.29].into_iter().for_each(|z| particles.push(Vec3([0.0, 0.0, z]), 14.0, 1.0, 0));
         assert_eq!(spheres_on(&particles, &plane), 3);
