@@ -1,6 +1,6 @@
 //! `veridem check`: checks a case without running it.
 
-use super::{Manner, print};
+use super::{OutputMode, print};
 use crate::error::Error;
 use crate::papers::Papers;
 use std::path::PathBuf;
@@ -13,7 +13,7 @@ pub struct Arguments {
 }
 
 /// Checks the case and prints it with its defaults and derived values.
-pub fn run(arguments: &Arguments, papers: Papers, manner: Manner) -> Result<(), Error> {
+pub fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
     let job = papers.read(&arguments.case)?;
     job.examine()?;
     let resolved = job.resolved;

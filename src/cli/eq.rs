@@ -4,7 +4,7 @@ mod batch;
 mod call;
 mod show;
 
-use super::{Manner, print};
+use super::{OutputMode, print};
 use crate::error::{AtPath, Error};
 use call::Registry;
 use std::path::Path;
@@ -39,7 +39,7 @@ enum Action {
 }
 
 /// Lists, shows or evaluates equations.
-pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
+pub fn run(arguments: &Arguments, manner: OutputMode) -> Result<(), Error> {
     let registry = Registry::new();
     match &arguments.action {
         Action::List if manner.json => print(&show::list_as_json(&registry)),

@@ -1,6 +1,6 @@
 //! `veridem golden`: checks or regenerates the golden vectors.
 
-use super::{Manner, print};
+use super::{OutputMode, print};
 use crate::error::{AtPath, Error};
 use crate::golden::{INDEX, check, documented, index, measure, regenerate, samples};
 use std::fmt::Write;
@@ -30,7 +30,7 @@ enum Action {
 }
 
 /// Checks, regenerates or measures.
-pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
+pub fn run(arguments: &Arguments, manner: OutputMode) -> Result<(), Error> {
     let root = &arguments.root;
     let equations = documented().map_err(Error::Verification)?;
     let (golden, index_file) = (root.join("golden"), root.join(INDEX));

@@ -1,6 +1,6 @@
 //! `veridem import`: describes an aggregate from another program, and writes its spheres as extended XYZ.
 
-use super::{Manner, print};
+use super::{OutputMode, print};
 use crate::case::quantity::{Length, Quantity};
 use crate::error::Error;
 use crate::initial::aggregate::import::{Imported, Options, extended_xyz, read, read_necks};
@@ -34,7 +34,7 @@ pub struct Arguments {
 }
 
 /// Reads, describes and writes the aggregate.
-pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
+pub fn run(arguments: &Arguments, manner: OutputMode) -> Result<(), Error> {
     let length = |text: &Option<String>| {
         let parse = |text: &String| Quantity::<Length>::parse(text).map(|length| length.value).map_err(Error::Usage);
         text.as_ref().map(parse).transpose()

@@ -1,7 +1,7 @@
 //! `veridem inspect`: summarises a run folder, or compares two.
 
 use super::run::table;
-use super::{Manner, print};
+use super::{OutputMode, print};
 use crate::error::Error;
 use crate::output::{Finding, Manifest, RunFolder, Series, read};
 use crate::papers::Papers;
@@ -20,7 +20,7 @@ pub struct Arguments {
 }
 
 /// Summarises or compares.
-pub fn run(arguments: &Arguments, papers: Papers, manner: Manner) -> Result<(), Error> {
+pub fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
     match (&arguments.run, &arguments.diff) {
         (_, Some(pair)) => compare(&pair[0], &pair[1], manner),
         (Some(run), None) => summarise(run, papers, manner),
@@ -28,7 +28,7 @@ pub fn run(arguments: &Arguments, papers: Papers, manner: Manner) -> Result<(), 
     }
 }
 
-fn summarise(root: &Path, papers: Papers, manner: Manner) -> Result<(), Error> {
+fn summarise(root: &Path, papers: Papers, manner: OutputMode) -> Result<(), Error> {
     let folder = RunFolder::open(root)?;
     let title = papers.read(&folder.case())?.title;
     let manifest = Manifest::read(&folder)?;
@@ -57,7 +57,7 @@ struct Difference {
     scale: f64,
 }
 
-fn compare(a: &Path, b: &Path, manner: Manner) -> Result<(), Error> {
+fn compare(a: &Path, b: &Path, manner: OutputMode) -> Result<(), Error> {
     let (folder_a, folder_b) = (RunFolder::open(a)?, RunFolder::open(b)?);
     let (series_a, series_b) = (Series::read(&folder_a)?, Series::read(&folder_b)?);
     let differences = differences(&series_a, &series_b);

@@ -68,14 +68,14 @@ enum Command {
 
 /// The user's choice of output.
 #[derive(Clone, Copy, Debug)]
-pub struct Manner {
+pub struct OutputMode {
     /// JSON on standard output.
     pub json: bool,
     /// No messages.
     pub quiet: bool,
 }
 
-impl Manner {
+impl OutputMode {
     /// Prints a message to the user.
     pub fn say(self, message: impl AsRef<str>) {
         if !self.quiet {
@@ -97,7 +97,7 @@ pub fn main(papers: Papers) -> ExitCode {
         eprintln!("broken invariant: {panic}");
         std::process::exit(70);
     }));
-    let manner = Manner { json: command_line.json, quiet: command_line.quiet };
+    let manner = OutputMode { json: command_line.json, quiet: command_line.quiet };
     // The main thread works too: handing every step over to another thread and waiting for it would cost more than a small step.
     let threads = command_line.threads.map_or(0, usize::from);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).use_current_thread();

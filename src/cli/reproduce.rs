@@ -1,6 +1,6 @@
 //! `veridem reproduce`: the claims of a paper beside the measured values.
 
-use super::{Manner, print};
+use super::{OutputMode, print};
 use crate::error::{AtPath, Error};
 use crate::figures::Report;
 use crate::interrupt::Interrupt;
@@ -59,7 +59,7 @@ fn chosen(paper: &dyn AnyPaper, only: Option<&str>) -> Result<Vec<&'static Chapt
 }
 
 /// Computes the claims and writes table, figures and report.
-pub fn run(arguments: &Arguments, papers: Papers, manner: Manner) -> Result<(), Error> {
+pub fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
     let paper = papers.find(&arguments.paper).expect("the command line knows the papers");
     let chapters = chosen(paper, arguments.only.as_deref())?;
     let extent = if arguments.full { Extent::Full } else { Extent::Reduced };

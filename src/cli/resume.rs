@@ -1,12 +1,12 @@
 //! `veridem resume`: resumes a stopped run, as if it had never been stopped.
 
-use super::Manner;
+use super::OutputMode;
 use super::progress::Progress;
 use super::run::{Limits, conclude};
 use crate::error::Error;
 use crate::output::{Manifest, RunFolder, Status};
 use crate::papers::Papers;
-use crate::run::Glance;
+use crate::run::RunProgress;
 use std::path::PathBuf;
 
 /// The arguments.
@@ -19,7 +19,7 @@ pub struct Arguments {
 }
 
 /// Resumes from the latest checkpoint.
-pub fn run(arguments: &Arguments, papers: Papers, manner: Manner) -> Result<(), Error> {
+pub fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
     let interrupt = arguments.limits.interrupt()?;
     let folder = RunFolder::open(&arguments.run)?;
     let job = papers.read(&folder.case())?;
@@ -33,7 +33,7 @@ pub fn run(arguments: &Arguments, papers: Papers, manner: Manner) -> Result<(), 
         );
     }
     let mut progress = Progress::new(manner);
-    let mut show = |glance: Glance| progress.show(glance);
+    let mut show = |state: RunProgress| progress.show(state);
     let findings = job.resume(&folder, manifest, &interrupt, &mut show);
     progress.finish();
     conclude(&folder, &findings?, manner)

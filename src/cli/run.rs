@@ -1,7 +1,7 @@
 //! `veridem run`: runs a case into a run folder.
 
 use super::progress::Progress;
-use super::{Manner, print};
+use super::{OutputMode, print};
 use crate::error::Error;
 use crate::interrupt::Interrupt;
 use crate::output::{Finding, RunFolder};
@@ -48,20 +48,20 @@ impl Limits {
 }
 
 /// Runs the case.
-pub fn run(arguments: &Arguments, papers: Papers, manner: Manner) -> Result<(), Error> {
+pub fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
     let interrupt = arguments.limits.interrupt()?;
     let stem = || arguments.case.file_stem().unwrap_or_default().to_string_lossy().to_string();
     let root = arguments.out.join(arguments.name.clone().unwrap_or_else(stem));
     let job = papers.read(&arguments.case)?;
     let mut progress = Progress::new(manner);
-    let ended = job.launch(&root, arguments.force, &interrupt, &mut |glance| progress.show(glance));
+    let ended = job.launch(&root, arguments.force, &interrupt, &mut |state| progress.show(state));
     progress.finish();
     let (folder, findings) = ended?;
     conclude(&folder, &findings, manner)
 }
 
 /// Reports the findings.
-pub fn conclude(folder: &RunFolder, findings: &[Finding], manner: Manner) -> Result<(), Error> {
+pub fn conclude(folder: &RunFolder, findings: &[Finding], manner: OutputMode) -> Result<(), Error> {
     manner.say(format!("finished: {}", folder.report().display()));
     if manner.json {
         let result = serde_json::json!({ "run": folder.root(), "results": findings });

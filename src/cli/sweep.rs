@@ -1,6 +1,6 @@
 //! `veridem sweep`: one case for many values of its keys, one core and one run folder for each combination.
 
-use super::{Manner, print};
+use super::{OutputMode, print};
 use crate::case::units::decimal;
 use crate::case::unmarked;
 use crate::error::{AtPath, Error};
@@ -8,7 +8,7 @@ use crate::interrupt::Interrupt;
 use crate::output::{Finding, Manifest, RunFolder, write_atomically};
 use crate::papers::Papers;
 use crate::run::sweep::{Point, carry_out, distinct};
-use crate::run::{Glance, Reader};
+use crate::run::{Reader, RunProgress};
 use indicatif::{HumanDuration, ProgressBar, ProgressStyle};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
@@ -37,7 +37,7 @@ struct Axis {
 const TRIAL: Duration = Duration::from_secs(3);
 
 /// Runs every combination that has not finished yet and writes the summary.
-pub fn run(arguments: &Arguments, papers: Papers, manner: Manner) -> Result<(), Error> {
+pub fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
     let read = |file: &Path, text: &str| papers.parse(file, text);
     let text = papers.read(&arguments.case)?.text;
     let axes = axes(&arguments.keys)?;
@@ -90,11 +90,11 @@ fn estimate<'a>(points: &'a [Point], out: &Path, read: Reader) -> Result<(String
     let new: Vec<&Point> = points.iter().filter(|point| !out.join(&point.name).exists()).collect();
     let Some(&point) = new.first() else { return Ok((format!("{} runs, all started before", points.len()), None)) };
     let (mut stage, mut since, mut pace) = (String::new(), Instant::now(), None);
-    let mut show = |glance: Glance| {
-        if stage != glance.stage {
-            (stage, since, pace) = (glance.stage.into(), Instant::now(), None);
-        } else if glance.step > 0 {
-            pace = Some((since.elapsed().div_f64(glance.step as f64), glance.steps));
+    let mut show = |state: RunProgress| {
+        if stage != state.stage {
+            (stage, since, pace) = (state.stage.into(), Instant::now(), None);
+        } else if state.step > 0 {
+            pace = Some((since.elapsed().div_f64(state.step as f64), state.steps));
         }
     };
     let begun = Instant::now();

@@ -8,14 +8,14 @@ use std::path::{Path, PathBuf};
 
 /// The kind of a saved state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kept {
+pub enum SavedKind {
     /// A checkpoint, from which a run can be resumed.
     Checkpoint,
     /// An equilibrated sample.
     Sample,
 }
 
-impl Kept {
+impl SavedKind {
     fn heading(self) -> &'static [u8] {
         match self {
             Self::Checkpoint => b"veridem checkpoint 1\n",
@@ -25,14 +25,14 @@ impl Kept {
 }
 
 /// Writes a state.
-pub fn keep<T: Serialize>(path: &Path, what: Kept, state: &T) -> Result<(), Error> {
+pub fn save_state<T: Serialize>(path: &Path, what: SavedKind, state: &T) -> Result<(), Error> {
     let body = postcard::to_allocvec(state).expect("a state is plain data");
     let checksum = crc32fast::hash(&body).to_le_bytes();
     write_atomically(path, &[what.heading(), &checksum, &body].concat())
 }
 
 /// Reads a state.
-pub fn kept<T: DeserializeOwned>(path: &Path, what: Kept) -> Result<T, Error> {
+pub fn load_state<T: DeserializeOwned>(path: &Path, what: SavedKind) -> Result<T, Error> {
     let bytes = read(path)?;
     let rest = bytes.strip_prefix(what.heading());
     let (checksum, body) = rest.and_then(|rest| rest.split_at_checked(4)).ok_or_else(|| {
@@ -82,8 +82,8 @@ impl Checkpoints {
     }
 
     /// Saves the state after a number of steps; removes all but the last two, and the checkpoint of an earlier stop.
-    pub fn keep<T: Serialize>(&self, steps: u64, state: &T) -> Result<(), Error> {
-        keep(&self.path(&format!("{steps:012}")), Kept::Checkpoint, state)?;
+    pub fn save<T: Serialize>(&self, steps: u64, state: &T) -> Result<(), Error> {
+        save_state(&self.path(&format!("{steps:012}")), SavedKind::Checkpoint, state)?;
         let due = self.due()?;
         for path in &due[..due.len().saturating_sub(2)] {
             std::fs::remove_file(path).at(path)?;
@@ -99,7 +99,7 @@ impl Checkpoints {
 
     /// Saves the state in which a run is stopped.
     pub fn keep_stopped<T: Serialize>(&self, state: &T) -> Result<(), Error> {
-        keep(&self.path(STOPPED), Kept::Checkpoint, state)
+        save_state(&self.path(STOPPED), SavedKind::Checkpoint, state)
     }
 
     /// The latest readable state; the error of the latest if none is readable.
@@ -107,7 +107,7 @@ impl Checkpoints {
         let candidates = [self.path(STOPPED)].into_iter().filter(|path| path.exists());
         let mut complaint = None;
         for path in candidates.chain(self.due()?.into_iter().rev()) {
-            match kept(&path, Kept::Checkpoint) {
+            match load_state(&path, SavedKind::Checkpoint) {
                 Ok(state) => return Ok(state),
                 Err(error) => complaint = complaint.or(Some(error)),
             }
@@ -125,17 +125,17 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("state");
         let state = vec![0.1, -0.0, f64::MIN_POSITIVE / 3.0, f64::INFINITY];
-        keep(&path, Kept::Sample, &state).unwrap();
-        assert_eq!(kept::<Vec<f64>>(&path, Kept::Sample).unwrap(), state);
+        save_state(&path, SavedKind::Sample, &state).unwrap();
+        assert_eq!(load_state::<Vec<f64>>(&path, SavedKind::Sample).unwrap(), state);
         assert_eq!(
-            kept::<Vec<f64>>(&path, Kept::Checkpoint).unwrap_err().to_string(),
+            load_state::<Vec<f64>>(&path, SavedKind::Checkpoint).unwrap_err().to_string(),
             format!("{}: does not begin with `veridem checkpoint 1`", path.display())
         );
         let mut bytes = std::fs::read(&path).unwrap();
         *bytes.last_mut().unwrap() ^= 1;
         std::fs::write(&path, bytes).unwrap();
         assert_eq!(
-            kept::<Vec<f64>>(&path, Kept::Sample).unwrap_err().to_string(),
+            load_state::<Vec<f64>>(&path, SavedKind::Sample).unwrap_err().to_string(),
             format!("{}: is damaged: its checksum does not match", path.display())
         );
     }
@@ -145,7 +145,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let checkpoints = Checkpoints::new(folder.path().into());
         for step in [10u64, 200, 3000] {
-            checkpoints.keep(step, &step).unwrap();
+            checkpoints.save(step, &step).unwrap();
         }
         assert_eq!(checkpoints.due().unwrap().len(), 2);
         assert_eq!(checkpoints.latest::<u64>().unwrap(), 3000);
@@ -153,7 +153,7 @@ mod tests {
         assert_eq!(checkpoints.latest::<u64>().unwrap(), 200);
         checkpoints.keep_stopped(&2500u64).unwrap();
         assert_eq!(checkpoints.latest::<u64>().unwrap(), 2500);
-        checkpoints.keep(4000, &4000u64).unwrap();
+        checkpoints.save(4000, &4000u64).unwrap();
         assert_eq!(checkpoints.latest::<u64>().unwrap(), 4000);
     }
 }

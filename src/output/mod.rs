@@ -9,7 +9,7 @@ mod manifest;
 mod reading;
 mod series;
 
-pub use checkpoint::{Checkpoints, Kept, keep, kept};
+pub use checkpoint::{Checkpoints, SavedKind, load_state, save_state};
 pub use columns::Column;
 pub use files::{Appending, read, sha256_file, write_atomically};
 pub use folder::RunFolder;

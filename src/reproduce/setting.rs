@@ -26,7 +26,7 @@ pub struct Setting<'a> {
 }
 
 /// The outcome of a set of runs.
-pub struct Kept {
+pub struct RunSet {
     /// The folders of the finished runs, in order.
     pub folders: Vec<Option<RunFolder>>,
     /// Whether the others were stopped by a signal.
@@ -35,7 +35,7 @@ pub struct Kept {
 
 impl Setting<'_> {
     /// Starts or resumes all runs that have not finished, one on each core.
-    pub fn keep(&self, points: &[Point]) -> Result<Kept, Error> {
+    pub fn run_all(&self, points: &[Point]) -> Result<RunSet, Error> {
         std::fs::create_dir_all(&self.runs).at(&self.runs)?;
         let (begin, state) = (Instant::now(), Mutex::new((0, 0, None)));
         carry_out(points, &self.runs, self.interrupt, self.read, &|_, outcome| {
@@ -67,6 +67,6 @@ impl Setting<'_> {
                 "warning: {n} of these runs were made, at least in part, by another build of this program"
             )),
         }
-        Ok(Kept { folders, stopped: self.interrupt.is_due() })
+        Ok(RunSet { folders, stopped: self.interrupt.is_due() })
     }
 }

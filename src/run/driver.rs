@@ -32,7 +32,7 @@ impl<S: Study> Stage<'_, S> {
 
 /// The state passed from stage to stage.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
-pub struct Course {
+pub struct RunState {
     /// Total number of steps of all stages.
     pub steps: u64,
     /// The sample, once a stage has needed it.
@@ -81,7 +81,7 @@ impl<'a, S: Study> Driver<'a, S> {
     ///
     /// As [`run`](Self::run).
     pub fn run_from(&mut self, initial: System, sink: &mut impl Sink<S>) -> Result<Outcome, Error> {
-        self.go_on(0, initial, Course::default(), sink)
+        self.go_on(0, initial, RunState::default(), sink)
     }
 
     /// Runs the rest of a stage, and the stages after it.
@@ -92,13 +92,13 @@ impl<'a, S: Study> Driver<'a, S> {
     pub fn resume(
         &mut self,
         mut stage: Stage<'a, S>,
-        mut course: Course,
+        mut run: RunState,
         sink: &mut impl Sink<S>,
     ) -> Result<Outcome, Error> {
         let next = stage.number + 1;
-        self.advance(&mut stage, &mut course, sink)?;
-        let system = self.end(stage, &mut course, sink)?;
-        self.go_on(next, system, course, sink)
+        self.advance(&mut stage, &mut run, sink)?;
+        let system = self.end(stage, &mut run, sink)?;
+        self.go_on(next, system, run, sink)
     }
 
     /// Resumes a stage in the middle.
@@ -110,15 +110,15 @@ impl<'a, S: Study> Driver<'a, S> {
         &mut self,
         first: usize,
         mut system: System,
-        mut course: Course,
+        mut run: RunState,
         sink: &mut impl Sink<S>,
     ) -> Result<Outcome, Error> {
         for number in first..self.names.len() {
-            let mut stage = self.begin(number, system, &mut course, sink)?;
-            self.advance(&mut stage, &mut course, sink)?;
-            system = self.end(stage, &mut course, sink)?;
+            let mut stage = self.begin(number, system, &mut run, sink)?;
+            self.advance(&mut stage, &mut run, sink)?;
+            system = self.end(stage, &mut run, sink)?;
         }
-        Ok(Outcome { findings: course.findings, system })
+        Ok(Outcome { findings: run.findings, system })
     }
 
     /// Sets a stage up.
@@ -126,15 +126,15 @@ impl<'a, S: Study> Driver<'a, S> {
         &mut self,
         number: usize,
         before: System,
-        course: &mut Course,
+        run: &mut RunState,
         sink: &mut impl Sink<S>,
     ) -> Result<Stage<'a, S>, Error> {
         let clock = before.time;
         let from = if self.study.starts_from_sample(number) {
-            if course.sample.is_none() {
+            if run.sample.is_none() {
                 self.study.keep_sample(&before)?;
             }
-            course.sample.get_or_insert(before).clone()
+            run.sample.get_or_insert(before).clone()
         } else {
             before
         };
@@ -145,25 +145,25 @@ impl<'a, S: Study> Driver<'a, S> {
         let simulation = Simulation::new(self.study.model(number), system, settings)?;
         let watch = self.study.watch(number, &simulation);
         let mut stage = self.stage(number, simulation, watch);
-        sink.begin(&mut stage, course)?;
+        sink.begin(&mut stage, run)?;
         Ok(stage)
     }
 
     /// Steps to the end of a stage.
-    fn advance(&mut self, stage: &mut Stage<'a, S>, course: &mut Course, sink: &mut impl Sink<S>) -> Result<(), Error> {
+    fn advance(&mut self, stage: &mut Stage<'a, S>, run: &mut RunState, sink: &mut impl Sink<S>) -> Result<(), Error> {
         let number = stage.number;
         loop {
             if self.interrupt.stops(self.taken) {
-                return Err(sink.stop(stage, course));
+                return Err(sink.stop(stage, run));
             }
             let events = match self.step(stage) {
                 Ok(events) => events,
                 Err(halt) => return Err(sink.halt(stage, halt)),
             };
             self.taken += 1;
-            course.steps += 1;
+            run.steps += 1;
             let progress = self.study.progress(number, &stage.watch, &stage.simulation);
-            let flow = sink.step(stage, course, &Step { events: &events, last: progress != Progress::Going })?;
+            let flow = sink.step(stage, run, &Step { events: &events, last: progress != Progress::Going })?;
             match progress {
                 Progress::Going if flow.is_continue() => {}
                 Progress::Going | Progress::Done => return Ok(()),
@@ -184,10 +184,10 @@ impl<'a, S: Study> Driver<'a, S> {
         Ok(events)
     }
 
-    fn end(&self, mut stage: Stage<'a, S>, course: &mut Course, sink: &mut impl Sink<S>) -> Result<System, Error> {
-        sink.end(&mut stage, course)?;
+    fn end(&self, mut stage: Stage<'a, S>, run: &mut RunState, sink: &mut impl Sink<S>) -> Result<System, Error> {
+        sink.end(&mut stage, run)?;
         let Stage { number, simulation, watch, .. } = stage;
-        course.findings.extend(self.study.findings(number, &watch, &simulation)?);
+        run.findings.extend(self.study.findings(number, &watch, &simulation)?);
         self.study.end(number, simulation)
     }
 }

@@ -1,7 +1,7 @@
 //! A job: a checked case, ready to be run into its run folder.
 
 use super::recorder::{Recorder, State};
-use super::{Driver, Glance, Study};
+use super::{Driver, RunProgress, Study};
 use crate::case::{Output, located};
 use crate::error::{AtPath, Error};
 use crate::figures::Graph;
@@ -57,7 +57,7 @@ pub trait Runnable {
         root: &Path,
         replace: bool,
         interrupt: &Interrupt,
-        show: &mut dyn FnMut(Glance),
+        show: &mut dyn FnMut(RunProgress),
     ) -> Result<(RunFolder, Vec<Finding>), Error>;
     /// Resumes a job from its latest checkpoint, or from the beginning if it has none.
     ///
@@ -70,7 +70,7 @@ pub trait Runnable {
         folder: &RunFolder,
         manifest: Manifest,
         interrupt: &Interrupt,
-        show: &mut dyn FnMut(Glance),
+        show: &mut dyn FnMut(RunProgress),
     ) -> Result<Vec<Finding>, Error>;
 }
 
@@ -85,7 +85,7 @@ impl<S: Study> Runnable for S {
         root: &Path,
         replace: bool,
         interrupt: &Interrupt,
-        show: &mut dyn FnMut(Glance),
+        show: &mut dyn FnMut(RunProgress),
     ) -> Result<(RunFolder, Vec<Finding>), Error> {
         let inputs = job.inputs()?;
         // Errors in the input are found before anything is written.
@@ -111,7 +111,7 @@ impl<S: Study> Runnable for S {
         folder: &RunFolder,
         mut manifest: Manifest,
         interrupt: &Interrupt,
-        show: &mut dyn FnMut(Glance),
+        show: &mut dyn FnMut(RunProgress),
     ) -> Result<Vec<Finding>, Error> {
         let mut driver = Driver::new(self, interrupt);
         if folder.checkpoints().is_empty()? {
@@ -123,16 +123,16 @@ impl<S: Study> Runnable for S {
                 Ok(driver.run_from(initial, &mut sink)?.findings)
             });
         }
-        let State { stage, dt, damping, skin, snapshot, watch, course, extent } = folder.checkpoints().latest()?;
+        let State { stage, dt, damping, skin, snapshot, watch, run, length } = folder.checkpoints().latest()?;
         unchanged(&self.reads_after(stage), &manifest)?;
         manifest.resume();
         manifest.write(folder)?;
         job.conclude(folder, manifest, || {
-            let mut sink = Recorder::resume(folder, &job.output, extent, show)?;
+            let mut sink = Recorder::resume(folder, &job.output, length, show)?;
             let settings = Settings { dt, damping, skin, ..self.settings(stage, snapshot.system()) };
             let simulation = Simulation::resume(self.model(stage), settings, snapshot)?;
             let stage = driver.stage(stage, simulation, watch);
-            Ok(driver.resume(stage, course, &mut sink)?.findings)
+            Ok(driver.resume(stage, run, &mut sink)?.findings)
         })
     }
 }
@@ -148,7 +148,7 @@ impl Job {
         root: &Path,
         replace: bool,
         interrupt: &Interrupt,
-        show: &mut dyn FnMut(Glance),
+        show: &mut dyn FnMut(RunProgress),
     ) -> Result<(RunFolder, Vec<Finding>), Error> {
         self.needs(root)?;
         self.study.start(self, root, replace, interrupt, show)
@@ -164,7 +164,7 @@ impl Job {
         folder: &RunFolder,
         manifest: Manifest,
         interrupt: &Interrupt,
-        show: &mut dyn FnMut(Glance),
+        show: &mut dyn FnMut(RunProgress),
     ) -> Result<Vec<Finding>, Error> {
         let begun_with = sha256_file(&folder.case())?;
         if !manifest.inputs.values().any(|input| *input == begun_with) {

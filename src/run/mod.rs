@@ -9,9 +9,9 @@ mod sink;
 mod study;
 pub mod sweep;
 
-pub use driver::{Course, Driver, Outcome, Stage, advance, advance_until};
+pub use driver::{Driver, Outcome, RunState, Stage, advance, advance_until};
 pub use job::{Job, Reader, Runnable};
-pub use recorder::Glance;
+pub use recorder::RunProgress;
 pub use row::{Row, columns};
 pub use sink::{Each, Memory, Sink, Step};
 pub use study::{Progress, Study};

@@ -8,7 +8,7 @@ use serde_json::json;
 
 /// The length of the record at a checkpoint, to which its files are truncated when the run is resumed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Extent {
+pub struct RecordLength {
     series: u64,
     events: u64,
     frames: u64,
@@ -31,21 +31,21 @@ impl Record {
     }
 
     /// Restores a record to its state at a checkpoint.
-    pub fn resume(folder: &RunFolder, extent: Extent) -> Result<Self, Error> {
-        let series = Appending::resume(folder.series(), extent.series)?;
-        let events = Appending::resume(folder.events(), extent.events)?;
-        let outdated = (extent.frames..).map(|number| folder.frames().join(frame_name(number)));
+    pub fn resume(folder: &RunFolder, length: RecordLength) -> Result<Self, Error> {
+        let series = Appending::resume(folder.series(), length.series)?;
+        let events = Appending::resume(folder.events(), length.events)?;
+        let outdated = (length.frames..).map(|number| folder.frames().join(frame_name(number)));
         for frame in outdated.take_while(|path| path.exists()) {
             for path in [frame.with_extension(SURFACES), frame].into_iter().filter(|path| path.exists()) {
                 std::fs::remove_file(&path).map_err(|cause| Error::Io(path, cause))?;
             }
         }
-        Ok(Self { folder: folder.clone(), series, events, frames: extent.frames })
+        Ok(Self { folder: folder.clone(), series, events, frames: length.frames })
     }
 
     /// The present length.
-    pub fn extent(&self) -> Extent {
-        Extent { series: self.series.length(), events: self.events.length(), frames: self.frames }
+    pub fn length(&self) -> RecordLength {
+        RecordLength { series: self.series.length(), events: self.events.length(), frames: self.frames }
     }
 
     /// Appends a row to the series.

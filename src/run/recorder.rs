@@ -1,7 +1,7 @@
 //! The sink that is a run folder: rows, frames, pictures, events and checkpoints.
 
-use super::record::{Extent, Record};
-use super::{Course, Sink, Stage, Step, Study, columns};
+use super::record::{Record, RecordLength};
+use super::{RunState, Sink, Stage, Step, Study, columns};
 use crate::case::{InSteps, Output};
 use crate::error::{Error, Halt};
 use crate::figures::picture;
@@ -19,13 +19,13 @@ pub(super) struct State<W> {
     pub(super) skin: f64,
     pub(super) snapshot: Snapshot,
     pub(super) watch: W,
-    pub(super) course: Course,
-    pub(super) extent: Extent,
+    pub(super) run: RunState,
+    pub(super) length: RecordLength,
 }
 
 /// Progress of a run.
 #[derive(Clone, Copy, Debug)]
-pub struct Glance<'a> {
+pub struct RunProgress<'a> {
     /// The stage.
     pub stage: &'a str,
     /// Number of steps taken in this stage.
@@ -54,7 +54,7 @@ pub(super) struct Recorder<'a> {
     folder: &'a RunFolder,
     output: &'a Output,
     record: Record,
-    show: &'a mut dyn FnMut(Glance),
+    show: &'a mut dyn FnMut(RunProgress),
     /// Relative residual and largest overlap of the last row.
     seen: (f64, f64),
 }
@@ -65,7 +65,7 @@ impl<'a> Recorder<'a> {
         study: &S,
         folder: &'a RunFolder,
         output: &'a Output,
-        show: &'a mut dyn FnMut(Glance),
+        show: &'a mut dyn FnMut(RunProgress),
     ) -> Result<Self, Error> {
         let record = Record::begin(folder, &columns(study))?;
         Ok(Self { folder, output, record, show, seen: (0.0, 0.0) })
@@ -75,10 +75,10 @@ impl<'a> Recorder<'a> {
     pub(super) fn resume(
         folder: &'a RunFolder,
         output: &'a Output,
-        extent: Extent,
-        show: &'a mut dyn FnMut(Glance),
+        length: RecordLength,
+        show: &'a mut dyn FnMut(RunProgress),
     ) -> Result<Self, Error> {
-        Ok(Self { folder, output, record: Record::resume(folder, extent)?, show, seen: (0.0, 0.0) })
+        Ok(Self { folder, output, record: Record::resume(folder, length)?, show, seen: (0.0, 0.0) })
     }
 
     fn intervals<S: Study>(&self, stage: &Stage<'_, S>) -> Intervals {
@@ -108,10 +108,10 @@ impl<'a> Recorder<'a> {
     fn show<S: Study>(&mut self, stage: &Stage<'_, S>) {
         let system = stage.simulation.system();
         let ((residual, overlap), steps, particles) = (self.seen, stage.last_step(), system.particles.len());
-        (self.show)(Glance { stage: &stage.name, step: system.step, steps, particles, residual, overlap });
+        (self.show)(RunProgress { stage: &stage.name, step: system.step, steps, particles, residual, overlap });
     }
 
-    fn state<S: Study>(&self, stage: &Stage<'_, S>, course: &Course) -> State<S::Watch> {
+    fn state<S: Study>(&self, stage: &Stage<'_, S>, run: &RunState) -> State<S::Watch> {
         let Settings { dt, damping, skin, .. } = *stage.simulation.settings();
         State {
             stage: stage.number,
@@ -120,14 +120,14 @@ impl<'a> Recorder<'a> {
             skin,
             snapshot: stage.simulation.snapshot(),
             watch: stage.watch.clone(),
-            course: course.clone(),
-            extent: self.record.extent(),
+            run: run.clone(),
+            length: self.record.length(),
         }
     }
 }
 
 impl<S: Study> Sink<S> for Recorder<'_> {
-    fn begin(&mut self, stage: &mut Stage<'_, S>, _: &Course) -> Result<(), Error> {
+    fn begin(&mut self, stage: &mut Stage<'_, S>, _: &RunState) -> Result<(), Error> {
         self.event(stage, "begin")?;
         self.record.frame(&stage.name, stage.simulation.system())?;
         self.picture(stage, "begin")?;
@@ -136,7 +136,7 @@ impl<S: Study> Sink<S> for Recorder<'_> {
         Ok(())
     }
 
-    fn step(&mut self, stage: &mut Stage<'_, S>, course: &Course, step: &Step) -> Result<ControlFlow<()>, Error> {
+    fn step(&mut self, stage: &mut Stage<'_, S>, run: &RunState, step: &Step) -> Result<ControlFlow<()>, Error> {
         for event in step.events {
             self.event(stage, event)?;
         }
@@ -158,12 +158,12 @@ impl<S: Study> Sink<S> for Recorder<'_> {
         }
         if taken.is_multiple_of(checkpoints) && !last {
             self.event(stage, "checkpoint")?;
-            self.folder.checkpoints().keep(course.steps, &self.state(stage, course))?;
+            self.folder.checkpoints().save(run.steps, &self.state(stage, run))?;
         }
         Ok(ControlFlow::Continue(()))
     }
 
-    fn end(&mut self, stage: &mut Stage<'_, S>, _: &Course) -> Result<(), Error> {
+    fn end(&mut self, stage: &mut Stage<'_, S>, _: &RunState) -> Result<(), Error> {
         self.picture(stage, "end")?;
         self.event(stage, "end")
     }
@@ -172,9 +172,9 @@ impl<S: Study> Sink<S> for Recorder<'_> {
         self.event(stage, &format!("failed: {reason}"))
     }
 
-    fn stop(&mut self, stage: &mut Stage<'_, S>, course: &Course) -> Error {
+    fn stop(&mut self, stage: &mut Stage<'_, S>, run: &RunState) -> Error {
         self.show(stage);
-        match self.folder.checkpoints().keep_stopped(&self.state(stage, course)) {
+        match self.folder.checkpoints().keep_stopped(&self.state(stage, run)) {
             Ok(()) => Error::Stopped(Some(self.folder.root().into())),
             Err(error) => error,
         }

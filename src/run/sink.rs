@@ -1,6 +1,6 @@
 //! Sinks of a run: a folder, memory, or a closure.
 
-use super::{Course, Stage, Study};
+use super::{RunState, Stage, Study};
 use crate::error::{Error, Halt};
 use crate::output::Cell;
 use std::ops::ControlFlow;
@@ -17,15 +17,15 @@ pub struct Step<'a> {
 /// Receives everything that happens in a run.
 pub trait Sink<S: Study> {
     /// A stage begins.
-    fn begin(&mut self, _stage: &mut Stage<'_, S>, _course: &Course) -> Result<(), Error> {
+    fn begin(&mut self, _stage: &mut Stage<'_, S>, _run: &RunState) -> Result<(), Error> {
         Ok(())
     }
     /// A step has been taken. A sink may end the stage here.
-    fn step(&mut self, _stage: &mut Stage<'_, S>, _course: &Course, _step: &Step) -> Result<ControlFlow<()>, Error> {
+    fn step(&mut self, _stage: &mut Stage<'_, S>, _run: &RunState, _step: &Step) -> Result<ControlFlow<()>, Error> {
         Ok(ControlFlow::Continue(()))
     }
     /// A stage has ended.
-    fn end(&mut self, _stage: &mut Stage<'_, S>, _course: &Course) -> Result<(), Error> {
+    fn end(&mut self, _stage: &mut Stage<'_, S>, _run: &RunState) -> Result<(), Error> {
         Ok(())
     }
     /// A stage has failed, for this reason.
@@ -33,7 +33,7 @@ pub trait Sink<S: Study> {
         Ok(())
     }
     /// The run is interrupted here: saves a checkpoint. Returns the error with which the run ends.
-    fn stop(&mut self, _stage: &mut Stage<'_, S>, _course: &Course) -> Error {
+    fn stop(&mut self, _stage: &mut Stage<'_, S>, _run: &RunState) -> Error {
         Error::Stopped(None)
     }
     /// The simulation has halted. Returns the error with which the run ends.
@@ -49,7 +49,7 @@ impl<S: Study> Sink<S> for () {}
 pub struct Each<F>(pub F);
 
 impl<S: Study, F: FnMut(&mut Stage<'_, S>, &Step) -> ControlFlow<()>> Sink<S> for Each<F> {
-    fn step(&mut self, stage: &mut Stage<'_, S>, _: &Course, step: &Step) -> Result<ControlFlow<()>, Error> {
+    fn step(&mut self, stage: &mut Stage<'_, S>, _: &RunState, step: &Step) -> Result<ControlFlow<()>, Error> {
         Ok((self.0)(stage, step))
     }
 }
@@ -73,11 +73,11 @@ impl Memory {
 }
 
 impl<S: Study> Sink<S> for Memory {
-    fn begin(&mut self, stage: &mut Stage<'_, S>, _: &Course) -> Result<(), Error> {
+    fn begin(&mut self, stage: &mut Stage<'_, S>, _: &RunState) -> Result<(), Error> {
         self.look(stage);
         Ok(())
     }
-    fn step(&mut self, stage: &mut Stage<'_, S>, _: &Course, step: &Step) -> Result<ControlFlow<()>, Error> {
+    fn step(&mut self, stage: &mut Stage<'_, S>, _: &RunState, step: &Step) -> Result<ControlFlow<()>, Error> {
         let system = stage.simulation.system();
         let due = self.every > 0 && system.step.is_multiple_of(self.every);
         let event = |text: &String| (stage.name.clone(), system.time, text.clone());

@@ -10,7 +10,7 @@ use crate::geometry::{Sphere, centre_of_mass};
 use crate::initial::aggregate::necks::{Neck, keep_fraction, necks};
 use crate::initial::aggregate::{Method, Radii, Recipe, aggregate, import};
 use crate::interrupt::Interrupt;
-use crate::output::{Cell, Column, Finding, Kept, keep, kept};
+use crate::output::{Cell, Column, Finding, SavedKind, load_state, save_state};
 use crate::random::Stream;
 use crate::run::Study;
 use crate::simulation::{EXAMINED, Settings, Simulation};
@@ -161,21 +161,21 @@ impl<S: Reading> Study for Plan<S> {
         // Files of later stages are checked before anything is computed.
         self.stages.iter().try_for_each(|stage| stage::solid(stage).map(drop))?;
         if let Some(path) = &self.sample.deposited {
-            let Deposited { origin, system } = kept(path, Kept::Sample)?;
+            let Deposited { origin, system } = load_state(path, SavedKind::Sample)?;
             if origin != self.origin() {
                 return Err(Error::input(path, "was made with another model or aggregate"));
             }
             self.suits(system.particles.radius.iter().copied())?;
             return Ok(system);
         }
-        let (spheres, kept) = self.aggregate(interrupt)?;
+        let (spheres, load_state) = self.aggregate(interrupt)?;
         let mut particles = Particles::default();
         let reach = spheres.iter().map(|sphere| sphere.centre.norm() + sphere.radius).fold(0.0, f64::max);
         for &Sphere { centre, radius } in &spheres {
             particles.push(centre + Vec3([reach; 3]), radius, sphere_mass(self.soot.density.value, radius), 0);
         }
         let domain = Domain { sides: [2.0 * reach; 3], periodic: [false; 3] };
-        let necks = kept.into_iter().map(|(i, j)| (i as u32, j as u32)).collect();
+        let necks = load_state.into_iter().map(|(i, j)| (i as u32, j as u32)).collect();
         Ok(System { necks, ..System::new(particles, domain) })
     }
 
@@ -212,7 +212,7 @@ impl<S: Reading> Study for Plan<S> {
     fn end(&self, stage: usize, simulation: Simulation<soot::Soot<S>>) -> Result<System, Error> {
         let system = simulation.into_system_with_springs();
         if let SootStage::Deposition(Deposition { save: Some(path), .. }) = &self.stages[stage] {
-            keep(path, Kept::Sample, &Deposited { origin: self.origin(), system: system.clone() })?;
+            save_state(path, SavedKind::Sample, &Deposited { origin: self.origin(), system: system.clone() })?;
         }
         Ok(system)
     }

@@ -111,7 +111,7 @@ impl Watch {
             }
             None => cells.extend(vec![Cell::Nothing; 4]),
         }
-        self.keep(simulation);
+        self.record(simulation);
         match (surface(system, TIP), &self.curve) {
             (Some(tip), Some(curve)) => {
                 cells.extend([Cell::Number(tip.way.0[2]), Cell::Count(spheres_on(&system.particles, tip))]);
@@ -135,7 +135,7 @@ impl Watch {
     }
 
     /// Records the current point of the force curve.
-    pub fn keep(&mut self, simulation: &Simulation<Soot<impl Reading>>) {
+    pub fn record(&mut self, simulation: &Simulation<Soot<impl Reading>>) {
         if let (Some(curve), Some(tip)) = (&mut self.curve, surface(simulation.system(), TIP)) {
             curve.look(tip.way.0[2]);
         }

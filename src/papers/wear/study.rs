@@ -9,7 +9,7 @@ use crate::error::Error;
 use crate::initial::lattice::hcp_cells;
 use crate::initial::{Sizes, hcp, random_packing};
 use crate::interrupt::Interrupt;
-use crate::output::{Cell, Column, Finding, Kept, keep, kept};
+use crate::output::{Cell, Column, Finding, SavedKind, load_state, save_state};
 use crate::run::{Progress, Study};
 use crate::simulation::{Settings, Simulation};
 use crate::spec::wear::{Interaction, Wear};
@@ -84,7 +84,7 @@ impl Study for Plan {
         match &self.case.sample {
             Sample::Hcp(_) => Ok(hcp(d_0, hcp_cells(d_0, size), density)),
             Sample::Amorphous(Amorphous { load: Some(path), .. }) => {
-                let Equilibrated { origin, system } = kept(path, Kept::Sample)?;
+                let Equilibrated { origin, system } = load_state(path, SavedKind::Sample)?;
                 if origin != self.origin() {
                     return Err(Error::input(path, "was made with another model, sample or seed"));
                 }
@@ -104,7 +104,7 @@ impl Study for Plan {
     fn keep_sample(&self, system: &System) -> Result<(), Error> {
         match &self.case.sample {
             Sample::Amorphous(Amorphous { save: Some(path), .. }) => {
-                keep(path, Kept::Sample, &Equilibrated { origin: self.origin(), system: system.clone() })
+                save_state(path, SavedKind::Sample, &Equilibrated { origin: self.origin(), system: system.clone() })
             }
             _ => Ok(()),
         }

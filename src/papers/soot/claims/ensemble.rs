@@ -55,12 +55,12 @@ pub struct Ensemble {
 /// One ensemble of each kind, with the same aggregates in all, each run on one core. If stopped, it returns the ensembles of those
 /// aggregates of which all kinds have finished, at least two.
 pub fn ensembles(protocol: &Protocol, kinds: &[Kind], setting: &Setting) -> Result<Vec<Ensemble>, Error> {
-    let kept = setting.keep(&points(protocol, kinds, setting.read)?)?;
-    let courses = kept.folders.iter().map(|folder| folder.as_ref().map(course).transpose());
-    let courses: Vec<Option<Course>> = courses.collect::<Result<_, Error>>()?;
-    let whole: Vec<&[Option<Course>]> =
+    let runs = setting.run_all(&points(protocol, kinds, setting.read)?)?;
+    let courses = runs.folders.iter().map(|folder| folder.as_ref().map(course).transpose());
+    let courses: Vec<Option<RunState>> = courses.collect::<Result<_, Error>>()?;
+    let whole: Vec<&[Option<RunState>]> =
         courses.chunks(kinds.len()).filter(|kinds| kinds.iter().all(Option::is_some)).collect();
-    if kept.stopped && whole.len() < 2 {
+    if runs.stopped && whole.len() < 2 {
         return Err(Error::Stopped(None));
     }
     let of_kind = |k: usize| whole.iter().filter_map(|kinds| kinds[k].as_ref()).collect::<Vec<_>>();
@@ -92,17 +92,17 @@ fn word(torsion: Torsion) -> String {
 }
 
 /// Coordination number and convexity of one aggregate.
-type Course = [Vec<f64>; 2];
+type RunState = [Vec<f64>; 2];
 
 /// The record of a run.
-fn course(folder: &RunFolder) -> Result<Course, Error> {
+fn course(folder: &RunFolder) -> Result<RunState, Error> {
     let series = Series::read(folder)?;
     let column = |column| series.curve("", TIME, column).into_iter().map(|point| point.1).collect();
     Ok([COORDINATION, CONVEXITY].map(column))
 }
 
 impl Ensemble {
-    fn of(kind: Kind, courses: &[&Course]) -> Self {
+    fn of(kind: Kind, courses: &[&RunState]) -> Self {
         let looks = courses.iter().map(|course| course[0].len()).min().unwrap_or(0);
         let mean = |of: usize| {
             let at = |look: usize| Mean::of(&courses.iter().map(|course| course[of][look]).collect::<Vec<_>>());

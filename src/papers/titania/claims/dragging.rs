@@ -10,7 +10,7 @@ use crate::papers::titania::rolling_resistance;
 use crate::papers::titania::stage::Stage;
 use crate::papers::titania::study::Plan;
 use crate::reproduce::{Claim, Evidence, Figure, near};
-use crate::run::{self, Course, Driver, Sink, Step};
+use crate::run::{self, Driver, RunState, Sink, Step};
 use crate::simulation::Simulation;
 use crate::spec::titania::Titania;
 use rayon::prelude::*;
@@ -48,13 +48,13 @@ fn drag(
 struct Dragged<F>(F);
 
 impl<F: FnMut(&Simulation<Titania>) -> ControlFlow<()>> Sink<Plan> for Dragged<F> {
-    fn begin(&mut self, stage: &mut run::Stage<'_, Plan>, _: &Course) -> Result<(), Error> {
+    fn begin(&mut self, stage: &mut run::Stage<'_, Plan>, _: &RunState) -> Result<(), Error> {
         if stage.number == 1 {
             let _ = (self.0)(&stage.simulation);
         }
         Ok(())
     }
-    fn step(&mut self, stage: &mut run::Stage<'_, Plan>, _: &Course, _: &Step) -> Result<ControlFlow<()>, Error> {
+    fn step(&mut self, stage: &mut run::Stage<'_, Plan>, _: &RunState, _: &Step) -> Result<ControlFlow<()>, Error> {
         Ok(if stage.number == 1 { (self.0)(&stage.simulation) } else { ControlFlow::Continue(()) })
     }
 }

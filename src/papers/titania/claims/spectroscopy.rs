@@ -25,9 +25,9 @@ pub fn chapter(setting: &Setting) -> Result<Evidence, Error> {
     let point = |seed: u64| {
         Point::new(Path::new(file), &base, &[("seed", &seed.to_string()), ("output.frames", "1 s")], setting.read)
     };
-    let kept = setting.keep(&(1..=CURVES).map(point).collect::<Result<Vec<_>, Error>>()?)?;
-    let spectra = kept.folders.iter().flatten().map(Spectrum::read).collect::<Result<Vec<_>, Error>>()?;
-    if kept.stopped && spectra.is_empty() {
+    let runs = setting.run_all(&(1..=CURVES).map(point).collect::<Result<Vec<_>, Error>>()?)?;
+    let spectra = runs.folders.iter().flatten().map(Spectrum::read).collect::<Result<Vec<_>, Error>>()?;
+    if runs.stopped && spectra.is_empty() {
         return Err(Error::Stopped(None));
     }
     let note = match setting.extent {

@@ -14,7 +14,7 @@ use crate::error::{Error, Halt};
 use crate::initial::film::{Film, FilmSphere};
 use crate::interrupt::Interrupt;
 use crate::observe::film::Structure;
-use crate::output::{Cell, Column, Finding, Kept, keep, kept};
+use crate::output::{Cell, Column, Finding, SavedKind, load_state, save_state};
 use crate::run::{Progress, Study};
 use crate::simulation::{EXAMINED, Settings, Simulation};
 use crate::spec::Vec3;
@@ -143,7 +143,7 @@ impl<M: Law> Study for Plan<M> {
 
     fn initial(&self, interrupt: &Interrupt) -> Result<System, Error> {
         if let Some(path) = &self.film.load {
-            let Relaxed { origin, system } = kept(path, Kept::Sample)?;
+            let Relaxed { origin, system } = load_state(path, SavedKind::Sample)?;
             if origin != self.origin() {
                 return Err(Error::input(path, "was made with another model, film, relaxation or seed"));
             }
@@ -205,7 +205,7 @@ impl<M: Law> Study for Plan<M> {
     fn end(&self, stage: usize, simulation: Simulation<M>) -> Result<System, Error> {
         let system = simulation.into_system_with_springs();
         if let (Stage::Relaxation, Some(path)) = (self.stages[stage], &self.film.save) {
-            keep(path, Kept::Sample, &Relaxed { origin: self.origin(), system: system.clone() })?;
+            save_state(path, SavedKind::Sample, &Relaxed { origin: self.origin(), system: system.clone() })?;
         }
         Ok(system)
     }

@@ -13,7 +13,7 @@ use crate::papers::wear::case::{Compression, Deformation, Patch};
 use crate::papers::wear::fate::Witness;
 use crate::papers::wear::protocol::{Protocol, Setup, Stage};
 use crate::papers::wear::stages;
-use crate::run::{Course, Driver, Sink, Step};
+use crate::run::{Driver, RunState, Sink, Step};
 use crate::simulation::Simulation;
 use crate::spec::wear::{Material, Wear};
 use crate::system::System;
@@ -69,14 +69,14 @@ fn observe(
 struct Seeing<F>(F);
 
 impl<'p, F: FnMut(&Simulation<Wear>) -> ControlFlow<()>> Sink<Protocol<'p>> for Seeing<F> {
-    fn begin(&mut self, stage: &mut crate::run::Stage<'_, Protocol<'p>>, _: &Course) -> Result<(), Error> {
+    fn begin(&mut self, stage: &mut crate::run::Stage<'_, Protocol<'p>>, _: &RunState) -> Result<(), Error> {
         let _ = (self.0)(&stage.simulation);
         Ok(())
     }
     fn step(
         &mut self,
         stage: &mut crate::run::Stage<'_, Protocol<'p>>,
-        _: &Course,
+        _: &RunState,
         _: &Step,
     ) -> Result<ControlFlow<()>, Error> {
         Ok((self.0)(&stage.simulation))
