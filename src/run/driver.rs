@@ -10,7 +10,7 @@ use crate::system::System;
 use serde::{Deserialize, Serialize};
 
 /// A stage under way.
-pub struct Stage<'a, S: Study> {
+pub struct RunningStage<'a, S: Study> {
     /// Its study.
     pub study: &'a S,
     /// Its number, from zero.
@@ -23,7 +23,7 @@ pub struct Stage<'a, S: Study> {
     pub watch: S::Watch,
 }
 
-impl<S: Study> Stage<'_, S> {
+impl<S: Study> RunningStage<'_, S> {
     /// Its largest number of steps.
     pub fn last_step(&self) -> u64 {
         self.study.steps(self.number, self.simulation.settings().dt)
@@ -91,7 +91,7 @@ impl<'a, S: Study> Driver<'a, S> {
     /// As [`run`](Self::run).
     pub fn resume(
         &mut self,
-        mut stage: Stage<'a, S>,
+        mut stage: RunningStage<'a, S>,
         mut run: RunState,
         sink: &mut impl Sink<S>,
     ) -> Result<Outcome, Error> {
@@ -102,8 +102,8 @@ impl<'a, S: Study> Driver<'a, S> {
     }
 
     /// Resumes a stage in the middle.
-    pub fn stage(&self, number: usize, simulation: Simulation<S::Model>, watch: S::Watch) -> Stage<'a, S> {
-        Stage { study: self.study, number, name: self.names[number].clone(), simulation, watch }
+    pub fn stage(&self, number: usize, simulation: Simulation<S::Model>, watch: S::Watch) -> RunningStage<'a, S> {
+        RunningStage { study: self.study, number, name: self.names[number].clone(), simulation, watch }
     }
 
     fn go_on(
@@ -128,7 +128,7 @@ impl<'a, S: Study> Driver<'a, S> {
         before: System,
         run: &mut RunState,
         sink: &mut impl Sink<S>,
-    ) -> Result<Stage<'a, S>, Error> {
+    ) -> Result<RunningStage<'a, S>, Error> {
         let clock = before.time;
         let from = if self.study.starts_from_sample(number) {
             if run.sample.is_none() {
@@ -150,7 +150,12 @@ impl<'a, S: Study> Driver<'a, S> {
     }
 
     /// Steps to the end of a stage.
-    fn advance(&mut self, stage: &mut Stage<'a, S>, run: &mut RunState, sink: &mut impl Sink<S>) -> Result<(), Error> {
+    fn advance(
+        &mut self,
+        stage: &mut RunningStage<'a, S>,
+        run: &mut RunState,
+        sink: &mut impl Sink<S>,
+    ) -> Result<(), Error> {
         let number = stage.number;
         loop {
             if self.interrupt.stops(self.taken) {
@@ -177,16 +182,21 @@ impl<'a, S: Study> Driver<'a, S> {
     }
 
     /// One step, and the interventions between two steps.
-    fn step(&self, stage: &mut Stage<'a, S>) -> Result<Vec<String>, Halt> {
+    fn step(&self, stage: &mut RunningStage<'a, S>) -> Result<Vec<String>, Halt> {
         stage.simulation.step()?;
         let mut events = self.study.intervene(stage.number, &mut stage.simulation)?;
         events.extend(self.study.follow(stage.number, &mut stage.watch, &stage.simulation));
         Ok(events)
     }
 
-    fn end(&self, mut stage: Stage<'a, S>, run: &mut RunState, sink: &mut impl Sink<S>) -> Result<System, Error> {
+    fn end(
+        &self,
+        mut stage: RunningStage<'a, S>,
+        run: &mut RunState,
+        sink: &mut impl Sink<S>,
+    ) -> Result<System, Error> {
         sink.end(&mut stage, run)?;
-        let Stage { number, simulation, watch, .. } = stage;
+        let RunningStage { number, simulation, watch, .. } = stage;
         run.findings.extend(self.study.findings(number, &watch, &simulation)?);
         self.study.end(number, simulation)
     }

@@ -9,7 +9,7 @@ mod sink;
 mod study;
 pub mod sweep;
 
-pub use driver::{Driver, Outcome, RunState, Stage, advance, advance_until};
+pub use driver::{Driver, Outcome, RunState, RunningStage, advance, advance_until};
 pub use job::{Job, Reader, Runnable};
 pub use recorder::RunProgress;
 pub use row::{Row, columns};

@@ -1,7 +1,7 @@
 //! The sink that is a run folder: rows, frames, pictures, events and checkpoints.
 
 use super::record::{Record, RecordLength};
-use super::{RunState, Sink, Stage, Step, Study, columns};
+use super::{RunState, RunningStage, Sink, Step, Study, columns};
 use crate::case::{InSteps, Output};
 use crate::error::{Error, Halt};
 use crate::figures::picture;
@@ -81,7 +81,7 @@ impl<'a> Recorder<'a> {
         Ok(Self { folder, output, record: Record::resume(folder, length)?, show, seen: (0.0, 0.0) })
     }
 
-    fn intervals<S: Study>(&self, stage: &Stage<'_, S>) -> Intervals {
+    fn intervals<S: Study>(&self, stage: &RunningStage<'_, S>) -> Intervals {
         let dt = stage.simulation.settings().dt;
         let every = |interval: &InSteps| ((interval.value(dt) / dt).round() as u64).max(1);
         let Output { series, frames, checkpoints } = self.output;
@@ -89,29 +89,29 @@ impl<'a> Recorder<'a> {
         Intervals { series: every(series), frames: every(frames), checkpoints: every(checkpoints), part }
     }
 
-    fn event<S: Study>(&mut self, stage: &Stage<'_, S>, event: &str) -> Result<(), Error> {
+    fn event<S: Study>(&mut self, stage: &RunningStage<'_, S>, event: &str) -> Result<(), Error> {
         self.record.event(&stage.name, stage.simulation.system(), event)
     }
 
-    fn picture<S: Study>(&self, stage: &Stage<'_, S>, when: &str) -> Result<(), Error> {
+    fn picture<S: Study>(&self, stage: &RunningStage<'_, S>, when: &str) -> Result<(), Error> {
         let name = format!("{} {when}", stage.name);
         picture(self.folder, &name, stage.simulation.system(), stage.study.upwards())
     }
 
     /// Measures, and appends a row to the series.
-    fn row<S: Study>(&mut self, stage: &mut Stage<'_, S>) -> Result<(), Error> {
+    fn row<S: Study>(&mut self, stage: &mut RunningStage<'_, S>) -> Result<(), Error> {
         let row = stage.measure();
         self.seen = (row.residual, row.overlap);
         self.record.row(&row.cells)
     }
 
-    fn show<S: Study>(&mut self, stage: &Stage<'_, S>) {
+    fn show<S: Study>(&mut self, stage: &RunningStage<'_, S>) {
         let system = stage.simulation.system();
         let ((residual, overlap), steps, particles) = (self.seen, stage.last_step(), system.particles.len());
         (self.show)(RunProgress { stage: &stage.name, step: system.step, steps, particles, residual, overlap });
     }
 
-    fn state<S: Study>(&self, stage: &Stage<'_, S>, run: &RunState) -> State<S::Watch> {
+    fn state<S: Study>(&self, stage: &RunningStage<'_, S>, run: &RunState) -> State<S::Watch> {
         let Settings { dt, damping, skin, .. } = *stage.simulation.settings();
         State {
             stage: stage.number,
@@ -127,7 +127,7 @@ impl<'a> Recorder<'a> {
 }
 
 impl<S: Study> Sink<S> for Recorder<'_> {
-    fn begin(&mut self, stage: &mut Stage<'_, S>, _: &RunState) -> Result<(), Error> {
+    fn begin(&mut self, stage: &mut RunningStage<'_, S>, _: &RunState) -> Result<(), Error> {
         self.event(stage, "begin")?;
         self.record.frame(&stage.name, stage.simulation.system())?;
         self.picture(stage, "begin")?;
@@ -136,7 +136,7 @@ impl<S: Study> Sink<S> for Recorder<'_> {
         Ok(())
     }
 
-    fn step(&mut self, stage: &mut Stage<'_, S>, run: &RunState, step: &Step) -> Result<ControlFlow<()>, Error> {
+    fn step(&mut self, stage: &mut RunningStage<'_, S>, run: &RunState, step: &Step) -> Result<ControlFlow<()>, Error> {
         for event in step.events {
             self.event(stage, event)?;
         }
@@ -163,16 +163,16 @@ impl<S: Study> Sink<S> for Recorder<'_> {
         Ok(ControlFlow::Continue(()))
     }
 
-    fn end(&mut self, stage: &mut Stage<'_, S>, _: &RunState) -> Result<(), Error> {
+    fn end(&mut self, stage: &mut RunningStage<'_, S>, _: &RunState) -> Result<(), Error> {
         self.picture(stage, "end")?;
         self.event(stage, "end")
     }
 
-    fn fail(&mut self, stage: &mut Stage<'_, S>, reason: &str) -> Result<(), Error> {
+    fn fail(&mut self, stage: &mut RunningStage<'_, S>, reason: &str) -> Result<(), Error> {
         self.event(stage, &format!("failed: {reason}"))
     }
 
-    fn stop(&mut self, stage: &mut Stage<'_, S>, run: &RunState) -> Error {
+    fn stop(&mut self, stage: &mut RunningStage<'_, S>, run: &RunState) -> Error {
         self.show(stage);
         match self.folder.checkpoints().keep_stopped(&self.state(stage, run)) {
             Ok(()) => Error::Stopped(Some(self.folder.root().into())),
@@ -181,7 +181,7 @@ impl<S: Study> Sink<S> for Recorder<'_> {
     }
 
     /// Writes the state in which the simulation halted.
-    fn halt(&mut self, stage: &mut Stage<'_, S>, halt: Halt) -> Error {
+    fn halt(&mut self, stage: &mut RunningStage<'_, S>, halt: Halt) -> Error {
         stage.simulation.place_members();
         let dumped = self.event(stage, &format!("halted at {halt}")).and_then(|()| {
             let frame = extended_xyz(stage.simulation.system(), &stage.name);

@@ -1,6 +1,6 @@
 //! The columns that every row of the series has, whatever the stage.
 
-use super::{Stage, Study};
+use super::{RunningStage, Study};
 use crate::output::columns::{
     DISCRETE_RESIDUAL, KINETIC, LARGEST_OVERLAP, LOST_TO_BREAKING, LOST_TO_DRAG, PHYSICAL_RESIDUAL, RELATIVE_RESIDUAL,
     SIDES, STAGE, STEP, STRESS, TIME, WORK_OF_BOX, WORK_OF_LOADS, WORK_OF_WALLS, lost, stored,
@@ -40,7 +40,7 @@ pub struct Row {
     pub overlap: f64,
 }
 
-impl<S: Study> Stage<'_, S> {
+impl<S: Study> RunningStage<'_, S> {
     /// Measures.
     pub fn measure(&mut self) -> Row {
         let simulation = &self.simulation;

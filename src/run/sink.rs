@@ -1,6 +1,6 @@
 //! Sinks of a run: a folder, memory, or a closure.
 
-use super::{RunState, Stage, Study};
+use super::{RunState, RunningStage, Study};
 use crate::error::{Error, Halt};
 use crate::output::Cell;
 use std::ops::ControlFlow;
@@ -17,27 +17,32 @@ pub struct Step<'a> {
 /// Receives everything that happens in a run.
 pub trait Sink<S: Study> {
     /// A stage begins.
-    fn begin(&mut self, _stage: &mut Stage<'_, S>, _run: &RunState) -> Result<(), Error> {
+    fn begin(&mut self, _stage: &mut RunningStage<'_, S>, _run: &RunState) -> Result<(), Error> {
         Ok(())
     }
     /// A step has been taken. A sink may end the stage here.
-    fn step(&mut self, _stage: &mut Stage<'_, S>, _run: &RunState, _step: &Step) -> Result<ControlFlow<()>, Error> {
+    fn step(
+        &mut self,
+        _stage: &mut RunningStage<'_, S>,
+        _run: &RunState,
+        _step: &Step,
+    ) -> Result<ControlFlow<()>, Error> {
         Ok(ControlFlow::Continue(()))
     }
     /// A stage has ended.
-    fn end(&mut self, _stage: &mut Stage<'_, S>, _run: &RunState) -> Result<(), Error> {
+    fn end(&mut self, _stage: &mut RunningStage<'_, S>, _run: &RunState) -> Result<(), Error> {
         Ok(())
     }
     /// A stage has failed, for this reason.
-    fn fail(&mut self, _stage: &mut Stage<'_, S>, _reason: &str) -> Result<(), Error> {
+    fn fail(&mut self, _stage: &mut RunningStage<'_, S>, _reason: &str) -> Result<(), Error> {
         Ok(())
     }
     /// The run is interrupted here: saves a checkpoint. Returns the error with which the run ends.
-    fn stop(&mut self, _stage: &mut Stage<'_, S>, _run: &RunState) -> Error {
+    fn stop(&mut self, _stage: &mut RunningStage<'_, S>, _run: &RunState) -> Error {
         Error::Stopped(None)
     }
     /// The simulation has halted. Returns the error with which the run ends.
-    fn halt(&mut self, _stage: &mut Stage<'_, S>, halt: Halt) -> Error {
+    fn halt(&mut self, _stage: &mut RunningStage<'_, S>, halt: Halt) -> Error {
         Error::Halted(halt, None)
     }
 }
@@ -48,8 +53,8 @@ impl<S: Study> Sink<S> for () {}
 /// A closure that observes every step, and may end the stage.
 pub struct Each<F>(pub F);
 
-impl<S: Study, F: FnMut(&mut Stage<'_, S>, &Step) -> ControlFlow<()>> Sink<S> for Each<F> {
-    fn step(&mut self, stage: &mut Stage<'_, S>, _: &RunState, step: &Step) -> Result<ControlFlow<()>, Error> {
+impl<S: Study, F: FnMut(&mut RunningStage<'_, S>, &Step) -> ControlFlow<()>> Sink<S> for Each<F> {
+    fn step(&mut self, stage: &mut RunningStage<'_, S>, _: &RunState, step: &Step) -> Result<ControlFlow<()>, Error> {
         Ok((self.0)(stage, step))
     }
 }
@@ -66,18 +71,18 @@ pub struct Memory {
 }
 
 impl Memory {
-    fn look<S: Study>(&mut self, stage: &mut Stage<'_, S>) {
+    fn look<S: Study>(&mut self, stage: &mut RunningStage<'_, S>) {
         stage.simulation.place_members();
         self.rows.push(stage.measure().cells);
     }
 }
 
 impl<S: Study> Sink<S> for Memory {
-    fn begin(&mut self, stage: &mut Stage<'_, S>, _: &RunState) -> Result<(), Error> {
+    fn begin(&mut self, stage: &mut RunningStage<'_, S>, _: &RunState) -> Result<(), Error> {
         self.look(stage);
         Ok(())
     }
-    fn step(&mut self, stage: &mut Stage<'_, S>, _: &RunState, step: &Step) -> Result<ControlFlow<()>, Error> {
+    fn step(&mut self, stage: &mut RunningStage<'_, S>, _: &RunState, step: &Step) -> Result<ControlFlow<()>, Error> {
         let system = stage.simulation.system();
         let due = self.every > 0 && system.step.is_multiple_of(self.every);
         let event = |text: &String| (stage.name.clone(), system.time, text.clone());

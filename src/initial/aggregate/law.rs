@@ -1,7 +1,7 @@
 //! Fractal laws: the size of an aggregate of given spheres.
 
-use crate::geometry::Extent;
 use crate::geometry::Sphere;
+use crate::geometry::SphereExtent;
 use crate::spec::Real;
 use crate::spec::mechanics::solids::sphere_volume;
 use crate::spec::soot::eq24_fractal;
@@ -77,10 +77,10 @@ impl Law {
     }
 
     /// The extent of the spheres that counts in its gyration radius.
-    pub fn extent(&self) -> Extent {
+    pub fn extent(&self) -> SphereExtent {
         match self.form {
-            Form::Soot => Extent::Centres,
-            Form::Titania => Extent::Radii,
+            Form::Soot => SphereExtent::Centres,
+            Form::Titania => SphereExtent::Radii,
         }
     }
 }

@@ -79,7 +79,7 @@ pub struct Gas {
 
 /// A film: its aggregates in the order in which they came, each whole, with its centre of mass inside the column.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Film {
+pub struct DepositedFilm {
     /// The spheres, one aggregate after the other.
     pub spheres: Vec<FilmSphere>,
     /// Of each aggregate, whether it lies on the floor, which is at height zero.
@@ -166,7 +166,7 @@ impl FilmPlan {
     /// # Errors
     ///
     /// Why it cannot be built, or that it was interrupted.
-    pub fn build(&self, seed: u64, interrupt: &Interrupt) -> Result<Film, Failure> {
+    pub fn build(&self, seed: u64, interrupt: &Interrupt) -> Result<DepositedFilm, Failure> {
         let least = Column::least_side(0.5 * f64::from(self.diameters.largest));
         if self.sides.iter().any(|&side| side < least) {
             return Err(Failure::Narrow { least });
@@ -176,7 +176,7 @@ impl FilmPlan {
     }
 }
 
-impl Film {
+impl DepositedFilm {
     /// Number of aggregates.
     pub fn aggregates(&self) -> usize {
         self.on_floor.len()

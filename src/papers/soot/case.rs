@@ -65,7 +65,7 @@ section! {
         /// Springs of a frictional contact.
         contact: FourSprings = published_contact(),
         /// Friction coefficients of a contact.
-        friction: Rubbing = defaults(),
+        friction: FrictionCoefficients = defaults(),
         /// Hamaker constant of two spheres.
         hamaker_constant: Quantity<Energy> = quantity("1e-19 J"),
         /// Hamaker constant of a sphere and the substrate.
@@ -123,7 +123,7 @@ section! {
 
 section! {
     /// Coefficients of sliding, rolling and torsional friction.
-    pub struct Rubbing {
+    pub struct FrictionCoefficients {
         /// Static coefficients.
         at_rest: [f64; 3] = [1.0, 0.1, 0.1],
         /// Dynamic coefficients, at most the static ones.

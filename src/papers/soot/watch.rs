@@ -2,7 +2,7 @@
 
 use super::case::SootStage;
 use crate::geometry::Sphere;
-use crate::geometry::{Extent, gyration_radius};
+use crate::geometry::{SphereExtent, gyration_radius};
 use crate::initial::aggregate::NEIGHBOURLY;
 use crate::observe::force_curve::ForceCurve;
 use crate::observe::morphology::{convexity, coordination_number};
@@ -65,7 +65,7 @@ pub type Shape = [f64; 3];
 pub fn shape(system: &System) -> Shape {
     let Particles { x, radius, .. } = &system.particles;
     let spheres: Vec<Sphere> = x.iter().zip(radius).map(|(&centre, &radius)| Sphere { centre, radius }).collect();
-    [coordination_number(&spheres), convexity(&spheres).value, gyration_radius(&spheres, Extent::Centres)]
+    [coordination_number(&spheres), convexity(&spheres).value, gyration_radius(&spheres, SphereExtent::Centres)]
 }
 
 /// The initial state of a stage, and the force curve of an indentation.

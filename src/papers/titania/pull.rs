@@ -2,7 +2,7 @@
 
 use super::Plan;
 use super::case::Case;
-use super::stage::Act;
+use super::stage::StageAct;
 use crate::error::Error;
 use crate::interrupt::Interrupt;
 use crate::run::{Driver, Each, Study};
@@ -28,8 +28,8 @@ impl Pull {
     pub fn of(case: &Case, every: f64, interrupt: &Interrupt) -> Result<Self, Error> {
         let (plan, mut pull) = (Plan::of(case), Self::default());
         let rows = plan.steps_in(every);
-        let mut see = Each(|stage: &mut crate::run::Stage<'_, Plan>, step: &crate::run::Step| {
-            if matches!(plan.stages[stage.number].act, Act::Pull { .. }) {
+        let mut see = Each(|stage: &mut crate::run::RunningStage<'_, Plan>, step: &crate::run::Step| {
+            if matches!(plan.stages[stage.number].act, StageAct::Pull { .. }) {
                 let (watch, simulation) = (&mut stage.watch, &stage.simulation);
                 pull.events.extend(step.events.iter().map(|event| (watch.pulled(simulation), event.clone())));
                 if simulation.system().step.is_multiple_of(rows) {

@@ -11,7 +11,7 @@ pub struct Stage {
     /// Its name in the records of a run.
     pub name: &'static str,
     /// The act.
-    pub act: Act,
+    pub act: StageAct,
     /// Drag coefficient of every particle, ag/ns.
     pub damping: f64,
     /// Duration, ns.
@@ -20,7 +20,7 @@ pub struct Stage {
 
 /// The act of a stage. Units: nm, m/s, pN.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Act {
+pub enum StageAct {
     /// Releases two particles.
     Approach {
         /// Their nominal diameters.
@@ -65,15 +65,15 @@ const HELD: [Motion; 3] = [Motion::Velocity(0.0); 3];
 impl Stage {
     /// The release of two particles.
     pub fn approach(test: &Approach, diameters: [f64; 2], dt: f64) -> Self {
-        let act = Act::Approach { diameters, from: test.from.value };
+        let act = StageAct::Approach { diameters, from: test.from.value };
         Self { name: "approach", act, damping: 0.0, duration: test.duration.value(dt) }
     }
 
     /// A particle is pressed onto a slab and dragged over it.
     pub fn dragging(test: &Dragging, diameter: f64, rolls: bool, dt: f64) -> [Self; 2] {
         let (load, velocity) = (test.load.value, test.velocity.value);
-        let press = Act::Press { diameters: [diameter, test.slab.value], load };
-        let drag = Act::Drag { velocity, load, rolls };
+        let press = StageAct::Press { diameters: [diameter, test.slab.value], load };
+        let drag = StageAct::Drag { velocity, load, rolls };
         let names = if rolls { ["pressing to roll", "rolling"] } else { ["pressing to slide", "sliding"] };
         [
             Self { name: names[0], act: press, damping: 0.0, duration: test.settling.value(dt) },
@@ -84,8 +84,8 @@ impl Stage {
     /// A chain is relaxed and pulled.
     pub fn stretching(test: &Stretching, particles: u32, dt: f64) -> [Self; 2] {
         let (stiffness, velocity) = (test.stiffness.value, test.velocity.value);
-        let relax = Act::Relax { particles };
-        let pull = Act::Pull { particles, stiffness, velocity };
+        let relax = StageAct::Relax { particles };
+        let pull = StageAct::Pull { particles, stiffness, velocity };
         [
             Self { name: "relaxation", act: relax, damping: test.drag.value, duration: test.relaxation.value(dt) },
             Self { name: "pulling", act: pull, damping: 0.0, duration: test.distance.value / velocity },
@@ -97,11 +97,11 @@ impl Stage {
         system.remove_walls();
         system.steerings.clear();
         match self.act {
-            Act::Approach { .. } => {}
-            Act::Press { load, .. } => drag(system, 0.0, load, false),
-            Act::Drag { velocity, load, rolls } => drag(system, velocity, load, rolls),
-            Act::Relax { particles } => system.add_wall(HELD, |p, i| p.id[i] < 2 || p.id[i] + 2 >= particles),
-            Act::Pull { particles, stiffness, velocity } => {
+            StageAct::Approach { .. } => {}
+            StageAct::Press { load, .. } => drag(system, 0.0, load, false),
+            StageAct::Drag { velocity, load, rolls } => drag(system, velocity, load, rolls),
+            StageAct::Relax { particles } => system.add_wall(HELD, |p, i| p.id[i] < 2 || p.id[i] + 2 >= particles),
+            StageAct::Pull { particles, stiffness, velocity } => {
                 let end = |ids: std::ops::Range<u32>, velocity: f64| {
                     let velocity = Vec3([velocity, 0.0, 0.0]);
                     Steering::new(&system.particles, ids.collect(), stiffness, velocity)

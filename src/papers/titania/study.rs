@@ -3,7 +3,7 @@
 use super::case::{self, Agglomerate, Case, ContactTests, TitaniaTest, TwoParticles, checked};
 use super::chain::{agglomerate, extent};
 use super::pair::pair;
-use super::stage::{Act, Stage};
+use super::stage::{Stage, StageAct};
 use super::watch::{self, Watch};
 use crate::error::Error;
 use crate::interrupt::Interrupt;
@@ -90,8 +90,8 @@ impl Study for Plan {
     fn set_up(&self, stage: usize, system: System) -> Result<System, Error> {
         let stage = &self.stages[stage];
         let mut system = match stage.act {
-            Act::Approach { diameters, from } => pair(&self.titania, diameters, 0, from),
-            Act::Press { diameters, .. } => pair(&self.titania, diameters, 1, 0.0),
+            StageAct::Approach { diameters, from } => pair(&self.titania, diameters, 0, from),
+            StageAct::Press { diameters, .. } => pair(&self.titania, diameters, 1, 0.0),
             _ => system,
         };
         stage.drive(&mut system);
@@ -116,7 +116,7 @@ impl Study for Plan {
     }
 
     fn parts(&self, stage: usize) -> u64 {
-        if matches!(self.stages[stage].act, Act::Pull { .. }) { 4 } else { 1 }
+        if matches!(self.stages[stage].act, StageAct::Pull { .. }) { 4 } else { 1 }
     }
 
     fn columns(&self) -> Vec<Column> {

@@ -1,6 +1,6 @@
 //! The measurements of the stages: sliding, rolling and detachment of contacts, and the forces that cause them.
 
-use super::stage::Act;
+use super::stage::StageAct;
 use crate::output::{Cell, Finding};
 use crate::simulation::{Pair, Simulation};
 use crate::spec::Vec3;
@@ -102,7 +102,7 @@ impl Watch {
     }
 
     /// Observes a step and returns its events.
-    pub fn follow(&mut self, act: &Act, simulation: &Simulation<Titania>) -> Vec<String> {
+    pub fn follow(&mut self, act: &StageAct, simulation: &Simulation<Titania>) -> Vec<String> {
         self.measure(act, simulation);
         let mut events = Vec::new();
         let (law, dt) = (simulation.model(), simulation.settings().dt);
@@ -147,17 +147,17 @@ impl Watch {
     }
 
     /// Updates means and extremes over steps.
-    fn measure(&mut self, act: &Act, simulation: &Simulation<Titania>) {
+    fn measure(&mut self, act: &StageAct, simulation: &Simulation<Titania>) {
         let system = simulation.system();
         match act {
-            Act::Approach { diameters: [first, second], .. } => {
+            StageAct::Approach { diameters: [first, second], .. } => {
                 let d = distance(simulation);
                 self.swing.0 = self.swing.0.min(d);
                 if (d - 0.5 * (first + second)).abs() > SETTLED {
                     self.swing.1 = system.time;
                 }
             }
-            Act::Drag { rolls: true, .. } => {
+            StageAct::Drag { rolls: true, .. } => {
                 if let Some(pair) = simulation.pairs().next() {
                     let law = simulation.model();
                     self.resistance.0 += rolling_resistance(simulation);
@@ -165,7 +165,7 @@ impl Watch {
                     self.resistance.2 += 1;
                 }
             }
-            Act::Pull { .. } => {
+            StageAct::Pull { .. } => {
                 self.pull.0 += system.steerings[DRAWN].force.0[0];
                 self.pull.1 += 1;
             }
@@ -216,11 +216,11 @@ impl Watch {
     }
 
     /// The findings of the stage.
-    pub fn findings(&self, act: &Act, simulation: &Simulation<Titania>) -> Vec<Finding> {
+    pub fn findings(&self, act: &StageAct, simulation: &Simulation<Titania>) -> Vec<Finding> {
         let law = simulation.model();
         let slips = self.slips.len() as f64;
         match act {
-            Act::Approach { diameters: [first, second], .. } => {
+            StageAct::Approach { diameters: [first, second], .. } => {
                 let begin = simulation.system().time - simulation.system().step as f64 * simulation.settings().dt;
                 let rest = 0.5 * (first + second);
                 vec![
@@ -229,7 +229,7 @@ impl Watch {
                     Finding::number("time to settle within 5 pm", self.swing.1 - begin, "ns", None),
                 ]
             }
-            Act::Drag { rolls: false, .. } => {
+            StageAct::Drag { rolls: false, .. } => {
                 let mean = |of: fn(&Slip) -> f64| self.slips.iter().map(of).sum::<f64>() / slips;
                 let mut found = vec![Finding::number("slips", slips, "", None)];
                 if let [first, .., last] = self.slips[..] {
@@ -242,12 +242,12 @@ impl Watch {
                 }
                 found
             }
-            Act::Drag { rolls: true, .. } => {
+            StageAct::Drag { rolls: true, .. } => {
                 let (resistance, strength, n) = self.resistance;
                 let n = n as f64;
                 vec![Finding::number("rolling resistance", resistance / n, "pN", Some(strength / n))]
             }
-            Act::Pull { .. } => {
+            StageAct::Pull { .. } => {
                 let count = |name: &str, n: usize| Finding::number(name, n as f64, "", None);
                 let mut found = vec![
                     count("slidings", self.slips.len()),
@@ -263,7 +263,7 @@ impl Watch {
                 }
                 found
             }
-            Act::Press { .. } | Act::Relax { .. } => Vec::new(),
+            StageAct::Press { .. } | StageAct::Relax { .. } => Vec::new(),
         }
     }
 }

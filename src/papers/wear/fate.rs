@@ -1,6 +1,6 @@
 //! The fate of a junction: the series that a run records, and the verdict derived from it.
 
-use super::junction::Body;
+use super::junction::JunctionPart;
 use crate::observe::third_body::{Motions, Mover, Window};
 use crate::observe::{Link, upper_wall};
 use crate::spec::Vec3;
@@ -81,7 +81,10 @@ impl Witness {
             friction: -wall.0[0],
             normal: wall.0[1],
             third_size: members.len(),
-            third_from_junction: members.iter().filter(|&&i| Body::is_junction(system.particles.tag[i])).count(),
+            third_from_junction: members
+                .iter()
+                .filter(|&&i| JunctionPart::is_junction(system.particles.tag[i]))
+                .count(),
             third_mass: third.map_or(0.0, |t| t.mass),
             third_height: third.map_or(0.0, |t| t.height),
             rolled,

@@ -1,7 +1,7 @@
 //! Claims that follow from the equations alone.
 
 use crate::case::section::defaults;
-use crate::geometry::{Extent, gyration_radius};
+use crate::geometry::{SphereExtent, gyration_radius};
 use crate::initial::aggregate::necks::necks;
 use crate::initial::aggregate::{Method, Radii, Recipe, aggregate};
 use crate::interrupt::Interrupt;
@@ -56,7 +56,7 @@ fn grown() -> Vec<Claim> {
     let law = eq24_fractal::gyration_radius(k_f, number as f64, RADIUS, d_f);
     let recipe = Recipe { number, d_f, k_f, radii: Radii::Equal(RADIUS), method: Method::Clusters };
     let spheres = aggregate(&recipe, 1, &Interrupt::default()).expect("an ordinary aggregate");
-    let radius = gyration_radius(&spheres, Extent::Centres);
+    let radius = gyration_radius(&spheres, SphereExtent::Centres);
     let contacts = necks(&spheres, TOUCH, false).len();
     let claim = |what: &str| format!("{what}, {ALONE}");
     vec![

@@ -12,7 +12,7 @@ use crate::papers::soot::Plan;
 use crate::papers::soot::case::{Aggregate, Indentation, NeckSet, Soot, SootStage};
 use crate::papers::soot::watch::{Deposit, height};
 use crate::reproduce::{Claim, Evidence, Figure, Setting};
-use crate::run::{Driver, RunState, Sink, Stage, Step};
+use crate::run::{Driver, RunState, RunningStage, Sink, Step};
 use crate::spec::soot::Along;
 use crate::spec::soot::eq21_hamaker_plane::plane_force;
 use rayon::prelude::*;
@@ -100,7 +100,7 @@ struct Observer {
 }
 
 impl Sink<Plan<Along>> for Observer {
-    fn begin(&mut self, stage: &mut Stage<'_, Plan<Along>>, _: &RunState) -> Result<(), Error> {
+    fn begin(&mut self, stage: &mut RunningStage<'_, Plan<Along>>, _: &RunState) -> Result<(), Error> {
         if stage.number == 0 {
             self.first = height(stage.simulation.system());
         }
@@ -108,7 +108,12 @@ impl Sink<Plan<Along>> for Observer {
     }
 
     /// Records points of the force curve at intervals, and ends the deposition when the aggregate is at rest.
-    fn step(&mut self, stage: &mut Stage<'_, Plan<Along>>, _: &RunState, _: &Step) -> Result<ControlFlow<()>, Error> {
+    fn step(
+        &mut self,
+        stage: &mut RunningStage<'_, Plan<Along>>,
+        _: &RunState,
+        _: &Step,
+    ) -> Result<ControlFlow<()>, Error> {
         let every = (LOOK / stage.simulation.settings().dt).round() as u64;
         if stage.simulation.system().step.is_multiple_of(every) {
             stage.watch.record(&stage.simulation);
@@ -119,7 +124,7 @@ impl Sink<Plan<Along>> for Observer {
         Ok(ControlFlow::Continue(()))
     }
 
-    fn end(&mut self, stage: &mut Stage<'_, Plan<Along>>, _: &RunState) -> Result<(), Error> {
+    fn end(&mut self, stage: &mut RunningStage<'_, Plan<Along>>, _: &RunState) -> Result<(), Error> {
         if stage.number == 0 {
             self.lowered = height(stage.simulation.system());
             self.deposit = Some((stage.watch.deposit(&stage.simulation), stage.watch.kinetic()));

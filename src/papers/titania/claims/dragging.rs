@@ -48,13 +48,18 @@ fn drag(
 struct Dragged<F>(F);
 
 impl<F: FnMut(&Simulation<Titania>) -> ControlFlow<()>> Sink<Plan> for Dragged<F> {
-    fn begin(&mut self, stage: &mut run::Stage<'_, Plan>, _: &RunState) -> Result<(), Error> {
+    fn begin(&mut self, stage: &mut run::RunningStage<'_, Plan>, _: &RunState) -> Result<(), Error> {
         if stage.number == 1 {
             let _ = (self.0)(&stage.simulation);
         }
         Ok(())
     }
-    fn step(&mut self, stage: &mut run::Stage<'_, Plan>, _: &RunState, _: &Step) -> Result<ControlFlow<()>, Error> {
+    fn step(
+        &mut self,
+        stage: &mut run::RunningStage<'_, Plan>,
+        _: &RunState,
+        _: &Step,
+    ) -> Result<ControlFlow<()>, Error> {
         Ok(if stage.number == 1 { (self.0)(&stage.simulation) } else { ControlFlow::Continue(()) })
     }
 }

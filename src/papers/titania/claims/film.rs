@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::figures::{Curve, Mark};
-use crate::initial::film::{Film, FilmPlan};
+use crate::initial::film::{DepositedFilm, FilmPlan};
 use crate::interrupt::Interrupt;
 use crate::observe::film::Structure;
 use crate::reproduce::{Claim, Evidence, Figure, near};
@@ -66,7 +66,7 @@ pub fn structure(chapter: &mut Evidence, interrupt: &Interrupt) -> Result<(), Er
     Ok(())
 }
 
-fn build(plan: &FilmPlan, interrupt: &Interrupt) -> Result<(Film, Structure), Error> {
+fn build(plan: &FilmPlan, interrupt: &Interrupt) -> Result<(DepositedFilm, Structure), Error> {
     let film = plan.build(1, interrupt).map_err(|failure| failure.of("sample.film"))?;
     let structure = Structure::of(&film, TOUCH, 1);
     Ok((film, structure))

@@ -177,7 +177,7 @@ fn approach(chapter: &mut Evidence, setting: &Setting) -> Result<(), Error> {
             titania.damping_constant.value *= factor;
             let plan = plan(&titania, DT, vec![Stage::approach(&test, [d; 2], DT)]);
             let (mut least, mut settled, mut points) = (f64::INFINITY, 0.0, vec![(0.0, 0.5)]);
-            let mut see = Each(|stage: &mut run::Stage<'_, Plan>, _: &run::Step| {
+            let mut see = Each(|stage: &mut run::RunningStage<'_, Plan>, _: &run::Step| {
                 let system = stage.simulation.system();
                 let (distance, time) = (apart(system), system.time);
                 least = least.min(distance);

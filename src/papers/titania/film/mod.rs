@@ -11,7 +11,7 @@ pub use spectrum::Spectrum;
 
 use super::case::{self, Case, Spectroscopy, TitaniaTest, checked};
 use crate::error::{Error, Halt};
-use crate::initial::film::{Film, FilmSphere};
+use crate::initial::film::{DepositedFilm, FilmSphere};
 use crate::interrupt::Interrupt;
 use crate::observe::film::Structure;
 use crate::output::{Cell, Column, Finding, SavedKind, load_state, save_state};
@@ -31,7 +31,7 @@ pub struct Plan<M> {
     test: Spectroscopy,
     seed: u64,
     overlap: f64,
-    stages: Vec<Stage>,
+    stages: Vec<FilmStage>,
     model: OnceLock<M>,
 }
 
@@ -44,7 +44,7 @@ struct Relaxed {
 
 /// A stage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stage {
+pub enum FilmStage {
     /// Relaxation of the film.
     Relaxation,
     /// Approach of the tip.
@@ -53,7 +53,7 @@ pub enum Stage {
     Retraction,
 }
 
-impl Stage {
+impl FilmStage {
     const ALL: [Self; 3] = [Self::Relaxation, Self::Approach, Self::Retraction];
 
     fn name(self) -> &'static str {
@@ -81,7 +81,7 @@ impl<M: Law> Plan<M> {
             unreachable!("asked only of cases that are about a film")
         };
         let (titania, film, test) = (titania.clone(), film.clone(), test.clone());
-        let stages = if film.load.is_some() { &Stage::ALL[1..] } else { &Stage::ALL[..] }.to_vec();
+        let stages = if film.load.is_some() { &FilmStage::ALL[1..] } else { &FilmStage::ALL[..] }.to_vec();
         let (seed, overlap) = (case.seed, case.limits.overlap);
         Self { titania, film, test, seed, overlap, stages, model: OnceLock::new() }
     }
@@ -105,7 +105,7 @@ impl<M: Law> Plan<M> {
         (0..p.len()).filter(|&i| p.wall[i] > 0).for_each(|i| on_floor[p.tag[i] as usize] = true);
         let thickness = spheres.iter().map(|s| s.centre.0[2] + 0.5 * s.diameter).fold(0.0, f64::max);
         let [width, depth, _] = system.domain.sides;
-        let film = Film { spheres, on_floor, sides: [width, depth], thickness };
+        let film = DepositedFilm { spheres, on_floor, sides: [width, depth], thickness };
         Structure::of(&film, 2.0 * sizes[0].0 - sizes[0].1, self.seed)
     }
 
@@ -155,9 +155,9 @@ impl<M: Law> Study for Plan<M> {
 
     fn set_up(&self, stage: usize, mut system: System) -> Result<System, Error> {
         match self.stages[stage] {
-            Stage::Relaxation => {}
-            Stage::Approach => self.add_tip(&mut system),
-            Stage::Retraction => {
+            FilmStage::Relaxation => {}
+            FilmStage::Approach => self.add_tip(&mut system),
+            FilmStage::Retraction => {
                 let turning = Motion::Return { speed: self.test.speed.value, turn: self.test.reversal.value };
                 system.walls[TIP].redirect([AT_REST[0], AT_REST[1], turning]);
             }
@@ -178,25 +178,25 @@ impl<M: Law> Study for Plan<M> {
     }
 
     fn settings(&self, stage: usize, _: &System) -> Settings {
-        let damping = if self.stages[stage] == Stage::Relaxation { self.test.drag.value } else { 0.0 };
+        let damping = if self.stages[stage] == FilmStage::Relaxation { self.test.drag.value } else { 0.0 };
         Settings { damping, skin: SKIN, max_overlap: self.overlap, ..Settings::new(self.test.dt.value) }
     }
 
     fn steps(&self, stage: usize, dt: f64) -> u64 {
         let test = &self.test;
         let time = match self.stages[stage] {
-            Stage::Relaxation => test.relaxation.value(dt),
-            Stage::Approach => test.depth.value / test.speed.value,
-            Stage::Retraction => test.reversal.value + test.retraction.value / test.speed.value,
+            FilmStage::Relaxation => test.relaxation.value(dt),
+            FilmStage::Approach => test.depth.value / test.speed.value,
+            FilmStage::Retraction => test.reversal.value + test.retraction.value / test.speed.value,
         };
         ((time / dt).round() as u64).max(1)
     }
 
     fn progress(&self, stage: usize, watch: &Watch, simulation: &Simulation<M>) -> Progress {
         let done = match self.stages[stage] {
-            Stage::Relaxation => false,
-            Stage::Approach => watch.force() >= self.test.setpoint.value,
-            Stage::Retraction => watch.parted_by(AFTER),
+            FilmStage::Relaxation => false,
+            FilmStage::Approach => watch.force() >= self.test.setpoint.value,
+            FilmStage::Retraction => watch.parted_by(AFTER),
         };
         let last = self.steps(stage, simulation.settings().dt);
         if done || simulation.system().step >= last { Progress::Done } else { Progress::Going }
@@ -204,14 +204,14 @@ impl<M: Law> Study for Plan<M> {
 
     fn end(&self, stage: usize, simulation: Simulation<M>) -> Result<System, Error> {
         let system = simulation.into_system_with_springs();
-        if let (Stage::Relaxation, Some(path)) = (self.stages[stage], &self.film.save) {
+        if let (FilmStage::Relaxation, Some(path)) = (self.stages[stage], &self.film.save) {
             save_state(path, SavedKind::Sample, &Relaxed { origin: self.origin(), system: system.clone() })?;
         }
         Ok(system)
     }
 
     fn parts(&self, stage: usize) -> u64 {
-        if self.stages[stage] == Stage::Retraction { 4 } else { 1 }
+        if self.stages[stage] == FilmStage::Retraction { 4 } else { 1 }
     }
 
     fn upwards(&self) -> usize {
@@ -245,7 +245,7 @@ impl<M: Law> Study for Plan<M> {
 
     fn findings(&self, stage: usize, watch: &Watch, simulation: &Simulation<M>) -> Result<Vec<Finding>, Error> {
         let mut found = watch.findings(self.stages[stage], self.test.setpoint.value, simulation);
-        if self.stages[stage] == Stage::Relaxation {
+        if self.stages[stage] == FilmStage::Relaxation {
             let structure = self.structure(simulation.system());
             found.extend([
                 Finding::number("porosity of the relaxed film", structure.porosity, "", Some(0.98)),

@@ -1,6 +1,6 @@
 //! The force curve of a run, read from its folder.
 
-use super::Stage;
+use super::FilmStage;
 use crate::error::Error;
 use crate::output::columns::TIME;
 use crate::output::{Column, Event, Finding, RunFolder, Series, between};
@@ -42,13 +42,13 @@ impl Spectrum {
     /// Reads a finished run, the rows of whose series must be as close as the averaging time of the force.
     pub fn read(folder: &RunFolder) -> Result<Self, Error> {
         let (series, findings) = (Series::read(folder)?, Finding::of_run(folder)?);
-        let up = Stage::Retraction.name();
+        let up = FilmStage::Retraction.name();
         let moved = series.curve(up, TIME, MOVED);
         let going_up = Event::all(folder)?.into_iter().filter(|event| event.stage == up);
         let found =
             |name| findings.iter().find(|finding| finding.name == name).and_then(|found| found.value.parse().ok());
         Ok(Self {
-            approach: series.curve(Stage::Approach.name(), MOVED, FORCE),
+            approach: series.curve(FilmStage::Approach.name(), MOVED, FORCE),
             retraction: series.curve(up, MOVED, FORCE),
             events: going_up
                 .filter_map(|Event { time_ns, event, .. }| Some((between(&moved, time_ns)?, event)))

@@ -2,7 +2,7 @@
 
 use super::contacts::Contacts;
 use super::spectrum::{FORCE, LARGEST, LAST, MOVED, WAY};
-use super::{FIXED, Law, Stage, TIP};
+use super::{FIXED, FilmStage, Law, TIP};
 use crate::geometry::clusters::Clusters;
 use crate::initial::film::Bonding;
 use crate::output::{Cell, Column, Finding};
@@ -55,7 +55,7 @@ impl Watch {
     }
 
     /// Observes a step and returns the events since the last examination. Forces are averaged over `average`, ns.
-    pub fn follow<M: Law>(&mut self, stage: Stage, average: f64, simulation: &Simulation<M>) -> Vec<String> {
+    pub fn follow<M: Law>(&mut self, stage: FilmStage, average: f64, simulation: &Simulation<M>) -> Vec<String> {
         let (system, dt) = (simulation.system(), simulation.settings().dt);
         let due = |interval: f64| system.step.is_multiple_of(((interval / dt).round() as u64).max(1));
         let mut events = if due(LOOK) { self.contacts.look(simulation) } else { Vec::new() };
@@ -65,7 +65,7 @@ impl Watch {
             self.curve.push((tip.travel.0[2], self.window.0 / self.window.1 as f64));
             self.window = (0.0, 0);
             self.hang_together(simulation);
-            if stage == Stage::Retraction && !self.holds && self.rupture.is_none() {
+            if stage == FilmStage::Retraction && !self.holds && self.rupture.is_none() {
                 self.rupture = Some(tip.travel.0[2]);
                 events.push(format!("rupture, {} bodies stay on the tip", self.on_tip));
             }
@@ -114,12 +114,12 @@ impl Watch {
     }
 
     /// The findings of the stage.
-    pub fn findings<M: Law>(&self, stage: Stage, setpoint: f64, simulation: &Simulation<M>) -> Vec<Finding> {
+    pub fn findings<M: Law>(&self, stage: FilmStage, setpoint: f64, simulation: &Simulation<M>) -> Vec<Finding> {
         let Contacts { slidings, rollings, detachments, .. } = self.contacts;
         let named = |what: &str| format!("{what} during {}", stage.name());
         let mut found = match stage {
-            Stage::Relaxation => Vec::new(),
-            Stage::Approach => vec![
+            FilmStage::Relaxation => Vec::new(),
+            FilmStage::Approach => vec![
                 Finding::words(
                     "end of the approach",
                     if self.force() < setpoint {
@@ -131,7 +131,7 @@ impl Watch {
                 Finding::number("force at the end of the approach", self.force(), "pN", Some(setpoint)),
                 Finding::number("depth of the approach", -self.curve.last().map_or(0.0, |point| point.0), "nm", None),
             ],
-            Stage::Retraction => self.peaks(),
+            FilmStage::Retraction => self.peaks(),
         };
         let broken = self.necks - simulation.system().necks.len() as u64;
         let third = match M::BONDING {

@@ -69,13 +69,13 @@ fn observe(
 struct Seeing<F>(F);
 
 impl<'p, F: FnMut(&Simulation<Wear>) -> ControlFlow<()>> Sink<Protocol<'p>> for Seeing<F> {
-    fn begin(&mut self, stage: &mut crate::run::Stage<'_, Protocol<'p>>, _: &RunState) -> Result<(), Error> {
+    fn begin(&mut self, stage: &mut crate::run::RunningStage<'_, Protocol<'p>>, _: &RunState) -> Result<(), Error> {
         let _ = (self.0)(&stage.simulation);
         Ok(())
     }
     fn step(
         &mut self,
-        stage: &mut crate::run::Stage<'_, Protocol<'p>>,
+        stage: &mut crate::run::RunningStage<'_, Protocol<'p>>,
         _: &RunState,
         _: &Step,
     ) -> Result<ControlFlow<()>, Error> {
