@@ -30,7 +30,7 @@ const PLACES: usize = 50;
 /// The first of many random chains that has the required length, aligned with x and starting at zero; none if no chain has it.
 pub fn agglomerate(recipe: &Recipe, seed: u64) -> Option<Vec<Particle>> {
     let mut stream = Stream::new(seed, "agglomerate");
-    (0..CHAINS).filter_map(|_| chain(recipe, &mut stream)).map(laid).find(|chain| {
+    (0..CHAINS).filter_map(|_| chain(recipe, &mut stream)).map(aligned).find(|chain| {
         let [low, high] = extent(chain, 0);
         (high - low - recipe.length).abs() <= TOLERANCE * recipe.length
     })
@@ -78,7 +78,7 @@ fn frame(x: Vec3<f64>) -> [Vec3<f64>; 3] {
 }
 
 /// The chain, rotated so that its two ends, of two particles each, are aligned along x, and shifted so that it starts at zero.
-fn laid(mut chain: Vec<Particle>) -> Vec<Particle> {
+fn aligned(mut chain: Vec<Particle>) -> Vec<Particle> {
     let [(a, _), (b, _), .., (y, _), (z, _)] = chain[..] else { unreachable!("a chain has two ends") };
     let axes = frame(y + z - (a + b));
     for (x, _) in &mut chain {
