@@ -1,6 +1,6 @@
-//! Rigid bodies pushed by the loads on them, several side by side.
+//! Integration of rigid bodies under their loads, several in one vector.
 
-use crate::forces::{LANES, SideBySide, Square};
+use crate::forces::{LANES, Square, Vectorised};
 use crate::spec::mechanics::body::spin;
 use crate::spec::mechanics::kick_and_drift::{drift, kick};
 use crate::spec::mechanics::kinetic_energy::translational_energy;
@@ -65,7 +65,7 @@ impl Push {
     }
 }
 
-impl SideBySide for &mut Push {
+impl Vectorised for &mut Push {
     type Outcome = [Row; 3];
 
     /// Kicks the bodies by the loads on them, then lets them go on freely for a step. Returns their kinetic energies, what the scheme

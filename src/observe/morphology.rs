@@ -1,4 +1,4 @@
-//! The shape of an aggregate: coordination and convexity.
+//! The shape of an aggregate: coordination number and convexity.
 
 use crate::geometry::Sphere;
 use crate::geometry::directions::spread;

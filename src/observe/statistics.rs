@@ -1,4 +1,4 @@
-//! What a few runs say about all of them.
+//! Confidence intervals of means of a few runs.
 
 /// Part of the means that lie in their confidence interval.
 const CONFIDENCE: f64 = 0.95;

@@ -1,4 +1,4 @@
-//! The homogeneous deformation that is nearest to what a sample did.
+//! The homogeneous deformation closest to the deformation of a sample.
 
 use crate::geometry::jacobi::eigenvectors;
 use crate::spec::{Tensor, Vec3};

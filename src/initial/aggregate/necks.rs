@@ -1,4 +1,4 @@
-//! Which spheres of an aggregate are joined by necks.
+//! The necks of an aggregate.
 
 use crate::geometry::Sphere;
 use crate::geometry::clusters::Clusters;
@@ -8,7 +8,7 @@ use crate::random::Stream;
 /// A neck between the `i`-th and the `j`-th sphere, `i < j`.
 pub type Neck = (usize, usize);
 
-/// The gap that a neck bridges where nothing else is asked for, nm: enough for rounding.
+/// The default for the largest gap of a neck, nm: enough for rounding.
 pub const NECK_DISTANCE: f64 = 0.01;
 
 /// Spheres touch whose gap is below this part of the sum of their radii: what rounding leaves in files of single precision.

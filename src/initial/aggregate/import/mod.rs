@@ -160,7 +160,10 @@ fn scaled(source: &Source, raw: &Raw, options: &Options) -> Result<Vec<Sphere>, 
     let equal = raw.radii.windows(2).all(|pair| pair[0] == pair[1]);
     let unit = match (options.unit, options.radius) {
         (Some(_), Some(_)) if known || raw.in_radii => {
-            return missing("radius", "found `unit` and `radius`, expected one of them: the file tells their ratio");
+            return missing(
+                "radius",
+                "found `unit` and `radius`, expected only one of them: the file defines their ratio",
+            );
         }
         (Some(unit), _) => unit,
         (None, Some(radius)) if known && equal => radius / raw.radii[0],
@@ -169,7 +172,10 @@ fn scaled(source: &Source, raw: &Raw, options: &Options) -> Result<Vec<Sphere>, 
             return missing("unit", "is missing, expected the unit of length of the file: its radii differ");
         }
         _ if raw.in_radii => {
-            return missing("radius", "is missing, expected the radius of the spheres: the file counts in it");
+            return missing(
+                "radius",
+                "is missing, expected the radius of the spheres, which is the unit of length of the file",
+            );
         }
         _ => return missing("unit", "is missing, expected the unit of length of the file, such as `1 nm`"),
     };
@@ -180,7 +186,7 @@ fn scaled(source: &Source, raw: &Raw, options: &Options) -> Result<Vec<Sphere>, 
         _ => {
             return missing(
                 "radius",
-                "is missing, expected the radius of the spheres: XYZ tells it in a fifth column that is the last, or in one that `Properties` names",
+                "is missing, expected the radius of the spheres: an XYZ file gives it in a fifth and last column, or in a column named by `Properties`",
             );
         }
     };
