@@ -10,7 +10,7 @@ use veridem::interrupt::Interrupt;
 use veridem::observe::links;
 use veridem::papers::parse;
 use veridem::papers::soot::{Plan, Soot};
-use veridem::run::{Driver, Each, Stage, Step};
+use veridem::run::{Driver, Each, RunningStage, Step};
 use veridem::spec::soot::Along;
 
 const CASE: &str = "
