@@ -27,14 +27,13 @@ impl fmt::Display for Problem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if !self.file.as_os_str().is_empty() {
             write!(f, "{}:", self.file.display())?;
-        }
-        if let Some(line) = self.line {
-            write!(f, "{line}:")?;
+            self.line.map_or(Ok(()), |line| write!(f, "{line}:"))?;
+            f.write_str(" ")?;
         }
         if !self.key.is_empty() {
-            write!(f, " {}:", self.key)?;
+            write!(f, "{}: ", self.key)?;
         }
-        write!(f, " {}", self.what)
+        f.write_str(&self.what)
     }
 }
 
