@@ -10,7 +10,7 @@ use veridem::interrupt::Interrupt;
 use veridem::observe::links;
 use veridem::papers::parse;
 use veridem::papers::soot::{Plan, Soot};
-use veridem::run::{Driver, Each, Stage, Step};
+use veridem::run::{Driver, Each, RunningStage, Step};
 use veridem::spec::soot::Along;
 
 const CASE: &str = "
@@ -24,7 +24,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let case = parse::<Soot>(Path::new("own_observer.yaml"), CASE)?;
     let plan = Plan::of(&case, Along);
     println!("time [ns]  contacts  under tension");
-    let mut observer = Each(|stage: &mut Stage<Plan<Along>>, _: &Step| {
+    let mut observer = Each(|stage: &mut RunningStage<Plan<Along>>, _: &Step| {
         let system = stage.simulation.system();
         if system.step.is_multiple_of(10_000) {
             let contacts: Vec<_> = links(&stage.simulation).into_iter().filter(|link| link.gap < 0.0).collect();
