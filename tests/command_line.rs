@@ -1,4 +1,4 @@
-//! Do the commands around a run do what they say?
+//! Do the commands around a run work as documented?
 
 use std::path::Path;
 use std::process::{Command, Output, Stdio};

@@ -1,4 +1,4 @@
-//! Does a film under a tip run, and is what it says of the forces what was done to it?
+//! Does a film under a tip run, and do its forces agree with its energy balance?
 
 use std::path::Path;
 use std::process::Command;

@@ -1,4 +1,4 @@
-//! Is a relaxed film that was kept the film that it was?
+//! Is a saved and loaded relaxed film the same film?
 
 use std::path::Path;
 use std::process::{Command, Output};

@@ -1,4 +1,4 @@
-//! Springs that let go: is what they held entered as lost, whoever is near and however neighbours are listed?
+//! Released springs: is their energy entered as lost, whatever pairs are near and whenever the neighbour list is rebuilt?
 
 mod common;
 

@@ -1,4 +1,4 @@
-//! Does an aggregate between a substrate and a moving tip keep what the equations keep, with the same bits on any machine?
+//! Does an aggregate between a substrate and a moving tip obey the conservation laws, with the same bits on any machine?
 
 mod common;
 

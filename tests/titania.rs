@@ -1,4 +1,4 @@
-//! Do cases of the titania paper run, and are the numbers what the law says?
+//! Do cases of the titania paper run, and do the results agree with the law?
 
 use std::path::{Path, PathBuf};
 use std::process::Command;

@@ -1,4 +1,4 @@
-//! Four springs at work: what holds two spheres together, or rubs them against each other.
+//! The four springs of a neck or of a frictional contact of two spheres.
 //!
 //! Equations and sections are numbered as in Demidov, Gor & Khalizov 2024.
 
@@ -69,7 +69,7 @@ flat_struct! {
         pub rolling,
         /// Torsion dashpot.
         pub torsion,
-        /// Springs that slid or let go. For one step it may be negative: when Eq. 17 sets a spring against its dashpot.
+        /// Springs that slipped or were released. In a single step it may be negative: when Eq. 17 sets a spring against its dashpot.
         pub slip,
     }
 }
@@ -134,7 +134,7 @@ impl<R: Copy + Send + Sync, O: Flat<R>> Flat<R> for Memory<R, O> {
 /// A contact after one evaluation.
 pub type SpringsOutcome<R, O = R> = Outcome<R, Memory<R, O>, Losses<R>>;
 
-/// One spring after a step: its force, its next length, and what dashpot and slip took.
+/// One spring after a step: its force, its next elongation, and the energies dissipated by dashpot and slip.
 struct Pull<R, S> {
     force: S,
     xi: S,

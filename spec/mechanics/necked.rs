@@ -13,7 +13,7 @@ use super::four_springs::{Friction, Memory, Springs};
 use crate::{Contact, Flat, Outcome, PairModel, Real, Vec3, Wrench, flat_struct};
 
 flat_struct! {
-    /// Energies of a neck, J, by spring: what it holds, or what the dashpot beside it has taken.
+    /// Energies of a neck, J, by spring: stored in the spring, or dissipated by its dashpot.
     pub struct OfNeck {
         /// Along the normal.
         pub neck_normal,

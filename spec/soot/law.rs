@@ -1,4 +1,4 @@
-//! The contact law, composed of its equations: what an engine runs.
+//! The contact law, composed of its equations, for an engine.
 
 use super::def_body_forces::Attraction;
 use super::def_neck_stress::neck_stress;
@@ -114,7 +114,7 @@ impl<S: Reading> PairModel for Soot<S> {
         Coefficients { bonded: R::one() }
     }
 
-    /// Two spheres at one instant: advances their springs by `dt` and says what they do. A neck acts at any distance; all else ends at the cutoff.
+    /// Two spheres at one instant: advances their springs by `dt` and returns their forces. A neck acts at any distance; everything else ends at the cutoff.
     #[inline(always)]
     fn pair<R: Real>(
         &self,

@@ -76,8 +76,8 @@ impl<M: PairModel> Block<M> {
 const NEAR: f64 = 0.01;
 
 /// Cuts the pairs, sorted by first sphere, into blocks; springs are found again in `springs`. `x` and `domain` are those that the
-/// pairs were found with, `skin` is how much closer two spheres may come before they are found anew. Only the first
-/// `moving` particles have pairs; `shares` is what moment of inertia each particle contributes to a contact.
+/// pairs were found with, `skin` is the distance by which two spheres may approach before the next rebuild. Only the first
+/// `moving` particles have pairs; `shares` is the moment of inertia that each particle contributes to a contact.
 pub fn partition<M: PairModel>(
     model: &M,
     particles: &Particles,

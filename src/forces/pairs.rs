@@ -18,7 +18,7 @@ pub struct Pairs<M: PairModel> {
     pub i: Vec<[u16; LANES]>,
     /// Second spheres.
     pub j: Vec<[u16; LANES]>,
-    /// Which constants each row has: those of one material and size are all alike.
+    /// Index of the constants of each row: pairs of one material and size share theirs.
     pub kind: Vec<u32>,
     /// Constants.
     pub coefficients: Vec<M::Coefficients<Lanes<LANES>>>,

@@ -118,7 +118,7 @@ impl<M: PairModel> SurfaceTotals<M> {
 }
 
 /// Shows every place where a surface acts on a free sphere, with the springs of the contact there if it is not new, the nearest place first; then
-/// the places that the sphere has left since the last step, out of contact and at rest, with springs that have not let go yet.
+/// the contact points that the sphere has left since the last step, out of contact and at rest, whose springs have not been released yet.
 pub fn each_touch<M: PairModel>(
     model: &M,
     surface: &Surface,

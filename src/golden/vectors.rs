@@ -169,7 +169,7 @@ fn check_vector(equation: &Equation, document: &Document, vector: &Vector) -> Re
     }
 }
 
-/// Mints the vectors of an equation anew and writes them; independent ones are kept. Returns what changed and by how much.
+/// Regenerates the vectors of an equation and writes them; independent ones are kept. Returns the changes.
 pub fn regenerate(golden: &Path, equation: &Equation, document: &Document) -> std::io::Result<Vec<String>> {
     let old = read(golden, equation).map(|file| file.vectors).unwrap_or_default();
     let minted = samples(equation, document, SAMPLED);

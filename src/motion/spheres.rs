@@ -70,7 +70,7 @@ pub struct Step<'a> {
     pub growth: [f64; 3],
     /// Factors by which it will have grown since the neighbour list was built.
     pub stretch: [f64; 3],
-    /// Vector instructions for what is computed side by side.
+    /// Vector instructions in use.
     pub instructions: Instructions,
 }
 
@@ -140,7 +140,7 @@ impl MotionTotals {
     }
 }
 
-/// The loads on the first spheres of a block: its own, and what other blocks hold for them.
+/// The loads on the first spheres of a block: its own, and those from the halos of other blocks.
 pub fn gathered<M: PairModel>(blocks: &[Block<M>], number: usize, count: usize) -> Cow<'_, [Load]> {
     let block = &blocks[number];
     let own = &block.loads[..count];

@@ -39,7 +39,7 @@ impl Steering {
         self.velocity * self.age
     }
 
-    /// Sees the centre of mass, pulls, and goes on for a step; returns the work done on the way since the step before, zJ.
+    /// Evaluates the spring and advances it by a step; returns its work since the step before, zJ.
     pub fn pull(&mut self, centre: Vec3<f64>, dt: f64) -> f64 {
         let (force, travel) = (self.force, self.travel);
         self.travel = centre - self.origin;

@@ -1,4 +1,4 @@
-//! Tests between two walls: strain and stress of what lies between them, and the elastic constants.
+//! Tests between two walls: strain and stress of the sample between them, and the elastic constants.
 
 use super::strain::displacement_gradient;
 use super::stress::{Slab, stress};

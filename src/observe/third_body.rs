@@ -84,7 +84,7 @@ impl Motions {
     }
 }
 
-/// `distance` is how far a sphere's motion is from those of both bodies; the first guess keeps `clear` of them.
+/// `distance` measures the difference of a sphere's motion from the motions of both bodies; the first guess keeps `clear` of them.
 fn third_body(
     system: &System,
     links: &[Link],

@@ -117,7 +117,7 @@ pub struct Chapter {
     pub compute: fn(&Setting) -> Result<Evidence, Error>,
 }
 
-/// The evidence of a chapter: claims beside what was measured, and figures.
+/// The evidence of a chapter: claims with measured values, and figures.
 #[derive(Clone, Debug, Default)]
 pub struct Evidence {
     /// Reductions compared with the paper, if any.

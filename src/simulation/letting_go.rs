@@ -17,7 +17,7 @@ impl<M: PairModel> Simulation<M> {
         Ok(())
     }
 
-    /// The springs of all contacts, by who the spheres are, and the energy of those that the model forgets.
+    /// The contact history of all pairs, and the energy of the springs that the model resets.
     pub(super) fn springs(&self) -> (Springs, M::Losses<f64>) {
         let mut springs = Springs::new(M::Memory::<f64>::LEN);
         let mut forgotten: M::Losses<f64> = Flat::from_fn(|_| 0.0);
@@ -34,7 +34,7 @@ impl<M: PairModel> Simulation<M> {
         (springs.sorted(), forgotten)
     }
 
-    /// Enters what was held by springs of pairs that are no longer listed among those that can touch. They are out of contact: the law says what that costs.
+    /// Enters the energy of springs of pairs that are no longer listed among those that can touch. They are out of contact: the law accounts for the loss.
     fn let_go(&mut self, springs: &Springs) {
         let held = |memory: &M::Memory<f64>| (0..M::Memory::<f64>::LEN).any(|k| *memory.at(k) != 0.0);
         let pairs_with_springs = || {

@@ -34,7 +34,7 @@ impl<M: PairModel> Simulation<M> {
         stale
     }
 
-    /// Puts bodies and particles in order and lists neighbours; contacts go on with the given springs.
+    /// Orders bodies and particles and builds the neighbour list; contacts continue with the given springs.
     pub(super) fn list_neighbours(&mut self, springs: &Springs) -> Result<(), Halt> {
         self.place_members();
         self.put_in_order();

@@ -193,7 +193,7 @@ impl<M: PairModel> Simulation<M> {
         Ok(())
     }
 
-    /// Moves everything; also returns what forces inside bodies must correct the virial by.
+    /// Moves everything; also returns the correction of the virial for forces inside bodies.
     fn advance(&mut self, growth: [f64; 3], dt: f64, damping: f64) -> (MotionTotals, [f64; 3]) {
         let stretch = std::array::from_fn(|a| self.system.domain.sides[a] / self.listed.sides[a] * growth[a]);
         let instructions = self.settings.instructions;

@@ -43,7 +43,7 @@ impl<M: PairModel> Simulation<M> {
         self.listed_pairs().filter(|listed| self.acts(listed)).map(|listed| self.evaluated(listed))
     }
 
-    /// The same pairs by the places of their spheres, the sphere with the lower id first, with what they see of each other and their
+    /// The same pairs by the indices of their spheres, the sphere with the lower id first, with their contact kinematics and
     /// springs: much cheaper than [`pairs`](Self::pairs).
     pub fn contacts(&self) -> impl Iterator<Item = (usize, usize, Contact<f64>, M::Memory<f64>)> + '_ {
         let listed_pairs = self.listed_pairs().filter(|listed| self.acts(listed));
@@ -103,7 +103,7 @@ impl<M: PairModel> Simulation<M> {
         ledger
     }
 
-    /// What all pairs hold, zJ, by cause: also those that have just left the range, whose springs let go in the next step.
+    /// Energy stored in all pairs, zJ, by cause, including pairs that have just left their range and whose springs are released in the next step.
     pub(super) fn stored(&self) -> Vec<f64> {
         let mut sums = vec![0.0; M::Stored::<f64>::LEN];
         let stretched = |listed: &ListedPair<M>| (0..M::Memory::<f64>::LEN).any(|k| *listed.memory.at(k) != 0.0);

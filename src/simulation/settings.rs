@@ -26,7 +26,7 @@ pub struct Settings {
 }
 
 impl Settings {
-    /// A time step in ns, and of all else what is plain: velocities half a step behind positions, no damping, neighbours listed
+    /// A time step in ns, and defaults otherwise: velocities half a step behind positions, no damping, neighbours listed
     /// no farther than their range, no limit of overlap, fixed sides, the widest vector instructions.
     pub fn new(dt: f64) -> Self {
         Self {
@@ -66,7 +66,7 @@ impl Settings {
         Self { relax_box: Some(relax_box), ..self }
     }
 
-    /// Far pairs evaluated every so many steps.
+    /// The interval, in steps, at which far pairs are evaluated.
     pub fn far_every(self, far_every: u64) -> Self {
         Self { far_every, ..self }
     }

@@ -1,7 +1,7 @@
 //! The complete state, to be saved and restored.
 //!
-//! The neighbour list is not stored but what it was built from, so a simulation taken up from a snapshot has the same list,
-//! the same order of sums, and goes on with the same bits.
+//! The state from which the neighbour list was built is stored instead of the list, so a simulation restored from a snapshot has the same list,
+//! the same order of sums, and continues with the same bits.
 
 use super::{Ledger, Listed, Settings, Simulation, VerletState};
 use crate::error::Halt;

@@ -11,7 +11,7 @@ use rayon::prelude::*;
 const MANY: usize = 16;
 
 impl<M: PairModel> Simulation<M> {
-    /// Adds what the surfaces do to the loads on the spheres, and moves them.
+    /// Adds the forces of the surfaces to the loads on the spheres, and moves the surfaces.
     pub(super) fn lean_on_surfaces(&mut self) -> Result<(), Halt> {
         let dt = self.settings.dt;
         for s in 0..self.system.surfaces.len() {
@@ -30,7 +30,7 @@ impl<M: PairModel> Simulation<M> {
         Ok(())
     }
 
-    /// Adds what a surface does to the loads on the spheres, with the springs of its contacts advanced by `dt`.
+    /// Adds the forces of a surface to the loads on the spheres, with the springs of its contacts advanced by `dt`.
     pub(super) fn totals_of(&mut self, s: usize, dt: f64) -> Result<SurfaceTotals<M>, Halt> {
         let (model, particles, surface) = (&self.model, &self.system.particles, &self.system.surfaces[s]);
         let one = |block| surface_forces(model, surface, particles, block, dt);

@@ -1,4 +1,4 @@
-//! A step of velocity Verlet. Positions, velocities, and what is written of a run belong to the same time; forces see the positions there
+//! A step of velocity Verlet. Positions, velocities and output belong to the same time; forces are evaluated with the positions there
 //! and the velocities of half a step before, with which the springs advance, too.
 
 use super::Simulation;

@@ -111,7 +111,7 @@ pub struct System {
     pub steerings: Vec<Steering>,
     /// Necks between spheres: ids, the lower first, in ascending order.
     pub necks: Vec<(u32, u32)>,
-    /// Springs of pairs that the next simulation is to begin with; none while one goes on.
+    /// Initial contact history of the next simulation; empty while a simulation is running.
     pub springs: Springs,
     /// Simulated time, ns.
     pub time: f64,

@@ -60,7 +60,7 @@ impl Wall {
         }
     }
 
-    /// Drives it in another way from now on; an axis of prescribed velocity goes on with the velocity it is given.
+    /// Changes its drives; an axis of prescribed velocity continues with the new velocity.
     pub fn redirect(&mut self, motion: [Motion; 3]) {
         (self.motion, self.age) = (motion, 0.0);
     }

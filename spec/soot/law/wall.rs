@@ -30,7 +30,7 @@ pub struct Wall {
 }
 
 impl Wall {
-    /// A contact: advances its springs by `dt` and says what they do to the sphere.
+    /// A contact: advances its springs by `dt` and returns the forces on the sphere.
     #[inline(always)]
     pub fn evaluate<R: Real, O: Twist<R>>(
         &self,

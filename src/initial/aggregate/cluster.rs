@@ -5,7 +5,7 @@ use crate::geometry::Sphere;
 use crate::geometry::{SphereExtent, centre_of_mass, square_gyration_radius};
 use crate::spec::Vec3;
 
-/// Spheres about their centre of mass, and what joining needs to know of them.
+/// Spheres centred at their centre of mass, with the properties required for joining.
 pub struct Cluster {
     pub spheres: Vec<Sphere>,
     pub sums: Sums,

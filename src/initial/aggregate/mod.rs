@@ -1,6 +1,6 @@
 //! Aggregates of touching spheres: grown by a fractal law or imported, and the necks between them.
 //!
-//! An aggregate is grown by joining two clusters at a time. The law gives the gyration radius of what comes out, hence the
+//! An aggregate is grown by joining two clusters at a time. The law gives the radius of gyration of the result, hence the
 //! distance of the two centres of mass; the clusters are then turned until they touch at one point and overlap nowhere.
 //! The two methods differ only in the order of joining.
 //!
@@ -137,7 +137,7 @@ fn going(interrupt: &Interrupt) -> Result<(), Failure> {
     if interrupt.is_due() { Err(Failure::Interrupted) } else { Ok(()) }
 }
 
-/// How often a whole aggregate is begun anew before the recipe is given up.
+/// Number of attempts at a whole aggregate before the recipe is given up.
 const BEGINNINGS: usize = 20;
 
 /// Relative errors of the gyration radius below it are rounding, which grows with the number of spheres: 5e-12 for 100,000. A law

@@ -35,7 +35,7 @@ struct Deposited {
 pub struct FreeDistance {
     /// The distance of the surfaces, or a lower bound of it.
     pub gap: f64,
-    /// From what.
+    /// The nearest object.
     pub nearest: Nearest,
 }
 

@@ -13,7 +13,7 @@ use crate::random::Stream;
 use crate::spec::Vec3;
 use crate::spec::mechanics::diffusion::exit_cosine;
 
-/// An aggregate touches what is nearer than this part of the largest radius.
+/// Gap below which an aggregate touches, relative to the largest radius.
 const GRAZE: f64 = 1e-4;
 /// Orientations that are tried before an aggregate is too wide for the column.
 const TURNS: usize = 100;
@@ -87,7 +87,7 @@ pub struct Path {
     pub drift: f64,
     /// Coefficient of diffusion.
     pub diffusion: f64,
-    /// How near it may come to what it does not touch.
+    /// Gap below which it touches.
     pub graze: f64,
 }
 

@@ -19,7 +19,7 @@ const TOUCH: f64 = 0.01;
 
 impl DepositedFilm {
     /// The film in a box that ends above it. Aggregates on the floor are one fixed body, whatever holds the others together. `particle`
-    /// says what radius and mass a nominal diameter stands for.
+    /// returns the radius and the mass of a particle of a nominal diameter.
     pub fn system(&self, bonding: Bonding, particle: impl Fn(f64) -> (f64, f64)) -> System {
         let mut particles = Particles::default();
         let mut members = vec![Vec::new(); self.aggregates()];

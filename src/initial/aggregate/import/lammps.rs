@@ -69,7 +69,7 @@ pub fn read(source: &Source) -> Result<Raw, Error> {
     Ok(raw)
 }
 
-/// The sides of the box; none if they are not told or it is tilted.
+/// The side lengths of the box; none if they are missing or it is tilted.
 fn sides(source: &Source) -> Result<Option<[f64; 3]>, Error> {
     let (mut sides, mut upright) = ([None; 3], true);
     for (k, line) in source.lines() {

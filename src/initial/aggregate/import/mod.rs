@@ -40,13 +40,13 @@ words! {
 /// What the file does not say.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Options {
-    /// The format, where it is not told by the content.
+    /// The format, if the content does not identify it.
     pub format: Option<Format>,
     /// The unit of length of the file, nm.
     pub unit: Option<f64>,
     /// The radius of all spheres, nm.
     pub radius: Option<f64>,
-    /// Whether spheres that do not hang together are accepted.
+    /// Whether spheres that do not form one connected aggregate are accepted.
     pub disconnected: bool,
 }
 
