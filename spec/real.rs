@@ -152,6 +152,13 @@ macro_rules! native {
     };
 }
 
+/// $\ln(1 + x)$ of a number that is not negative, without loss for a small one: the error of `w` is that of the denominator.
+#[inline(always)]
+pub(crate) fn ln_one_plus<R: Real>(x: R) -> R {
+    let w = R::one() + x;
+    R::select(w.gt(R::one()), x * w.ln() / (w - R::one()), x)
+}
+
 /// The place as an index that needs no check: added to 2^52, a whole number is in the lowest bits.
 #[inline(always)]
 pub(crate) fn place_in(list: &[f64], place: f64) -> usize {

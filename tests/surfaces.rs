@@ -10,7 +10,7 @@ use veridem::simulation::{Settings, Simulation};
 use veridem::spec::Vec3;
 use veridem::spec::soot::{Soot, TIP};
 use veridem::spec::wear::def_sphere::sphere_mass;
-use veridem::system::mesh::Mesh;
+use veridem::system::Mesh;
 use veridem::system::{Course, Particles, Shape, Surface, System};
 
 /// A square far larger than the aggregate, whose diagonal passes below it.

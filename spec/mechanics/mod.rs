@@ -5,38 +5,51 @@
 
 #[cfg(test)]
 pub(crate) mod amplification;
+pub mod approach;
 pub mod body;
 pub mod body_inertia;
+pub mod box_relaxation;
+pub mod box_stress;
 pub mod capacity;
 pub mod contact_kinematics;
+pub mod convex_hull;
 pub mod diffusion;
 pub mod discretised_lognormal;
 pub mod drag;
 pub mod drive;
 pub mod four_springs;
 pub mod friction;
+pub mod friction_share;
+pub mod gyration;
 pub mod kick_and_drift;
+pub mod kinetic_energy;
 pub mod necked;
 pub mod newton;
+pub mod oscillation;
 pub mod packing;
 pub mod pair_frequency;
 pub mod pair_geometry;
 pub mod primary_particle;
 pub mod projected_spring;
+pub mod quaternion;
 pub mod reduced_mass;
 pub mod relative_spin;
 pub mod relative_velocity;
+pub mod rolling;
 pub mod rotated_spring;
 pub mod rotation;
 #[cfg(test)]
 pub(crate) mod samples;
+pub mod solids;
 pub mod sphere;
 pub mod spring_force;
 pub mod springs_step;
 pub mod stable_step;
+pub mod thermal;
 pub mod truncated_lognormal;
 pub mod verlet;
 pub mod virial;
+pub mod work;
 
 use crate::equation::{Equation, Paper};
 
@@ -47,5 +60,21 @@ pub fn paper() -> Paper {
 
 /// The equations of this room that no paper lists.
 fn equations() -> Vec<Equation> {
-    kick_and_drift::equations()
+    [
+        kick_and_drift::equations(),
+        kinetic_energy::equations(),
+        work::equations(),
+        box_stress::equations(),
+        box_relaxation::equations(),
+        quaternion::equations(),
+        solids::equations(),
+        gyration::equations(),
+        oscillation::equations(),
+        rolling::equations(),
+        friction_share::equations(),
+        thermal::equations(),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
 }

@@ -1,7 +1,6 @@
 //! The numbers that [`Real`](crate::Real) can be, apart from `f64` and `f32` themselves.
 
 pub(crate) mod exponential;
-pub mod jacobi;
 mod lanes;
 
 #[cfg(feature = "verify")]

@@ -1,6 +1,7 @@
 //! The capillary force of a coating.
 
 use crate::equation::Equation;
+use crate::real::ln_one_plus;
 use crate::{Real, equation};
 
 /// **Eq. 23**, Section 2.1.5: capillary force between two spheres.
@@ -70,13 +71,6 @@ pub fn capillary_energy<R: Real>(psi: R, kappa: R, d: R, d_cutoff: R) -> R {
 fn tail<R: Real>(kappa: R, d: R, d_cutoff: R) -> (R, R) {
     let beyond = R::lit(2.0) * kappa * (d - d_cutoff);
     (beyond, (-beyond.abs()).exp())
-}
-
-/// $\ln(1 + x)$ of a number that is not negative, without loss for a small one: the error of `w` is that of the denominator.
-#[inline(always)]
-pub(super) fn ln_one_plus<R: Real>(x: R) -> R {
-    let w = R::one() + x;
-    R::select(w.gt(R::one()), x * w.ln() / (w - R::one()), x)
 }
 
 pub(super) fn equations() -> Vec<Equation> {

@@ -29,12 +29,12 @@ pub mod eq19_equal_hamaker;
 pub mod eq21_hamaker_plane;
 pub mod eq23_capillary;
 pub mod eq24_fractal;
-pub mod eq25_tip;
 pub mod eq26_coordination;
 pub mod eq27_cantilever;
 pub mod eq30_transfer;
 pub mod law;
 
+pub use crate::mechanics::approach as eq25_tip;
 pub use crate::mechanics::contact_kinematics as def_meeting;
 pub use crate::mechanics::four_springs as def_grip;
 pub use crate::mechanics::friction as eq13_friction;
@@ -83,6 +83,7 @@ fn equations() -> Vec<Equation> {
         eq24_fractal::equations(),
         eq25_tip::equations(),
         eq26_coordination::equations(),
+        crate::mechanics::convex_hull::equations(),
         def_convexity::equations(),
         eq27_cantilever::equations(),
         eq30_transfer::equations(),

@@ -3,7 +3,7 @@
 use super::check::{Found, expect};
 use super::quantity::{Drag, Energy, Quantity, Stiffness, quantity};
 use super::section::section;
-use crate::spec::soot;
+use crate::spec::mechanics::four_springs::Springs;
 
 section! {
     /// Four springs with their dashpots.
@@ -44,8 +44,8 @@ pub fn four_springs(stiffness: [&str; 4], damping: [&str; 4]) -> FourSprings {
 
 impl FourSprings {
     /// The springs in engine units.
-    pub fn spec(&self) -> soot::Springs<f64> {
-        soot::Springs {
+    pub fn spec(&self) -> Springs<f64> {
+        Springs {
             k_n: self.normal_stiffness.value,
             k_t: self.tangential_stiffness.value,
             k_r: self.rolling_stiffness.value,

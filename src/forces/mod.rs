@@ -2,6 +2,7 @@
 
 mod act;
 mod blocks;
+mod causes;
 mod instructions;
 mod kernel;
 mod order;

@@ -3,8 +3,8 @@
 use super::Load;
 use super::blocks::{CAPACITY, LANES, NOWHERE, bond, no_loads};
 use crate::geometry::Neighbour;
+use crate::spec::mechanics::reduced_mass::effective_mass;
 use crate::spec::numbers::Lanes;
-use crate::spec::wear::eq17_effective_mass::effective_mass;
 use crate::spec::{Flat, PairModel};
 use crate::system::{Bond, Springs};
 use crate::system::{Image, Particles};

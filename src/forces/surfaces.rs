@@ -1,9 +1,9 @@
 //! What surfaces do to the spheres that lean on them.
 
 use super::{Block, Load};
+use crate::geometry::triangles::Seen;
 use crate::spec::numbers::Lanes;
 use crate::spec::{Flat, Outcome, PairModel, Touch, Vec3};
-use crate::system::mesh::Seen;
 use crate::system::{Forces, Grips, Particles, Surface};
 
 /// A contact whose place has moved by more than this part of the radius in one step is another one.

@@ -3,7 +3,7 @@
 use super::{Sphere, centre_of_mass};
 use crate::geometry::directions::{cone, direction};
 use crate::random::Stream;
-use crate::spec::titania::def_capacity::{self, return_cosine, return_probability};
+use crate::spec::mechanics::capacity::{self as spec, return_cosine, return_probability};
 
 /// A walk has hit when it is this near a surface, as a part of the radius of the sphere on which it began.
 const SKIN: f64 = 1e-6;
@@ -15,7 +15,7 @@ pub fn capacity(spheres: &[Sphere], walks: usize, stream: &mut Stream) -> f64 {
     let about: Vec<Sphere> = spheres.iter().map(|s| Sphere { centre: s.centre - centre, ..*s }).collect();
     let begin = about.iter().map(|s| s.centre.norm() + s.radius).fold(0.0, f64::max);
     let hits = (0..walks).filter(|_| walk_hits(&about, begin, stream)).count();
-    def_capacity::capacity(hits as f64 / walks as f64, begin)
+    spec::capacity(hits as f64 / walks as f64, begin)
 }
 
 /// One walk: each step leads to anywhere on the largest ball that is free.

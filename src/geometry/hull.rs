@@ -3,7 +3,7 @@
 //! Which side of a plane a point lies on is never rounded, so the faces always close; points in the plane of a face do not
 //! count as outside.
 
-use crate::spec::soot::def_convexity::edge_curvature;
+use crate::spec::mechanics::convex_hull::edge_curvature;
 use crate::spec::{Real, Vec3};
 use qd::Quad;
 use robust::{Coord, Coord3D, orient2d, orient3d};

@@ -1,12 +1,17 @@
-//! Geometry: sets of spheres, neighbours, directions, hulls, shadows.
+//! Geometry: sets of spheres, neighbours, directions, hulls, shadows, triangulated surfaces, principal axes.
 
 pub mod capacity;
 pub mod clusters;
 pub mod directions;
+mod domain;
 pub mod hull;
+pub mod jacobi;
 mod neighbours;
+pub mod principal;
 pub mod shadow;
 mod spheres;
+mod surfaces;
+pub mod triangles;
 
 pub use neighbours::{Neighbour, neighbours, neighbours_but};
 pub use spheres::{Extent, Sphere, centre_of_mass, gyration_radius, mass, pairs_within, square_gyration_radius};

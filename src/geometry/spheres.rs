@@ -1,8 +1,10 @@
 //! Sets of spheres: their mass, centre, gyration radius, and the pairs that are near each other.
 
 use super::neighbours;
-use crate::spec::{Real, Vec3};
-use crate::system::Domain;
+use crate::spec::Vec3;
+use crate::spec::mechanics::gyration::{gyration_term, own_gyration};
+use crate::spec::mechanics::pair_geometry;
+use crate::system::{Domain, Particles};
 
 /// A primary particle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,7 +18,14 @@ pub struct Sphere {
 impl Sphere {
     /// Distance of the surfaces of two spheres, nm.
     pub fn gap(&self, other: &Self) -> f64 {
-        crate::spec::soot::eq03_geometry::gap(self.centre, other.centre, self.radius, other.radius)
+        pair_geometry::gap(self.centre, other.centre, self.radius, other.radius)
+    }
+}
+
+impl Particles {
+    /// Mean diameter, nm.
+    pub fn mean_diameter(&self) -> f64 {
+        2.0 * self.radius.iter().sum::<f64>() / self.radius.len() as f64
     }
 }
 
@@ -53,11 +62,11 @@ pub fn square_gyration_radius(spheres: &[Sphere], extent: Extent) -> f64 {
     for s in spheres {
         let own = match extent {
             Extent::Centres => 0.0,
-            Extent::Radii => s.radius.squared() / 3.0,
+            Extent::Radii => own_gyration(s.radius, mass(s), total),
         };
-        for (sum, from_centre) in sum.iter_mut().zip((s.centre - centre).0) {
-            *sum += from_centre.squared() * (mass(s) / total);
-            *sum += own * mass(s) / total;
+        for (sum, term) in sum.iter_mut().zip(gyration_term(s.centre - centre, mass(s), total).0) {
+            *sum += term;
+            *sum += own;
         }
     }
     sum.iter().sum()

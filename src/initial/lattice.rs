@@ -1,12 +1,12 @@
 //! Hexagonal close packing.
 
 use crate::spec::Vec3;
+use crate::spec::mechanics::solids::hcp_cell;
 use crate::system::{Domain, Particles, System};
 
-/// Sides of the orthogonal cell of four spheres of diameter 1: along a close-packed row (x), across it in the basal plane
-/// (y), along the hexagonal axis (z).
-fn cell() -> [f64; 3] {
-    [1.0, 3f64.sqrt(), (8.0f64 / 3.0).sqrt()]
+/// Sides of the orthogonal cell of four spheres: along a close-packed row (x), across it in the basal plane (y), along the hexagonal axis (z).
+fn cell(diameter: f64) -> [f64; 3] {
+    hcp_cell(diameter).into()
 }
 
 /// Places of the four spheres in the cell, as fractions of its sides. Rows stand a quarter of a row distance off the faces,
@@ -17,14 +17,14 @@ const BASIS: [[f64; 3]; 4] =
 /// Whole numbers of cells whose sides are nearest to `lengths`, at least two along each axis: one cell is too short for a
 /// sphere to tell a neighbour from its own image.
 pub fn hcp_cells(diameter: f64, lengths: [f64; 3]) -> [usize; 3] {
-    let cell = cell();
-    std::array::from_fn(|a| ((lengths[a] / (cell[a] * diameter)).round() as usize).max(2))
+    let cell = cell(diameter);
+    std::array::from_fn(|a| ((lengths[a] / cell[a]).round() as usize).max(2))
 }
 
 /// Touching equal spheres on the lattice in a periodic box of whole cells, at rest. The mass of a sphere is such that the
 /// *box* has the given density, as the paper does with its relaxed samples.
 pub fn hcp(diameter: f64, cells: [usize; 3], density: f64) -> System {
-    let cell = cell().map(|side| side * diameter);
+    let cell = cell(diameter);
     let mass = density * cell.iter().product::<f64>() / BASIS.len() as f64;
     let mut particles = Particles::default();
     for a in 0..cells[0] {

@@ -1,6 +1,7 @@
 //! Ways to place spheres: lattices, random packings, aggregates grown and imported, films, surfaces from files.
 
 pub mod aggregate;
+mod bodies;
 pub mod film;
 pub mod lattice;
 pub mod packing;
@@ -9,14 +10,8 @@ pub mod stl;
 pub use lattice::hcp;
 pub use packing::{Sizes, random_packing};
 
-use crate::spec::wear::def_box::mass_factor;
-use crate::spec::wear::def_sphere::sphere_mass;
+use crate::spec::mechanics::packing::mass_factor;
 use crate::system::System;
-
-/// Volume of a sphere.
-pub fn sphere_volume(r: f64) -> f64 {
-    sphere_mass(1.0, r)
-}
 
 /// Rescales all masses alike, so that the density of the whole box, holes included, is `density`.
 pub fn set_system_density(system: &mut System, density: f64) {

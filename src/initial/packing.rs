@@ -1,9 +1,9 @@
 //! Random samples of spheres of many sizes (Section 3.2), before they are relaxed.
 
-use super::sphere_volume;
 use crate::error::Error;
 use crate::interrupt::Interrupt;
 use crate::random::Stream;
+use crate::spec::mechanics::solids::sphere_volume;
 use crate::spec::wear::def_lognormal::lognormal;
 use crate::spec::wear::def_sphere::sphere_mass;
 use crate::spec::{Real, Vec3};

@@ -2,7 +2,7 @@
 
 use crate::error::{Error, Problem};
 use crate::spec::Vec3;
-use crate::system::mesh::Mesh;
+use crate::system::Mesh;
 use std::borrow::Cow;
 use std::io::Cursor;
 use std::path::Path;

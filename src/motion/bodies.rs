@@ -3,9 +3,10 @@
 use super::push::Push;
 use super::{Moved, Step};
 use crate::forces::{Block, LANES, places, side_by_side};
-use crate::spec::titania::def_body::aggregate_drag;
-use crate::spec::titania::def_rotation::to_space;
-use crate::spec::wear::eq01_symplectic_euler::drift;
+use crate::spec::mechanics::body::aggregate_drag;
+use crate::spec::mechanics::kick_and_drift::drift;
+use crate::spec::mechanics::rotation::to_space;
+use crate::spec::mechanics::work::work;
 use crate::spec::{PairModel, Vec3};
 use crate::system::{Body, Particles, Pose};
 use rayon::prelude::*;
@@ -120,7 +121,7 @@ impl Crew<'_> {
             }
             if step.damping > 0.0 && body.wall == 0 {
                 let (drag, brake) = drag(body, step.damping);
-                moved.drag -= (drag.dot(body.v) + brake.dot(body.omega())) * step.dt;
+                moved.drag -= work(drag, body.v, brake, body.omega(), step.dt);
                 (force, torque) = (force + drag, torque + brake);
             }
             push.put(lane, body, &self.listed[k], force, torque);
@@ -133,9 +134,7 @@ impl Crew<'_> {
                     let omega = push.take(lane, body);
                     moved.kinetic += kinetic.0[lane];
                     moved.scheme += scheme.0[lane];
-                    for a in 0..3 {
-                        moved.momentum_flux[a] += body.mass * body.v.0[a] * body.v.0[a];
-                    }
+                    moved.carries(body.mass, body.v);
                     (omega, away.0[lane])
                 }
                 Some(wall) => {

@@ -2,8 +2,11 @@
 
 mod bodies;
 mod box_relaxation;
+mod members;
 mod push;
 mod spheres;
+mod steering;
+mod surfaces;
 pub mod verlet;
 mod walls;
 

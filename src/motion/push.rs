@@ -1,12 +1,14 @@
 //! Rigid bodies pushed by the loads on them, several side by side.
 
 use crate::forces::{LANES, SideBySide, Square};
+use crate::spec::mechanics::body::spin;
+use crate::spec::mechanics::kick_and_drift::{drift, kick};
+use crate::spec::mechanics::kinetic_energy::translational_energy;
+use crate::spec::mechanics::quaternion::largest_displacement;
+use crate::spec::mechanics::rotation::{free_rotation, to_space};
 use crate::spec::numbers::Lanes;
-use crate::spec::titania::def_body::spin;
-use crate::spec::titania::def_rotation::{free_rotation, to_space};
-use crate::spec::wear::eq01_symplectic_euler::{drift, kick};
 use crate::spec::{Real, Vec3};
-use crate::system::{Body, Pose, turned};
+use crate::system::{Body, Pose};
 use num_traits::One;
 
 type Row = Lanes<LANES>;
@@ -78,18 +80,17 @@ impl SideBySide for &mut Push {
         let [p_0, p_x, p_y, p_z, ..] = columns(self.listed);
         let (x, v, force) = (Vec3([x, y, z]), Vec3([v_x, v_y, v_z]), Vec3([f_x, f_y, f_z]));
         let (q, l, torque) = (Vec3([q_x, q_y, q_z]), Vec3([l_x, l_y, l_z]), Vec3([t_x, t_y, t_z]));
-        let (moments, dt, half_mass) = (Vec3([i_x, i_y, i_z]), Row::lit(self.dt), Row::lit(0.5) * mass);
+        let (moments, dt) = (Vec3([i_x, i_y, i_z]), Row::lit(self.dt));
 
         let energy = |l: Vec3<Row>| spin(q_0, q, l, moments).1;
         let kicked = kick(l, to_space(q_0, -q, torque), Row::one(), dt);
         let after = kick(v, force, mass, dt);
-        let gained = after - v;
         let (q_0_next, q_next, l_next) = free_rotation(q_0, q, kicked, moments, dt);
         let (omega, turning) = spin(q_0_next, q_next, l_next, moments);
-        let kinetic = half_mass * after.dot(after) + turning;
+        let kinetic = translational_energy(mass, after) + turning;
         // The step of free rotation is not exact either: what it adds to the energy is the scheme's.
-        let scheme = half_mass * gained.dot(gained) + energy(kicked - l) + (turning - energy(kicked));
-        let away = turned(q_0_next, q_next, p_0, Vec3([p_x, p_y, p_z]), extent);
+        let scheme = translational_energy(mass, after - v) + energy(kicked - l) + (turning - energy(kicked));
+        let away = largest_displacement(q_0_next, q_next, p_0, Vec3([p_x, p_y, p_z]), extent);
 
         let (Vec3([x, y, z]), Vec3([v_x, v_y, v_z])) = (drift(x, after, dt), after);
         let (Vec3([q_x, q_y, q_z]), Vec3([l_x, l_y, l_z]), Vec3([omega_x, omega_y, omega_z])) = (q_next, l_next, omega);

@@ -1,9 +1,13 @@
 //! The spheres of a block: forces gathered, one step taken.
 
 use crate::forces::{Block, Instructions, Load};
-use crate::spec::wear::def_sphere::moment_of_inertia;
+use crate::spec::mechanics::box_stress::momentum_flux;
+use crate::spec::mechanics::drag::global_damping;
+use crate::spec::mechanics::kick_and_drift::drift;
+use crate::spec::mechanics::kinetic_energy::kinetic_energy;
+use crate::spec::mechanics::sphere::moment_of_inertia;
+use crate::spec::mechanics::work::drag_loss;
 use crate::spec::wear::eq01_symplectic_euler::symplectic_euler;
-use crate::spec::wear::eq21_critical_damping::global_damping;
 use crate::spec::{PairModel, Vec3};
 use crate::system::{Particles, Wall};
 use std::borrow::Cow;
@@ -113,6 +117,13 @@ impl Moved {
         }
     }
 
+    /// Enters the momentum that a mass carries along.
+    pub fn carries(&mut self, m: f64, v: Vec3<f64>) {
+        for (sum, flux) in self.momentum_flux.iter_mut().zip(momentum_flux(m, v).0) {
+            *sum += flux;
+        }
+    }
+
     /// Enters the displacement of a sphere since the neighbour list was built.
     pub fn stray(&mut self, way: Vec3<f64>) {
         for (a, way) in way.0.into_iter().enumerate() {
@@ -156,17 +167,14 @@ pub fn advance<M: PairModel>(blocks: &[Block<M>], number: usize, spheres: Sphere
             let [fx, fy, fz, tx, ty, tz, ..] = load.0;
             let (force, torque) = (Vec3([fx, fy, fz]) + global_damping(damping, v), Vec3([tx, ty, tz]));
             let (after, x, spin) = symplectic_euler(x, v, w, force, torque, m, i, dt);
-            moved.kinetic += 0.5 * (m * after.dot(after) + i * spin.dot(spin));
-            moved.drag += damping * v.dot(v) * dt;
-            let (gained, spun_up) = (after - v, spin - w);
-            moved.scheme += 0.5 * (m * gained.dot(gained) + i * spun_up.dot(spun_up));
-            for a in 0..3 {
-                moved.momentum_flux[a] += m * after.0[a] * after.0[a];
-            }
+            moved.kinetic += kinetic_energy(m, after, i, spin);
+            moved.drag += drag_loss(damping, v, dt);
+            moved.scheme += kinetic_energy(m, after - v, i, spin - w);
+            moved.carries(m, after);
             (x, after, spin)
         } else {
             let Wall { velocity, spin, .. } = step.walls[spheres.wall[p] as usize - 1];
-            (x + velocity * dt, velocity, spin)
+            (drift(x, velocity, dt), velocity, spin)
         };
         let x = Vec3(std::array::from_fn(|a| x.0[a] * step.growth[a]));
         let listed = Vec3(std::array::from_fn(|a| spheres.listed[p].0[a] * step.stretch[a]));

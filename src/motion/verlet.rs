@@ -2,13 +2,14 @@
 
 use super::{Moved, inertia};
 use crate::spec::Vec3;
-use crate::spec::soot::def_integrators::{verlet_begin, verlet_end};
+use crate::spec::mechanics::kinetic_energy::kinetic_energy;
+use crate::spec::mechanics::verlet::{verlet_begin, verlet_end};
 use crate::system::Particles;
 
 /// How velocities go with positions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Integrator {
-    /// Half a step behind them: [`half_step`](crate::spec::soot::def_integrators::half_step), the symplectic Euler method of the wear paper with its velocities so understood. The
+    /// Half a step behind them: [`half_step`](crate::spec::mechanics::verlet::half_step), the symplectic Euler method with its velocities so understood. The
     /// velocities at the start are taken for those half a step before.
     #[default]
     HalfStep,
@@ -23,7 +24,7 @@ pub fn begin(particles: &mut Particles, loads: &[[f64; 6]], listed: &[Vec3<f64>]
         let (force, torque) = split(&loads[p]);
         let (x, v, w, m, i) = state(particles, p);
         let (half, x, spin) = verlet_begin(x, v, w, force, torque, m, i, dt);
-        moved.scheme += kinetic(m, half - v, i, spin - w);
+        moved.scheme += kinetic_energy(m, half - v, i, spin - w);
         moved.stray(x - listed[p]);
         (particles.x[p], particles.v[p], particles.w[p]) = (x, half, spin);
     }
@@ -37,11 +38,9 @@ pub fn end(particles: &mut Particles, loads: &[[f64; 6]], dt: f64) -> Moved {
         let (force, torque) = split(&loads[p]);
         let (_, half, w, m, i) = state(particles, p);
         let (v, spin) = verlet_end(half, w, force, torque, m, i, dt);
-        moved.scheme += kinetic(m, v - half, i, spin - w);
-        moved.kinetic += kinetic(m, v, i, spin);
-        for a in 0..3 {
-            moved.momentum_flux[a] += m * v.0[a] * v.0[a];
-        }
+        moved.scheme += kinetic_energy(m, v - half, i, spin - w);
+        moved.kinetic += kinetic_energy(m, v, i, spin);
+        moved.carries(m, v);
         (particles.v[p], particles.w[p]) = (v, spin);
     }
     moved
@@ -56,8 +55,4 @@ type State = (Vec3<f64>, Vec3<f64>, Vec3<f64>, f64, f64);
 
 fn state(particles: &Particles, p: usize) -> State {
     (particles.x[p], particles.v[p], particles.w[p], particles.mass[p], inertia(particles, p))
-}
-
-fn kinetic(m: f64, v: Vec3<f64>, i: f64, w: Vec3<f64>) -> f64 {
-    0.5 * (m * v.dot(v) + i * w.dot(w))
 }

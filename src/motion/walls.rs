@@ -1,8 +1,11 @@
 //! Rigid walls: what their drive and their neighbours do to them.
 
 use crate::spec::Vec3;
-use crate::spec::wear::eq01_symplectic_euler::kick;
-use crate::system::Wall;
+use crate::spec::mechanics::drive::tip;
+use crate::spec::mechanics::kick_and_drift::{drift, kick};
+use crate::spec::mechanics::kinetic_energy::{axial_energy, excess_of_a_kick};
+use crate::spec::mechanics::work::{axial_work, work as work_of};
+use crate::system::{Motion, Wall};
 
 /// Energy that crossed the walls in one step, zJ.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -17,10 +20,20 @@ pub struct WallWork {
     pub kinetic: f64,
 }
 
+impl Wall {
+    /// The velocity along an axis that moves by a time table, m/s.
+    pub fn timed(&self, axis: usize) -> Option<f64> {
+        match self.motion[axis] {
+            Motion::Return { speed, turn } => Some(tip(speed, turn, self.age).0),
+            _ => None,
+        }
+    }
+}
+
 /// Kinetic energy of a wall along the axes on which a load drives it, zJ.
 pub fn kinetic_energy(wall: &Wall) -> f64 {
     let moved = |a: &usize| wall.load(*a).is_some();
-    (0..3).filter(moved).map(|a| 0.5 * wall.mass * wall.velocity.0[a] * wall.velocity.0[a]).sum()
+    (0..3).filter(moved).map(|a| axial_energy(wall.mass, wall.velocity.0[a])).sum()
 }
 
 /// Advances the velocities of the walls by one step under the forces and torques of the spheres on them.
@@ -28,15 +41,15 @@ pub fn drive(walls: &mut [Wall], acting: &[(Vec3<f64>, Vec3<f64>)], dt: f64) -> 
     let mut work = WallWork::default();
     for (wall, &(force, torque)) in walls.iter_mut().zip(acting) {
         (wall.force, wall.torque) = (force, torque);
-        work.prescribed -= torque.dot(wall.spin) * dt;
+        work.prescribed -= work_of(Vec3::zero(), wall.velocity, torque, wall.spin, dt);
         let mut total = Vec3::zero();
         for a in 0..3 {
             let v = wall.velocity.0[a];
             match wall.load(a) {
-                None => work.prescribed -= force.0[a] * v * dt,
+                None => work.prescribed -= axial_work(force.0[a], v, dt),
                 Some(load) => {
                     total.0[a] = force.0[a] + load;
-                    work.load += load * v * dt;
+                    work.load += axial_work(load, v, dt);
                 }
             }
         }
@@ -44,9 +57,9 @@ pub fn drive(walls: &mut [Wall], acting: &[(Vec3<f64>, Vec3<f64>)], dt: f64) -> 
         for a in 0..3 {
             wall.velocity.0[a] = wall.timed(a).unwrap_or(wall.velocity.0[a]);
         }
-        wall.travel = wall.travel + wall.velocity * dt;
+        wall.travel = drift(wall.travel, wall.velocity, dt);
         wall.age += dt;
-        work.scheme += 0.5 * total.dot(total) / wall.mass * dt * dt;
+        work.scheme += excess_of_a_kick(total, wall.mass, dt);
         work.kinetic += kinetic_energy(wall);
     }
     work

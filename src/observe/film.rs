@@ -4,10 +4,9 @@ mod pores;
 
 use crate::geometry::neighbours;
 use crate::initial::film::{Film, FilmSphere};
-use crate::initial::sphere_volume;
 use crate::spec::Vec3;
+use crate::spec::mechanics::solids::{cap_volume, sphere_volume};
 use crate::system::Domain;
-use std::f64::consts::PI;
 
 /// The bulk of a film lies between the heights below which these parts of its solid are: neither floor nor surface count.
 const BULK: [f64; 2] = [0.2, 0.8];
@@ -80,7 +79,7 @@ fn solid_between(film: &Film, low: f64, high: f64) -> f64 {
 fn below(sphere: &FilmSphere, height: f64) -> f64 {
     let r = radius(sphere);
     let cap = (height - sphere.centre.0[2] + r).clamp(0.0, 2.0 * r);
-    PI / 3.0 * cap * cap * (3.0 * r - cap)
+    cap_volume(r, cap)
 }
 
 /// Numbers of contacts within aggregates and between them.

@@ -4,9 +4,10 @@ use crate::geometry::Sphere;
 use crate::geometry::directions::spread;
 use crate::geometry::hull::{inner_radius, measures};
 use crate::initial::aggregate::neighbouring;
-use crate::initial::sphere_volume;
 use crate::spec::Vec3;
-use crate::spec::soot::def_convexity::{convexity as filled, hull_volume};
+use crate::spec::mechanics::convex_hull::hull_volume;
+use crate::spec::mechanics::solids::sphere_volume;
+use crate::spec::soot::def_convexity::convexity as filled;
 use crate::spec::soot::eq26_coordination::coordination_number as mean_coordination;
 
 /// Mean number of neighbours of a sphere (Eq. 26).

@@ -1,7 +1,7 @@
 //! The rigid motion that is nearest to what a cloud of points did.
 
+use crate::geometry::jacobi::eigenvectors;
 use crate::spec::Vec3;
-use crate::spec::numbers::jacobi::eigenvectors;
 use crate::spec::titania::def_rotation::to_space;
 
 /// A rotation about a centre and where the centre went.

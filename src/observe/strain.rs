@@ -1,6 +1,6 @@
 //! The homogeneous deformation that is nearest to what a sample did.
 
-use crate::spec::numbers::jacobi::eigenvectors;
+use crate::geometry::jacobi::eigenvectors;
 use crate::spec::{Tensor, Vec3};
 
 /// A sample whose thickness, squared, is less than this part of that of its width does not span space.

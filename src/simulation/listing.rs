@@ -5,6 +5,7 @@ use crate::error::{Halt, Reason};
 use crate::forces;
 use crate::geometry::{Neighbour, neighbours_but};
 use crate::motion::{self, Grips, Moved};
+use crate::spec::mechanics::friction_share::inertia_share;
 use crate::spec::{PairModel, Vec3};
 use crate::system::Springs;
 use crate::system::{Domain, Pose, System};
@@ -184,7 +185,7 @@ impl<M: PairModel> Simulation<M> {
                 0 => motion::inertia(particles, p),
                 body => least(bodies[body - 1].moments),
             };
-            moment / contacts[turning(p)].max(1.0)
+            inertia_share(moment, contacts[turning(p)])
         };
         (0..particles.len()).map(share).collect()
     }

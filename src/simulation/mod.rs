@@ -20,6 +20,8 @@ pub use snapshot::Snapshot;
 use crate::error::Halt;
 use crate::forces::{self, Block, Instructions, Totals};
 use crate::motion::{self, BoxRelaxation, Grips, Moved, Spheres};
+use crate::spec::mechanics::box_relaxation::box_work;
+use crate::spec::mechanics::box_stress::box_stress;
 use crate::spec::{PairModel, Vec3};
 use crate::system::System;
 use listing::Listed;
@@ -196,7 +198,7 @@ impl<M: PairModel> Simulation<M> {
         let totals = self.evaluate(dt)?;
         let domain = &self.system.domain;
         let volume = domain.volume();
-        self.stress = std::array::from_fn(|a| (totals.virial[a] - self.momentum_flux[a]) / volume);
+        self.stress = box_stress(Vec3(totals.virial), Vec3(self.momentum_flux), volume).0;
         let growth = match &self.settings.relax_box {
             Some(relaxation) => {
                 let mass = self.system.particles.mass.iter().sum();
@@ -204,7 +206,7 @@ impl<M: PairModel> Simulation<M> {
             }
             None => [1.0; 3],
         };
-        let box_work: f64 = (0..3).map(|a| totals.virial[a] * (growth[a] - 1.0)).sum();
+        let box_work = box_work(Vec3(totals.virial), Vec3(growth));
         self.lean_on_surfaces()?;
         self.steer();
         let acting = self.acting_on_walls();

@@ -2,6 +2,8 @@
 
 use super::{Ledger, Simulation};
 use crate::forces::Block;
+use crate::spec::mechanics::box_stress::momentum_flux;
+use crate::spec::mechanics::kinetic_energy::kinetic_energy;
 use crate::spec::{Contact, Flat, Outcome, PairModel, Vec3};
 use crate::system::{Image, Particles};
 
@@ -115,13 +117,13 @@ impl<M: PairModel> Simulation<M> {
         let mut kinetic = 0.0;
         let mut enter = |energy: f64, m: f64, v: Vec3<f64>| {
             kinetic += energy;
-            for a in 0..3 {
-                self.momentum_flux[a] += m * v.0[a] * v.0[a];
+            for (sum, flux) in self.momentum_flux.iter_mut().zip(momentum_flux(m, v).0) {
+                *sum += flux;
             }
         };
         for p in (0..particles.len()).filter(|&p| particles.wall[p] == 0 && particles.body[p] == 0) {
             let (m, v, w) = (particles.mass[p], particles.v[p], particles.w[p]);
-            enter(0.5 * (m * v.dot(v) + crate::motion::inertia(particles, p) * w.dot(w)), m, v);
+            enter(kinetic_energy(m, v, crate::motion::inertia(particles, p), w), m, v);
         }
         for body in self.system.bodies.iter().filter(|body| body.wall == 0) {
             enter(body.kinetic(), body.mass, body.v);

@@ -1,7 +1,8 @@
 //! Springs at centres of mass.
 
 use super::Simulation;
-use crate::spec::PairModel;
+use crate::spec::mechanics::work::work as work_of;
+use crate::spec::{PairModel, Vec3};
 
 impl<M: PairModel> Simulation<M> {
     /// Adds what springs at centres of mass do to the loads on their spheres.
@@ -20,7 +21,7 @@ impl<M: PairModel> Simulation<M> {
                 for a in 0..3 {
                     load.0[a] += share.0[a];
                 }
-                self.ledger.late_work += share.dot(particles.v[p]) * dt;
+                self.ledger.late_work += work_of(share, particles.v[p], Vec3::zero(), Vec3::zero(), dt);
             }
         }
     }

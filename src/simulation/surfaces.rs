@@ -3,7 +3,8 @@
 use super::{Simulation, SurfaceAccount};
 use crate::error::{Halt, Reason};
 use crate::forces::{Leaning, each_touch, lean};
-use crate::spec::{Flat, PairModel};
+use crate::spec::mechanics::work::work;
+use crate::spec::{Flat, PairModel, Vec3};
 use rayon::prelude::*;
 
 /// Below this number of blocks one core has looked at all surfaces sooner than others have been called.
@@ -21,7 +22,7 @@ impl<M: PairModel> Simulation<M> {
                 *lost += leaning.losses.at(k);
             }
             let surface = &mut self.system.surfaces[s];
-            account.work += leaning.force.total().dot(surface.velocity) * dt;
+            account.work += work(leaning.force.total(), surface.velocity, Vec3::zero(), Vec3::zero(), dt);
             surface.force = leaning.force.reversed();
             leaning.keep(&mut surface.grips);
             surface.advance(dt);

@@ -5,8 +5,10 @@ use super::Simulation;
 use crate::error::Halt;
 use crate::forces::{Leaning, Totals};
 use crate::motion::{gathered, verlet};
+use crate::spec::mechanics::box_stress::box_stress;
+use crate::spec::mechanics::work::work;
 use crate::spec::numbers::Lanes;
-use crate::spec::{Flat, PairModel};
+use crate::spec::{Flat, PairModel, Vec3};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
@@ -44,7 +46,8 @@ impl<M: PairModel> Simulation<M> {
                 *lost += leaning.losses.at(k);
             }
             let before = surface.force.reversed();
-            account.work += (before.total() + leaning.force.total()).dot(surface.velocity) * half;
+            let both = before.total() + leaning.force.total();
+            account.work += work(both, surface.velocity, Vec3::zero(), Vec3::zero(), half);
             surface.force = leaning.force.reversed();
             leaning.keep(&mut surface.grips);
         }
@@ -56,8 +59,7 @@ impl<M: PairModel> Simulation<M> {
         for (k, lost) in self.ledger.lost_by_pairs.iter_mut().enumerate() {
             *lost += totals.losses.at(k);
         }
-        let volume = self.system.domain.volume();
-        self.stress = std::array::from_fn(|a| (totals.virial[a] - moved.momentum_flux[a]) / volume);
+        self.stress = box_stress(Vec3(totals.virial), Vec3(moved.momentum_flux), self.system.domain.volume()).0;
         self.momentum_flux = moved.momentum_flux;
         self.system.step += 1;
         self.system.time += dt;

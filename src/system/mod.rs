@@ -3,14 +3,15 @@
 mod body;
 mod domain;
 mod history;
-pub mod mesh;
+mod mesh;
 mod steering;
 mod surface;
 mod wall;
 
-pub use body::{Body, Pose, turned};
+pub use body::{Body, Pose};
 pub use domain::{Domain, Image};
 pub use history::{Bond, Springs};
+pub use mesh::Mesh;
 pub use steering::Steering;
 pub use surface::{Course, Forces, Grips, Shape, Surface};
 pub use wall::{Motion, Wall};
@@ -52,11 +53,6 @@ impl Particles {
     /// Number of spheres.
     pub fn len(&self) -> usize {
         self.x.len()
-    }
-
-    /// Mean diameter, nm.
-    pub fn mean_diameter(&self) -> f64 {
-        2.0 * self.radius.iter().sum::<f64>() / self.radius.len() as f64
     }
 
     /// True when there is no sphere.

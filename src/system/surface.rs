@@ -1,8 +1,7 @@
 //! Surfaces that spheres lean on: the substrate, the tip. They move as they are told, whatever acts on them.
 
-use super::mesh::{Mesh, Seen};
+use super::Mesh;
 use crate::spec::Vec3;
-use crate::spec::soot::eq25_tip::tip_velocity;
 use serde::{Deserialize, Serialize};
 
 /// What a surface looks like before it has moved.
@@ -24,25 +23,15 @@ pub enum Shape {
 pub enum Course {
     /// Not at all.
     Still,
-    /// Along z, down and up again, Eq. 25.
-    Tip {
+    /// Along z: approach, reversal and withdrawal, by a hyperbolic tangent.
+    Reversal {
         /// Final velocity, m/s.
         velocity: f64,
-        /// Rate of the turn, 1/ns.
+        /// Rate of the reversal, 1/ns.
         rate: f64,
-        /// Time of the turn, ns.
+        /// Time of the reversal, ns.
         turn: f64,
     },
-}
-
-impl Course {
-    /// Velocity at a time since the start, m/s.
-    pub fn velocity(&self, time: f64) -> Vec3<f64> {
-        match *self {
-            Self::Still => Vec3::zero(),
-            Self::Tip { velocity, rate, turn } => Vec3([0.0, 0.0, tip_velocity(time, velocity, rate, turn)]),
-        }
-    }
 }
 
 /// Forces by their cause, pN.
@@ -54,32 +43,6 @@ pub struct Forces {
     pub friction: Vec3<f64>,
     /// Van der Waals attraction.
     pub van_der_waals: Vec3<f64>,
-}
-
-impl Forces {
-    /// No force.
-    pub fn zero() -> Self {
-        Self { contact: Vec3::zero(), friction: Vec3::zero(), van_der_waals: Vec3::zero() }
-    }
-
-    /// Both together.
-    pub fn and(self, other: Self) -> Self {
-        Self {
-            contact: self.contact + other.contact,
-            friction: self.friction + other.friction,
-            van_der_waals: self.van_der_waals + other.van_der_waals,
-        }
-    }
-
-    /// Those of the other side.
-    pub fn reversed(self) -> Self {
-        Self { contact: -self.contact, friction: -self.friction, van_der_waals: -self.van_der_waals }
-    }
-
-    /// Whatever the cause.
-    pub fn total(&self) -> Vec3<f64> {
-        self.contact + self.friction + self.van_der_waals
-    }
 }
 
 /// Springs of the contacts of a surface, found again by sphere and place: a contact that slides from a face to an edge goes on.
@@ -150,44 +113,4 @@ pub struct Surface {
     pub force: Forces,
     /// The springs of its contacts.
     pub grips: Grips,
-}
-
-impl Surface {
-    /// A surface that begins to move.
-    pub fn new(name: &str, material: usize, shape: Shape, course: Course) -> Self {
-        let zero = Vec3::zero();
-        let (velocity, force) = (course.velocity(0.0), Forces::zero());
-        Self {
-            name: name.into(),
-            material,
-            shape,
-            course,
-            velocity,
-            way: zero,
-            age: 0.0,
-            force,
-            grips: Grips::default(),
-        }
-    }
-
-    /// Where it is nearest to `x`, if within `reach`, and every other place within `touch` where the distance has a minimum. Places are those before it moved.
-    pub fn see(&self, x: Vec3<f64>, reach: f64, touch: f64, found: &mut Vec<Seen>) {
-        let p = x - self.way;
-        match &self.shape {
-            Shape::Plane { point, normal } => {
-                let distance = (p - *point).dot(*normal);
-                if distance <= reach {
-                    found.push(Seen { n: *normal, distance, place: p - *normal * distance });
-                }
-            }
-            Shape::Mesh(mesh) => mesh.see(p, reach, touch, found),
-        }
-    }
-
-    /// Moves it by one step, with the velocity in the middle of the step.
-    pub fn advance(&mut self, dt: f64) {
-        self.velocity = self.course.velocity(self.age + 0.5 * dt);
-        self.way = self.way + self.velocity * dt;
-        self.age += dt;
-    }
 }

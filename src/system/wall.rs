@@ -1,7 +1,6 @@
 //! Rigid walls made of spheres.
 
 use crate::spec::Vec3;
-use crate::spec::titania::def_drive::tip;
 use serde::{Deserialize, Serialize};
 
 /// What drives a wall along one axis.
@@ -51,14 +50,6 @@ impl Wall {
         });
         let zero = Vec3::zero();
         Self { motion, velocity: Vec3(velocity), mass, spin: zero, force: zero, torque: zero, travel: zero, age: 0.0 }
-    }
-
-    /// The velocity along an axis that moves by a time table, m/s.
-    pub fn timed(&self, axis: usize) -> Option<f64> {
-        match self.motion[axis] {
-            Motion::Return { speed, turn } => Some(tip(speed, turn, self.age).0),
-            _ => None,
-        }
     }
 
     /// The force that drives it along an axis, pN; none where its velocity is prescribed.

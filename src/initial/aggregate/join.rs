@@ -5,6 +5,7 @@ use super::law::Law;
 use crate::geometry::Sphere;
 use crate::geometry::directions::{Covered, cone, direction, frame, turn};
 use crate::random::Stream;
+use crate::spec::mechanics::gyration::joined_distance;
 use crate::spec::{Real, Vec3};
 
 /// How many pairs of spheres are tried at one distance of the clusters.
@@ -24,10 +25,9 @@ pub fn join(a: &Cluster, b: &Cluster, law: &Law, stream: &mut Stream) -> Cluster
     if sums.number == 2 {
         return whole(united(a, &b.spheres, direction(stream) * farthest));
     }
-    // Steiner: M R^2 = m_a R_a^2 + m_b R_b^2 + (m_a m_b / M) distance^2.
     let (mass_a, mass_b, total) = (a.sums.cubes, b.sums.cubes, sums.cubes);
-    let between = total * law.gyration_radius(&sums).squared() - mass_a * a.square - mass_b * b.square;
-    let mut distance = (between.max(0.0) * total / (mass_a * mass_b)).sqrt().min(farthest);
+    let radius = law.gyration_radius(&sums);
+    let mut distance = joined_distance(mass_a, mass_b, total, a.square, b.square, radius).min(farthest);
     loop {
         if let Some(spheres) = (0..TRIES).find_map(|_| place(a, b, distance, stream)) {
             return whole(spheres);

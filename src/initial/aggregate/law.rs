@@ -2,8 +2,8 @@
 
 use crate::geometry::Extent;
 use crate::geometry::Sphere;
-use crate::initial::sphere_volume;
 use crate::spec::Real;
+use crate::spec::mechanics::solids::sphere_volume;
 use crate::spec::soot::eq24_fractal;
 use crate::spec::titania::def_aggregate::{fractal_diameter, sauter_diameter};
 

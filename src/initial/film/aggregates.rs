@@ -10,6 +10,7 @@ use crate::initial::aggregate::law::{Form, Law};
 use crate::interrupt::Interrupt;
 use crate::random::Stream;
 use crate::spec::Real;
+use crate::spec::mechanics::thermal::thermal_energy;
 use crate::spec::titania::def_diffusion::diffusion;
 use crate::spec::titania::def_lognormal::lognormal_share;
 use crate::spec::titania::eq14_friction_factor::friction_factor;
@@ -62,7 +63,7 @@ impl FilmPlan {
     fn diffusion(&self, spheres: &[Sphere], stream: &mut Stream) -> f64 {
         let (r_h, area) = (capacity(spheres, WALKS, stream), mean_projected_area(spheres, DIRECTIONS));
         let (_, _, friction) = friction_factor(self.gas.viscosity, self.gas.free_path, r_h, area);
-        diffusion(BOLTZMANN * self.gas.temperature, friction)
+        diffusion(thermal_energy(BOLTZMANN, self.gas.temperature), friction)
     }
 }
 

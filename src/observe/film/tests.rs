@@ -21,7 +21,7 @@ fn lattice(layers: usize) -> Film {
 #[test]
 fn a_cubic_lattice_has_its_porosity_contacts_and_pores() {
     let structure = Structure::of(&lattice(20), TOUCH, 1);
-    let porosity = 1.0 - PI / 6.0;
+    let porosity = 1.0 - std::f64::consts::PI / 6.0;
     assert_eq!(structure.thickness, 400.0);
     // Layers of the profile are layers of the lattice; the bulk begins and ends in the middle of one.
     assert!(structure.profile.iter().all(|solid| (1.0 - solid - porosity).abs() < 1e-12));

@@ -8,7 +8,7 @@ use crate::initial::stl::read_stl;
 use crate::random::Stream;
 use crate::spec::Vec3;
 use crate::spec::soot::{SUBSTRATE, TIP};
-use crate::system::mesh::Mesh;
+use crate::system::Mesh;
 use crate::system::{Course, Particles, Shape, Surface, System};
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -86,7 +86,7 @@ fn indent(test: &Indentation, solid: Option<Mesh>, ground: &mut Ground, system: 
         }
     };
     let particles = &system.particles;
-    let course = Course::Tip { velocity: test.velocity.value, rate: test.turn_rate.value, turn: test.turn.value };
+    let course = Course::Reversal { velocity: test.velocity.value, rate: test.turn_rate.value, turn: test.turn.value };
     let above = |p: usize| {
         let apex = particles.x[p] + Vec3([0.0, 0.0, particles.radius[p] + test.gap.value(ground.radius)]);
         Surface::new("tip", TIP, Shape::Mesh(mesh.displaced(apex - lowest)), course)

@@ -1,7 +1,7 @@
 //! The tetrahedral tip of the force microscope.
 
 use crate::spec::Vec3;
-use crate::system::mesh::Mesh;
+use crate::system::Mesh;
 
 /// Section 3.1.2: the tetrahedral tip for spheres of radius `r`, apex at the origin.
 pub fn tetrahedron(r: f64) -> Mesh {

@@ -15,6 +15,7 @@ use crate::case::section::{choice, section, words};
 use crate::case::springs::FourSprings;
 use crate::case::units::{BOLTZMANN, in_unit, rounded};
 use crate::spec::PairModel;
+use crate::spec::mechanics::thermal::thermal_energy;
 use crate::spec::titania::def_radius::radii;
 use crate::spec::titania::{self, eq02_torque, eq03_attraction, eq09_stiffness, eq12_sliding, eq13_rolling};
 use crate::spec::wear::def_sphere::sphere_mass;
@@ -311,7 +312,7 @@ impl Titania {
             humidity: self.humidity,
             thermal_pressure: match &self.liquid {
                 None => titania::Titania::thermal_pressure_of_water(self.temperature.value) * megapascal,
-                Some(Liquid { molecule, .. }) => BOLTZMANN * self.temperature.value / molecule.value,
+                Some(Liquid { molecule, .. }) => thermal_energy(BOLTZMANN, self.temperature.value) / molecule.value,
             },
             contact_angle: self.contact_angle,
             liquid: match (&self.liquid, self.surface_tension) {

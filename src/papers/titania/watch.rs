@@ -4,9 +4,11 @@ use super::stage::Act;
 use crate::output::{Cell, Finding};
 use crate::simulation::{Pair, Simulation};
 use crate::spec::Vec3;
+use crate::spec::mechanics::rolling::rolled_path;
 use crate::spec::titania::Titania;
 use crate::spec::titania::def_radius::effective_radius;
 use crate::spec::titania::eq02_torque::moment_arm;
+use crate::spec::titania::eq10_peak_friction::peak_friction;
 use serde::{Deserialize, Serialize};
 
 /// The columns of the series.
@@ -114,14 +116,14 @@ impl Watch {
             }
             if contact.gap < 0.0 {
                 let (_, r_eff) = effective_radius(contact.r_i, contact.r_j);
-                rolled = rolled + (contact.omega_i - contact.omega_j).cross(contact.n) * (r_eff * dt);
+                rolled = rolled + rolled_path(contact.omega_i, contact.omega_j, contact.n, r_eff, dt);
                 if pair.outcome.losses.sliding > 0.0 {
                     events.push(format!("sliding of {} and {}", ids.0, ids.1));
                     let wall = simulation.system().walls.get(1);
                     self.slips.push(Slip {
                         moved: wall.map_or(0.0, |wall| wall.travel.0[0]),
                         friction: wall.map_or(0.0, |wall| -wall.force.0[0]),
-                        strength: law.tau_s * Titania::area(contact),
+                        strength: peak_friction(Titania::area(contact), law.tau_s, law.tau_r).0,
                     });
                 }
             }
@@ -157,8 +159,9 @@ impl Watch {
             }
             Act::Drag { rolls: true, .. } => {
                 if let Some(pair) = simulation.pairs().next() {
+                    let law = simulation.model();
                     self.resistance.0 += rolling_resistance(simulation);
-                    self.resistance.1 += simulation.model().tau_r * Titania::area(&pair.contact);
+                    self.resistance.1 += peak_friction(Titania::area(&pair.contact), law.tau_s, law.tau_r).1;
                     self.resistance.2 += 1;
                 }
             }

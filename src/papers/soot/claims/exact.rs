@@ -8,6 +8,7 @@ use crate::interrupt::Interrupt;
 use crate::papers::soot::case::{NeckSet, Soot};
 use crate::reproduce::{Claim, Evidence};
 use crate::spec::PairModel;
+use crate::spec::mechanics::oscillation::speed_of_fall;
 use crate::spec::soot::Along;
 use crate::spec::soot::def_sphere::solid_inertia;
 use crate::spec::soot::eq19_equal_hamaker::{equal_hamaker_energy, saturated_hamaker};
@@ -106,7 +107,7 @@ const INTERVALS: u32 = 20_000;
 
 /// Duration and final velocity of a fall from rest at the gap `from` to the gap `to`, by conservation of energy.
 fn fall(mass: f64, from: f64, to: f64, energy: impl Fn(f64) -> f64) -> (f64, f64) {
-    let speed = |gap: f64| (2.0 * (energy(from) - energy(gap)) / mass).sqrt();
+    let speed = |gap: f64| speed_of_fall(mass, energy(from), energy(gap));
     // The way is as s^2: the velocity, zero at first, is as s, and the integrand smooth.
     let ds = 1.0 / f64::from(INTERVALS);
     let duration = |k: u32| {

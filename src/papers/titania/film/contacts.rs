@@ -3,8 +3,9 @@
 use super::Law;
 use crate::simulation::Simulation;
 use crate::spec::Vec3;
+use crate::spec::mechanics::quaternion::{product, rotation_vector};
+use crate::spec::mechanics::rotation::to_space;
 use crate::spec::titania::def_radius::effective_radius;
-use crate::spec::titania::def_rotation::to_space;
 use crate::system::{Pose, System};
 use serde::{Deserialize, Serialize};
 
@@ -61,7 +62,8 @@ impl Contacts {
                         self.slidings += 1;
                         events.push(format!("sliding of {} and {}", ids.0, ids.1));
                     }
-                    let turn = to_space(b.q_0, b.q, turned(before.lay, next.lay));
+                    let ((from_0, from), (to_0, to)) = (before.lay, next.lay);
+                    let turn = to_space(b.q_0, b.q, rotation_vector(from_0, from, to_0, to));
                     let (_, r_eff) = effective_radius(contact.r_i, contact.r_j);
                     if turn.perpendicular_to(contact.n).norm() * r_eff < period {
                         next.lay = before.lay;
@@ -100,16 +102,5 @@ fn pose(system: &System, sphere: usize) -> Pose {
 
 /// The orientation of `a` as seen from `b`.
 fn seen(a: &Pose, b: &Pose) -> (f64, Vec3<f64>) {
-    product((b.q_0, -b.q), (a.q_0, a.q))
-}
-
-/// The rotation that leads from one orientation to another close by, as a vector.
-fn turned(from: (f64, Vec3<f64>), to: (f64, Vec3<f64>)) -> Vec3<f64> {
-    let (scalar, vector) = product(to, (from.0, -from.1));
-    vector * f64::copysign(2.0, scalar)
-}
-
-/// The product of two quaternions.
-fn product((a_0, a): (f64, Vec3<f64>), (b_0, b): (f64, Vec3<f64>)) -> (f64, Vec3<f64>) {
-    (a_0 * b_0 - a.dot(b), b * a_0 + a * b_0 + a.cross(b))
+    product(b.q_0, -b.q, a.q_0, a.q)
 }

@@ -1,8 +1,8 @@
 //! What the equations alone give.
 
 use crate::initial::packing::FILL;
-use crate::initial::sphere_volume;
 use crate::reproduce::{Claim, Evidence, near};
+use crate::spec::mechanics::solids::sphere_volume;
 use crate::spec::wear::def_lognormal::truncated_moments;
 use crate::spec::wear::def_sphere::sphere_mass;
 use crate::spec::wear::eq06_critical_time_step::critical_time_step;

@@ -1,7 +1,7 @@
 //! From loose triangles to a surface.
 
-use super::Mesh;
 use crate::spec::{Real, Vec3};
+use crate::system::Mesh;
 use std::collections::BTreeMap;
 use std::fmt;
 

@@ -1,7 +1,9 @@
-//! The motion of the tip of the force microscope.
+//! A prescribed motion: approach, reversal and withdrawal by a hyperbolic tangent.
+//!
+//! Equations and sections are numbered as in Demidov, Gor & Khalizov 2024.
 
-use super::eq23_capillary::ln_one_plus;
 use crate::equation::Equation;
+use crate::real::ln_one_plus;
 use crate::{Real, equation};
 
 /// **Eq. 25**, Section 3.1.2: velocity of the tip.
@@ -76,10 +78,10 @@ pub fn tip_way<R: Real>(t: R, v_tip: R, rate: R, t_reversal: R) -> R {
     v_tip / rate * R::select(h.lt(R::zero()), -ln_ratio, ln_ratio)
 }
 
-pub(super) fn equations() -> Vec<Equation> {
+pub(crate) fn equations() -> Vec<Equation> {
     vec![
-        equation!("soot/eq25_tip.rs", "soot-25", ["25"], tip_velocity),
-        equation!("soot/eq25_tip.rs", "soot-25-way", [], tip_way),
+        equation!("mechanics/approach.rs", "soot-25", ["25"], tip_velocity),
+        equation!("mechanics/approach.rs", "soot-25-way", [], tip_way),
     ]
 }
 

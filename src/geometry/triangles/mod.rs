@@ -11,28 +11,10 @@ pub use build::Flaw;
 pub use triangle::{Part, nearest};
 
 use crate::spec::Vec3;
-use serde::{Deserialize, Serialize};
+use crate::system::Mesh;
 
 /// Two minima whose points are closer than this part of their distance are one, found twice by rounding: that of the single precision of STL files bends a flat surface of small triangles by some 1e-5.
 const SAME: f64 = 1e-3;
-
-/// A triangulated surface. A closed one bounds a body, acts on its outside, to which the normals point, and lets nothing in; an open one is a thin
-/// sheet and acts on both sides.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Mesh {
-    /// Corners, nm.
-    vertices: Vec<Vec3<f64>>,
-    /// Triangles, by their corners, counterclockwise as seen from outside.
-    triangles: Vec<[u32; 3]>,
-    /// Triangles across the edges; none is `u32::MAX`.
-    across: Vec<[u32; 3]>,
-    /// Outward normals of the triangles.
-    faces: Vec<Vec3<f64>>,
-    /// Sums of the normals around each corner, weighted by the angle there.
-    corners: Vec<Vec3<f64>>,
-    closed: bool,
-    bounds: [Vec3<f64>; 2],
-}
 
 /// A place from which a surface is seen nearest.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,26 +36,6 @@ struct Candidate {
 }
 
 impl Mesh {
-    /// The corners, nm.
-    pub fn vertices(&self) -> &[Vec3<f64>] {
-        &self.vertices
-    }
-
-    /// The triangles, by their corners.
-    pub fn triangles(&self) -> &[[u32; 3]] {
-        &self.triangles
-    }
-
-    /// Lowest and highest coordinates, nm.
-    pub fn bounds(&self) -> [Vec3<f64>; 2] {
-        self.bounds
-    }
-
-    /// True when it bounds a body.
-    pub fn is_closed(&self) -> bool {
-        self.closed
-    }
-
     /// What a closed one bounds, nm^3; negative if its normals point inwards.
     pub fn volume(&self) -> f64 {
         let under = |t| {

@@ -1,0 +1,51 @@
+//! How friction of several contacts acts on one body.
+
+use crate::equation::Equation;
+use crate::{Real, equation};
+
+/// Moment of inertia that one of several contacts of a body may take for its own.
+///
+/// ```math
+/// I_c = \frac{I}{\max(n, 1)}
+/// ```
+///
+/// # Reading
+///
+/// Friction may stop a body that turns, but not turn it back. Each contact stops a body of this smaller inertia at most; all of them together
+/// then stop the whole. Of a body that is no sphere, $I$ is the least principal moment.
+///
+/// | name | symbol | unit | domain | meaning |
+/// |---|---|---|---|---|
+/// | `i` | $I$ | kg m^2 | > 0 | moment of inertia of the body |
+/// | `n` | $n$ | 1 | >= 0 | number of its contacts |
+/// | → `share` | $I_c$ | kg m^2 | | moment of inertia for one contact |
+///
+/// Rounding: at most 0.5 ULP.
+///
+/// # Laws
+///
+/// * `contacts_that_each_stop_their_share_stop_the_body`
+#[inline(always)]
+pub fn inertia_share<R: Real>(i: R, n: R) -> R {
+    i / n.max(R::one())
+}
+
+pub(crate) fn equations() -> Vec<Equation> {
+    vec![equation!("mechanics/friction_share.rs", "mechanics-inertia-share", [], inertia_share)]
+}
+
+#[cfg(test)]
+mod laws {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn contacts_that_each_stop_their_share_stop_the_body(i in 0.1..10.0f64, n in 0..20u8, omega in -3.0..3.0f64) {
+            let impulse = inertia_share(i, f64::from(n)) * omega;
+            let left = omega - f64::from(n) * impulse / i;
+            let turning_still = f64::from(u8::from(n == 0)) * omega;
+            prop_assert!((left - turning_still).abs() < 1e-14);
+        }
+    }
+}

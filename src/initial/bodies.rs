@@ -1,0 +1,48 @@
+//! Rigid bodies made of spheres.
+
+use crate::geometry::principal::principal;
+use crate::spec::Vec3;
+use crate::spec::mechanics::body_inertia::member_inertia;
+use crate::spec::mechanics::rotation::to_space;
+use crate::system::{Body, Pose, System};
+
+impl System {
+    /// Makes spheres into one rigid body at rest.
+    pub fn add_body(&mut self, members: &[usize]) {
+        let particles = &mut self.particles;
+        let mass: f64 = members.iter().map(|&p| particles.mass[p]).sum();
+        let centre = members.iter().fold(Vec3::zero(), |sum, &p| sum + particles.x[p] * (particles.mass[p] / mass));
+        let mut inertia = [Vec3::zero(); 3];
+        for &p in members {
+            let part = member_inertia(particles.mass[p], particles.radius[p], particles.x[p] - centre);
+            inertia = std::array::from_fn(|row| inertia[row] + part[row]);
+        }
+        let (moments, q_0, q) = principal(inertia);
+        let number = self.bodies.len() as u32 + 1;
+        let mut body = Body {
+            pose: Pose { x: centre, q_0, q },
+            v: Vec3::zero(),
+            l: Vec3::zero(),
+            mass,
+            moments,
+            extent: 0.0,
+            count: members.len() as f64,
+            lever: Vec3::zero(),
+            spread: [Vec3::zero(); 3],
+            wall: 0,
+            id: number - 1,
+        };
+        for &p in members {
+            let r = to_space(q_0, -q, particles.x[p] - centre);
+            body.extent = body.extent.max(r.norm());
+            body.lever = body.lever + r;
+            for (k, row) in body.spread.iter_mut().enumerate() {
+                row.0[k] += r.dot(r);
+                *row = *row - r * r.0[k];
+            }
+            (particles.body[p], particles.arm[p]) = (number, r);
+            (particles.v[p], particles.w[p]) = (Vec3::zero(), Vec3::zero());
+        }
+        self.bodies.push(body);
+    }
+}

@@ -1,0 +1,46 @@
+//! Triangulated surfaces: who shares which edge and which corner.
+
+use crate::spec::Vec3;
+use serde::{Deserialize, Serialize};
+
+/// A triangulated surface. A closed one bounds a body, acts on its outside, to which the normals point, and lets nothing in; an open one is a thin
+/// sheet and acts on both sides.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Mesh {
+    /// Corners, nm.
+    pub(crate) vertices: Vec<Vec3<f64>>,
+    /// Triangles, by their corners, counterclockwise as seen from outside.
+    pub(crate) triangles: Vec<[u32; 3]>,
+    /// Triangles across the edges; none is `u32::MAX`.
+    pub(crate) across: Vec<[u32; 3]>,
+    /// Outward normals of the triangles.
+    pub(crate) faces: Vec<Vec3<f64>>,
+    /// Sums of the normals around each corner, weighted by the angle there.
+    pub(crate) corners: Vec<Vec3<f64>>,
+    /// Whether every edge has two triangles.
+    pub(crate) closed: bool,
+    /// Lowest and highest coordinates, nm.
+    pub(crate) bounds: [Vec3<f64>; 2],
+}
+
+impl Mesh {
+    /// The corners, nm.
+    pub fn vertices(&self) -> &[Vec3<f64>] {
+        &self.vertices
+    }
+
+    /// The triangles, by their corners.
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        &self.triangles
+    }
+
+    /// Lowest and highest coordinates, nm.
+    pub fn bounds(&self) -> [Vec3<f64>; 2] {
+        self.bounds
+    }
+
+    /// True when it bounds a body.
+    pub fn is_closed(&self) -> bool {
+        self.closed
+    }
+}
