@@ -11,7 +11,7 @@ use veridem::initial::aggregate::{self, Method, Radii, Recipe};
 use veridem::interrupt::Interrupt;
 use veridem::papers::parse;
 use veridem::papers::soot::{self, Plan};
-use veridem::run::Study;
+use veridem::run::{Study, advance};
 use veridem::simulation::Simulation;
 use veridem::spec::soot::Along;
 
@@ -28,8 +28,9 @@ fn step(criterion: &mut Criterion) {
                 let mut simulation =
                     pool.install(|| crystal::simulation(cells, instructions)).expect("a stable crystal");
                 let name = format!("{particles} spheres, {threads} threads, {instructions:?}");
-                group
-                    .bench_function(name, |b| pool.install(|| b.iter(|| simulation.step().expect("a stable crystal"))));
+                group.bench_function(name, |b| {
+                    pool.install(|| b.iter(|| advance(&mut simulation, 1).expect("a stable crystal")))
+                });
             }
         }
     }
@@ -50,7 +51,7 @@ fn restructuring(criterion: &mut Criterion) {
     group.throughput(Throughput::Elements(particles));
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
     group.bench_function(format!("{particles} spheres"), |b| {
-        pool.install(|| b.iter(|| simulation.step().expect("a stable aggregate")));
+        pool.install(|| b.iter(|| advance(&mut simulation, 1).expect("a stable aggregate")));
     });
     group.finish();
 }

@@ -3,9 +3,10 @@
 mod common;
 
 use common::{crowd, settings, wear};
+use veridem::run::advance;
 use veridem::simulation::Simulation;
 use veridem::spec::Vec3;
-use veridem::spec::titania::def_rotation::to_space;
+use veridem::spec::mechanics::rotation::to_space;
 use veridem::spec::wear::law::Wear;
 use veridem::system::{Domain, Motion, Particles, Steering, System};
 
@@ -22,9 +23,7 @@ fn mixed(seed: u64) -> System {
 }
 
 fn steps(mut simulation: Simulation<Wear>, count: usize) -> Simulation<Wear> {
-    for _ in 0..count {
-        simulation.step().expect("a stable step");
-    }
+    advance(&mut simulation, count as u64).expect("a stable step");
     simulation
 }
 
@@ -174,7 +173,7 @@ fn a_resumed_simulation_has_the_same_bits() {
         if step % 149 == 0 {
             snapshots.push((step, uninterrupted.snapshot()));
         }
-        uninterrupted.step().expect("a stable step");
+        advance(&mut uninterrupted, 1).expect("a stable step");
     }
     for (step, snapshot) in snapshots {
         let resumed = Simulation::resume(wear(), settings(2e-5), snapshot).expect("a valid snapshot");

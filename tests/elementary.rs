@@ -6,10 +6,12 @@ mod common;
 use common::soot::{dry, settings};
 use serde_json::Value;
 use std::path::Path;
+use veridem::run::advance_until;
 use veridem::simulation::{Integrator, Settings, Simulation};
 use veridem::spec::Vec3;
-use veridem::spec::soot::{Friction, Soot, Springs};
-use veridem::spec::wear::def_sphere::sphere_mass;
+use veridem::spec::mechanics::four_springs::{Friction, Springs};
+use veridem::spec::mechanics::sphere::sphere_mass;
+use veridem::spec::soot::Soot;
 use veridem::system::{Domain, Particles, System};
 
 fn runs(name: &str) -> Vec<Value> {
@@ -77,9 +79,7 @@ impl Motion {
     /// Goes on to a time; what is left to it is less than a step.
     fn until(&mut self, time: f64) -> f64 {
         let steps = (time / self.dt + 1e-9).floor() as u64;
-        while self.simulation.system().step < steps {
-            self.simulation.step().expect("a stable step");
-        }
+        advance_until(&mut self.simulation, |now| now.system().step >= steps).expect("a stable step");
         time - steps as f64 * self.dt
     }
 

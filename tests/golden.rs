@@ -3,12 +3,12 @@
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use veridem::golden::{check, documented, file_of, read};
+use veridem_spec::mechanics::symplectic_euler::symplectic_euler;
+use veridem_spec::mechanics::virial::pair_stress;
 use veridem_spec::numbers::Reference;
 use veridem_spec::wear::a04_time_step::kick_and_drift;
 use veridem_spec::wear::a35_impact::{impact_separation, impact_velocity};
 use veridem_spec::wear::def_contact::Parameters;
-use veridem_spec::wear::def_virial::pair_stress;
-use veridem_spec::wear::eq01_symplectic_euler::symplectic_euler;
 use veridem_spec::wear::eq03_normal_force::normal_force;
 use veridem_spec::wear::eq07_normal_stiffness::normal_stiffness;
 use veridem_spec::wear::eq08_tangential_stiffness::tangential_stiffness;

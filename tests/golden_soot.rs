@@ -2,16 +2,16 @@
 
 use serde_json::Value;
 use std::path::Path;
+use veridem_spec::mechanics::contact_kinematics::Meeting;
+use veridem_spec::mechanics::four_springs::Grip;
+use veridem_spec::mechanics::four_springs::{Friction, Memory, Springs};
+use veridem_spec::mechanics::primary_particle::solid_inertia;
+use veridem_spec::mechanics::sphere::sphere_mass;
+use veridem_spec::mechanics::verlet::{half_step, half_step_start};
 use veridem_spec::soot::def_filter::filter_step;
-use veridem_spec::soot::def_grip::Grip;
-use veridem_spec::soot::def_integrators::{half_step, half_step_start};
-use veridem_spec::soot::def_meeting::Meeting;
-use veridem_spec::soot::def_sphere::solid_inertia;
 use veridem_spec::soot::eq18_hamaker::{hamaker_energy, hamaker_force};
 use veridem_spec::soot::eq21_hamaker_plane::{plane_energy, plane_force};
 use veridem_spec::soot::eq25_tip::{tip_velocity, tip_way};
-use veridem_spec::soot::{Friction, Memory, Springs};
-use veridem_spec::wear::def_sphere::sphere_mass;
 use veridem_spec::{Contact, Flat, Vec3};
 
 fn runs(name: &str) -> Vec<Value> {

@@ -4,6 +4,7 @@ mod common;
 
 use common::soot::{MASS, RADIUS, dry, plane, settings as soot_settings, space};
 use common::{SILICA, crowd, settings, wear};
+use veridem::run::{advance, advance_until};
 use veridem::simulation::{Settings, Simulation};
 use veridem::spec::wear::law::{Interaction, Material, Wear};
 use veridem::spec::{PairModel, Vec3};
@@ -25,9 +26,7 @@ fn grazing() -> System {
 
 fn run<M: PairModel>(model: M, system: System, settings: Settings, time: f64) -> Simulation<M> {
     let mut simulation = Simulation::new(model, system, settings).expect("a stable step");
-    while simulation.system().time < time {
-        simulation.step().expect("a stable step");
-    }
+    advance_until(&mut simulation, |now| now.system().time >= time).expect("a stable step");
     simulation
 }
 
@@ -108,7 +107,7 @@ fn a_sphere_that_is_taken_off_a_surface_or_put_elsewhere_on_it_loses_its_springs
         let springs = |simulation: &Simulation<_>| simulation.ledger().surfaces.stored[2..5].iter().sum::<f64>();
         let held = springs(&simulation);
         assert!(held > 1e-6, "{held}");
-        simulation.step().expect("a stable step");
+        advance(&mut simulation, 1).expect("a stable step");
         let lost = simulation.ledger().surfaces.lost[4];
         assert!(springs(&simulation) < 1e-9 * held && (lost / held - 1.0).abs() < 1e-9, "{held} {lost}");
     }
@@ -130,9 +129,7 @@ fn a_neck_without_attraction_is_a_pair_however_far_it_is_stretched() {
         let start = simulation.ledger();
         assert!((start.stored[0] / held - 1.0).abs() < 1e-12, "{start:?}");
         assert_eq!((simulation.pairs().count(), simulation.contacts().count()), (1, 1));
-        for _ in 0..200 {
-            simulation.step().expect("a stable step");
-        }
+        advance(&mut simulation, 200).expect("a stable step");
         let ledger = simulation.ledger();
         assert!(ledger.kinetic > 0.0 && ledger.physical_residual().abs() < 1e-2 * ledger.turnover(), "{ledger:?}");
         let resumed = Simulation::resume(law, soot_settings(1e-6), simulation.snapshot()).expect("a valid snapshot");

@@ -1,10 +1,11 @@
 //! Necks under another paper's contact law: is what they do accounted for, and what is left of a broken one a contact?
 
 use veridem::forces::Instructions;
+use veridem::run::advance;
 use veridem::simulation::{Integrator, Settings, Simulation};
-use veridem::spec::soot::Springs;
+use veridem::spec::mechanics::four_springs::Springs;
+use veridem::spec::mechanics::sphere::sphere_mass;
 use veridem::spec::titania::Titania;
-use veridem::spec::wear::def_sphere::sphere_mass;
 use veridem::spec::{Necked, Vec3};
 use veridem::system::{Domain, Particles, System};
 
@@ -53,7 +54,7 @@ fn moving(dt: f64) -> Simulation<Necked<Titania>> {
 fn torn(dt: f64) -> (u64, Simulation<Necked<Titania>>) {
     let mut simulation = moving(dt);
     loop {
-        simulation.step().unwrap();
+        advance(&mut simulation, 1).unwrap();
         let broken = simulation
             .break_necks(|_, _, (_, held)| {
                 held.neck_normal + held.neck_tangential + held.neck_rolling + held.neck_torsion > STRENGTH
@@ -73,9 +74,7 @@ fn particles_at_rest_stay_where_they_are_with_a_neck_and_hold_nothing() {
     let system = pair(&model.law);
     let before = system.particles.x.clone();
     let mut simulation = Simulation::new(model, system, settings(1e-3)).unwrap();
-    for _ in 0..1000 {
-        simulation.step().unwrap();
-    }
+    advance(&mut simulation, 1000).unwrap();
     assert!((0..2).all(|p| (simulation.system().particles.x[p] - before[p]).norm() < 1e-12));
     assert!(simulation.ledger().stored.iter().all(|held| held.abs() < 1e-12));
 }
@@ -104,8 +103,8 @@ fn a_broken_neck_leaves_the_contact_of_the_law() {
     assert!(necked.system().necks.is_empty());
     let mut plain = Simulation::new(necked.model().law, necked.system().clone(), settings(1e-4)).unwrap();
     for _ in 0..2000 {
-        necked.step().unwrap();
-        plain.step().unwrap();
+        advance(&mut necked, 1).unwrap();
+        advance(&mut plain, 1).unwrap();
     }
     assert_eq!(necked.system().particles, plain.system().particles);
 }
@@ -114,9 +113,7 @@ fn a_broken_neck_leaves_the_contact_of_the_law() {
 fn a_snapshot_goes_on_with_the_same_bits_before_and_after_the_break() {
     let (last, broken) = torn(1e-4);
     let step = |mut simulation: Simulation<Necked<Titania>>, steps: u64| {
-        for _ in 0..steps {
-            simulation.step().unwrap();
-        }
+        advance(&mut simulation, steps).unwrap();
         simulation
     };
     let resumed =
@@ -127,9 +124,7 @@ fn a_snapshot_goes_on_with_the_same_bits_before_and_after_the_break() {
     let mut whole = step(moving(1e-4), last / 2);
     let mut parts = resumed(&whole);
     for simulation in [&mut whole, &mut parts] {
-        for _ in last / 2..last - 1 {
-            simulation.step().unwrap();
-        }
+        advance(simulation, last - 1 - last / 2).unwrap();
     }
     assert_eq!(whole.system().necks, [(0, 1)]);
     assert_eq!(whole.snapshot(), parts.snapshot());

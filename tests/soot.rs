@@ -7,8 +7,10 @@ use veridem::forces::Instructions;
 use veridem::geometry::Sphere;
 use veridem::motion::inertia;
 use veridem::observe::morphology::coordination_number;
+use veridem::run::advance;
 use veridem::simulation::{Settings, Simulation};
-use veridem::spec::soot::{Memory, Stored};
+use veridem::spec::mechanics::four_springs::Memory;
+use veridem::spec::soot::Stored;
 use veridem::spec::{Contact, PairModel, Vec3};
 use veridem::system::{Particles, System};
 
@@ -55,9 +57,7 @@ fn taken_up_from_a_snapshot_it_goes_on_with_the_same_bits() {
     let whole = run(law(), system(third), settings(DT), 3000);
     let half = run(law(), system(third), settings(DT), 1500).snapshot();
     let mut resumed = Simulation::resume(law(), settings(DT), half).expect("a valid snapshot");
-    for _ in 0..1500 {
-        resumed.step().expect("a stable step");
-    }
+    advance(&mut resumed, 1500).expect("a stable step");
     assert!(resumed.snapshot() == whole.snapshot());
 }
 
@@ -80,7 +80,7 @@ fn attraction_held_over_some_steps_errs_in_first_order_and_is_taken_up_with_the_
 
     let half = run(law(), system(third), held(7), 1500).snapshot();
     let mut resumed = Simulation::resume(law(), held(7), half).expect("a valid snapshot");
-    (0..1500).for_each(|_| resumed.step().expect("a stable step"));
+    advance(&mut resumed, 1500).expect("a stable step");
     assert!(resumed.snapshot() == run(law(), system(third), held(7), 3000).snapshot());
 }
 
@@ -136,7 +136,7 @@ fn drawn(speed: f64, breaks: impl Fn(&Contact<f64>, &Memory<f64>, &Stored<f64>) 
     let mut simulation = run(law(), system, settings(DT / 4.0), 0);
     let mut broken = Vec::new();
     for _ in 0..200 {
-        simulation.step().expect("a stable step");
+        advance(&mut simulation, 1).expect("a stable step");
         broken.extend(simulation.break_necks(&breaks).expect("neighbours"));
     }
     let ledger = simulation.ledger();

@@ -6,10 +6,11 @@ use common::soot::{DT, RADIUS, SPHERES, between, dry, momentum, plane, settings,
 use std::path::Path;
 use std::process::{Command, Output};
 use veridem::forces::Instructions;
+use veridem::run::{advance, advance_until};
 use veridem::simulation::{Settings, Simulation};
 use veridem::spec::Vec3;
+use veridem::spec::mechanics::sphere::sphere_mass;
 use veridem::spec::soot::{Soot, TIP};
-use veridem::spec::wear::def_sphere::sphere_mass;
 use veridem::system::Mesh;
 use veridem::system::{Course, Particles, Shape, Surface, System};
 
@@ -43,7 +44,7 @@ fn surfaces_give_the_spheres_all_the_momentum_that_they_gain() {
     let (mut given, before) = (Vec3::zero(), momentum(&simulation.system().particles));
     let mut causes = [0.0f64; 3];
     for _ in 0..10_000 {
-        simulation.step().expect("a stable step");
+        advance(&mut simulation, 1).expect("a stable step");
         for surface in &simulation.system().surfaces {
             given = given - surface.force.total() * DT;
             let force = surface.force;
@@ -79,12 +80,10 @@ fn neither_threads_nor_instructions_nor_a_pause_change_a_bit() {
 
     // The pause is made while a sphere lies on the substrate.
     let mut first = run(between(sheet()), settings(DT), 0);
-    while first.system().surfaces[0].grips.places.is_empty() {
-        first.step().expect("a stable step");
-    }
+    advance_until(&mut first, |now| !now.system().surfaces[0].grips.places.is_empty()).expect("a stable step");
     let taken = first.system().step as usize;
     let mut resumed = Simulation::resume(dry(), settings(DT), first.snapshot()).expect("a valid snapshot");
-    (taken..6000).for_each(|_| resumed.step().expect("a stable step"));
+    advance(&mut resumed, 6000 - taken as u64).expect("a stable step");
     assert!(resumed.snapshot() == plain);
 }
 
@@ -105,7 +104,7 @@ fn a_sphere_that_sinks_into_a_surface_is_reported() {
     let mut deep = between(plane());
     deep.particles.x.iter_mut().for_each(|x| x.0[2] -= 5.0);
     let mut simulation = Simulation::new(dry(), deep, settings(DT)).expect("a stable step");
-    let halt = simulation.step().expect_err("too deep").to_string();
+    let halt = advance(&mut simulation, 1).expect_err("too deep").to_string();
     assert!(halt.contains("is in a surface by 0.343 of its radius (limit 0.1)"), "{halt}");
 }
 
@@ -123,9 +122,7 @@ fn a_sphere_falls_on_the_tip_as_the_energy_integral_says() {
     let surfaces = vec![Surface::new("tip", TIP, sheet(), Course::Still)];
     let system = System { surfaces, ..System::new(particles, space()) };
     let mut simulation = Simulation::new(dry(), system, settings(DT)).expect("a stable step");
-    while simulation.system().particles.x[0].0[2] > RADIUS + 1.0 {
-        simulation.step().expect("a stable step");
-    }
+    advance_until(&mut simulation, |now| now.system().particles.x[0].0[2] <= RADIUS + 1.0).expect("a stable step");
     let (system, speed) = (simulation.system(), number(&run["final_speed"]));
     assert!((system.time - expected).abs() < 2.0 * DT, "{} instead of {expected} ns", system.time);
     assert!((-system.particles.v[0].0[2] / speed - 1.0).abs() < 1e-4, "{:?}", system.particles.v[0]);

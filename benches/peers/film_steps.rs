@@ -8,9 +8,10 @@
 
 use veridem::forces::Instructions;
 use veridem::initial::film::{Bonding, FilmPlan};
+use veridem::run::advance;
 use veridem::simulation::{Integrator, Settings, Simulation};
+use veridem::spec::mechanics::sphere::sphere_mass;
 use veridem::spec::titania::{Tabulated, Titania};
-use veridem::spec::wear::def_sphere::sphere_mass;
 
 /// Spheres per area of the paper's film, 1/nm².
 const PER_AREA: f64 = 200_000.0 / (1581.4 * 1581.4);
@@ -56,8 +57,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             println!("{} {x} {y} {z} {} {} {}", p.tag[k], p.radius[k], p.mass[k], p.wall[k]);
         }
     }
-    for _ in 0..steps {
-        simulation.step()?;
-    }
+    advance(&mut simulation, steps)?;
     Ok(())
 }

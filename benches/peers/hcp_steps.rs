@@ -6,6 +6,7 @@ mod crystal;
 
 use veridem::error::Halt;
 use veridem::forces::Instructions;
+use veridem::run::advance;
 
 fn main() -> Result<(), Halt> {
     let numbers: Vec<usize> = std::env::args().skip(1).map(|word| word.parse().expect("whole numbers")).collect();
@@ -14,8 +15,6 @@ fn main() -> Result<(), Halt> {
     pool.build_global().expect("the first thread pool");
     let mut simulation = crystal::simulation([x, y, z], Instructions::best())?;
     assert_eq!(simulation.pairs().count(), 24 * x * y * z, "every sphere has twelve neighbours");
-    for _ in 0..steps {
-        simulation.step()?;
-    }
+    advance(&mut simulation, steps as u64)?;
     Ok(())
 }

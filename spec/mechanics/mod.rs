@@ -45,6 +45,7 @@ pub mod sphere;
 pub mod spring_force;
 pub mod springs_step;
 pub mod stable_step;
+pub mod symplectic_euler;
 pub mod thermal;
 pub mod truncated_lognormal;
 pub mod verlet;

@@ -1,8 +1,8 @@
 //! The two contacts of the paper: the neck and the frictional contact.
 
-use super::def_grip::{Friction, Grip, Memory, Springs, never};
-use super::def_meeting::Meeting;
 use crate::equation::Equation;
+use crate::mechanics::contact_kinematics::Meeting;
+use crate::mechanics::four_springs::{Friction, Grip, Memory, Springs, never};
 use crate::{Contact, Real, Vec3, equation};
 
 /// Force on i, torques on i and j, and the three springs.

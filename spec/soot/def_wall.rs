@@ -1,8 +1,8 @@
 //! A sphere against a wall: the substrate, a facet of the tip.
 
-use super::def_grip::{Friction, Grip, Memory, Springs, never};
-use super::def_meeting::Meeting;
 use crate::equation::Equation;
+use crate::mechanics::contact_kinematics::Meeting;
+use crate::mechanics::four_springs::{Friction, Grip, Memory, Springs, never};
 use crate::{Real, Vec3, equation};
 
 /// **Section 3.1**, unnumbered: frictional contact of a sphere with a wall of given velocity.

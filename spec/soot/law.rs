@@ -1,11 +1,11 @@
 //! The contact law, composed of its equations: what an engine runs.
 
 use super::def_body_forces::Attraction;
-use super::def_grip::{Friction, Grip, Losses, Memory, Order, Springs};
-use super::def_meeting::Meeting;
 use super::def_neck_stress::neck_stress;
-use super::def_spring::Twist;
 use super::eq12_spring_force::turning_torque;
+use crate::mechanics::contact_kinematics::Meeting;
+use crate::mechanics::four_springs::{Friction, Grip, Losses, Memory, Order, Springs};
+use crate::mechanics::rotated_spring::Twist;
 use crate::{Contact, Flat, PairModel, Real, Touch, Vec3, flat_struct};
 
 pub use wall::Wall;
@@ -18,7 +18,7 @@ pub trait Reading: Copy + Send + Sync {
     const ORDER: Order;
 }
 
-/// Torsion springs lie along the normal: a twist is resisted by a spring and a dashpot, like every other motion. See [`rotated_torsion`](super::def_spring::rotated_torsion).
+/// Torsion springs lie along the normal: a twist is resisted by a spring and a dashpot, like every other motion. See [`rotated_torsion`](crate::mechanics::rotated_spring::rotated_torsion).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Along;
 impl Reading for Along {

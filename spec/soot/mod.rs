@@ -2,8 +2,8 @@
 //! Phys. Rev. E 110 (2024) 054902.
 //!
 //! Aggregates of spheres that touch or are joined by necks, attract each other, and are pulled together by a coating or pulled apart by the tip of a force microscope.
-//! The rooms `eq..` are the numbered equations, `def_..` what the paper uses without a number. [`def_grip`] are the four springs of a contact,
-//! [`def_contact`] neck and friction, [`def_wall`] substrate and tip, [`law`] what an engine runs, [`def_integrators`] the step. Every number, 1 to 33, is a function. All of it holds for
+//! The rooms `eq..` are the numbered equations, `def_..` what the paper uses without a number. [`four_springs`](mechanics::four_springs) are the four springs of a contact,
+//! [`def_contact`] neck and friction, [`def_wall`] substrate and tip, [`law`] what an engine runs, [`verlet`](mechanics::verlet) the step. Every number, 1 to 33, is a function. All of it holds for
 //! unequal spheres; the equal ones of the paper are a case.
 //!
 //! # Errata
@@ -11,12 +11,12 @@
 //! The paper is followed to the letter unless it contradicts itself. With a law that fails for the printed reading:
 //!
 //! * Eq. 4: both angular velocities have the wrong sign for the normal of Eq. 3, see [`eq04_relative_velocity`].
-//! * Step 2 of Section 2.1.1: a torsion spring cannot be turned into the contact plane, see [`def_spring::rotated_torsion`].
+//! * Step 2 of Section 2.1.1: a torsion spring cannot be turned into the contact plane, see [`rotated_torsion`](mechanics::rotated_spring::rotated_torsion).
 //! * Eq. 17 has the sign of another convention, see [`eq13_friction::slipped_spring`].
 //! * The printed forms of Eqs. 18 to 21 cancel for spheres that are not close.
 //!
 //! Settled where the text leaves a choice: the normal force of the caps ([`eq13_friction::static_friction`]), the saturation distance
-//! ([`eq19_equal_hamaker::saturated_hamaker`]), direction and meaning of Eq. 23, Eq. 25 against its prose, the hull ([`def_convexity::hull_volume`]), the arms at a wall ([`def_wall`]).
+//! ([`eq19_equal_hamaker::saturated_hamaker`]), direction and meaning of Eq. 23, Eq. 25 against its prose, the hull ([`hull_volume`](mechanics::convex_hull::hull_volume)), the arms at a wall ([`def_wall`]).
 
 pub mod def_body_forces;
 pub mod def_contact;
@@ -35,24 +35,18 @@ pub mod eq30_transfer;
 pub mod law;
 
 pub use crate::mechanics::approach as eq25_tip;
-pub use crate::mechanics::contact_kinematics as def_meeting;
-pub use crate::mechanics::four_springs as def_grip;
 pub use crate::mechanics::friction as eq13_friction;
 pub use crate::mechanics::newton as eq01_motion;
-pub use crate::mechanics::pair_frequency as def_frequency;
 pub use crate::mechanics::pair_geometry as eq03_geometry;
-pub use crate::mechanics::primary_particle as def_sphere;
 pub use crate::mechanics::relative_spin as eq09_relative_spin;
 pub use crate::mechanics::relative_velocity as eq04_relative_velocity;
-pub use crate::mechanics::rotated_spring as def_spring;
 pub use crate::mechanics::spring_force as eq12_spring_force;
-pub use crate::mechanics::verlet as def_integrators;
 
 pub use def_body_forces::Attraction;
-pub use def_grip::{Friction, Losses, Memory, Order, Springs};
 pub use law::{Along, Coefficients, Printed, Programmed, Reading, SUBSTRATE, Soot, Stored, TIP, Wall};
 
 use crate::equation::{Equation, Paper};
+use crate::mechanics;
 
 /// The paper: Eqs. 1 to 33.
 pub fn paper() -> Paper {
@@ -62,16 +56,16 @@ pub fn paper() -> Paper {
 /// The equations of the paper, in its order.
 fn equations() -> Vec<Equation> {
     [
-        def_sphere::equations(),
+        mechanics::primary_particle::equations(),
         eq01_motion::equations(),
-        def_integrators::equations(),
+        mechanics::verlet::equations(),
         eq03_geometry::equations(),
         eq04_relative_velocity::equations(),
         eq09_relative_spin::equations(),
-        def_spring::equations(),
+        mechanics::rotated_spring::equations(),
         eq12_spring_force::equations(),
         def_neck_stress::equations(),
-        def_frequency::equations(),
+        mechanics::pair_frequency::equations(),
         eq13_friction::equations(),
         def_contact::equations(),
         def_wall::equations(),
@@ -83,7 +77,7 @@ fn equations() -> Vec<Equation> {
         eq24_fractal::equations(),
         eq25_tip::equations(),
         eq26_coordination::equations(),
-        crate::mechanics::convex_hull::equations(),
+        mechanics::convex_hull::equations(),
         def_convexity::equations(),
         eq27_cantilever::equations(),
         eq30_transfer::equations(),

@@ -49,20 +49,13 @@ pub mod law;
 pub mod table;
 pub mod tabulated;
 
-pub use crate::mechanics::body as def_body;
-pub use crate::mechanics::body_inertia as def_inertia;
-pub use crate::mechanics::capacity as def_capacity;
-pub use crate::mechanics::diffusion as def_diffusion;
-pub use crate::mechanics::discretised_lognormal as def_lognormal;
-pub use crate::mechanics::drive as def_drive;
-pub use crate::mechanics::rotation as def_rotation;
-
 pub use attraction::Attraction;
 pub use law::{Act, Coefficients, Held, Liquid, Lost, Parameters, Titania};
 pub use table::Table;
 pub use tabulated::Tabulated;
 
 use crate::equation::{Equation, Paper};
+use crate::mechanics;
 
 /// The paper: Eqs. 1 to 14.
 pub fn paper() -> Paper {
@@ -91,15 +84,15 @@ fn equations() -> Vec<Equation> {
         eq12_sliding::equations(),
         eq13_rolling::equations(),
         def_rayleigh::equations(),
-        def_drive::equations(),
-        def_lognormal::equations(),
+        mechanics::drive::equations(),
+        mechanics::discretised_lognormal::equations(),
         def_aggregate::equations(),
-        def_rotation::equations(),
-        def_body::equations(),
-        def_inertia::equations(),
-        def_capacity::equations(),
+        mechanics::rotation::equations(),
+        mechanics::body::equations(),
+        mechanics::body_inertia::equations(),
+        mechanics::capacity::equations(),
         eq14_friction_factor::equations(),
-        def_diffusion::equations(),
+        mechanics::diffusion::equations(),
     ]
     .into_iter()
     .flatten()

@@ -2,12 +2,12 @@
 
 use super::def_kinematics::{contact_torque, moment_arm};
 use super::def_parameters::force_parameters;
-use super::def_spring::{spring_energy, stretched_spring};
 use super::eq02_pair_force::{normal_part, tangential_part};
 use super::eq03_normal_force::normal_force;
 use super::eq04_tangential_force::kept_fraction;
 use super::eq05_rescaled_maximum::rescaled_maximum;
 use crate::equation::Equation;
+use crate::mechanics::projected_spring::{spring_energy, stretched_spring};
 use crate::{Contact, Outcome, Real, Vec3, Wrench, equation, flat_struct};
 
 flat_struct! {

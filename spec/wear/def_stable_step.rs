@@ -3,8 +3,6 @@
 use crate::equation::Equation;
 use crate::{Real, equation};
 
-pub use crate::mechanics::stable_step::stable_time_step;
-
 /// **Appendix A.1**, unnumbered: stable time steps of a damped pair, as a fraction of Eq. 6.
 ///
 /// ```math
@@ -72,6 +70,7 @@ mod laws {
     use super::*;
     use crate::mechanics::reduced_mass::effective_mass;
     use crate::mechanics::sphere::sliding_mass;
+    use crate::mechanics::stable_step::stable_time_step;
     use crate::wear::def_restitution::damping_ratio_of;
     use crate::wear::eq06_critical_time_step::critical_time_step;
     use approx::relative_eq;

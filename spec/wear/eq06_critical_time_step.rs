@@ -48,7 +48,7 @@ mod laws {
     use crate::Vec3;
     use crate::mechanics::amplification::spectral_radius;
     use crate::mechanics::reduced_mass::effective_mass;
-    use crate::wear::eq01_symplectic_euler::symplectic_euler;
+    use crate::mechanics::symplectic_euler::symplectic_euler;
     use crate::wear::eq03_normal_force::normal_force;
     use approx::relative_eq;
     use proptest::prelude::*;

@@ -3,8 +3,6 @@
 use crate::equation::Equation;
 use crate::{Real, equation};
 
-pub use crate::mechanics::drag::global_damping;
-
 /// **Eq. 21**, Section 3: critical damping of a system of two equal particles.
 ///
 /// ```math
@@ -70,6 +68,7 @@ pub(super) fn equations() -> Vec<Equation> {
 mod laws {
     use super::*;
     use crate::Vec3;
+    use crate::mechanics::drag::global_damping;
     use crate::mechanics::kick_and_drift::{drift, kick};
     use proptest::prelude::*;
 

@@ -3,10 +3,10 @@
 use super::def_contact::{Losses, Parameters};
 use super::def_parameters::force_parameters;
 use super::def_potential::potential;
-use super::def_sphere::sliding_mass;
-use super::def_spring::spring_energy;
 use super::eq06_critical_time_step::critical_time_step;
 use super::eq17_effective_mass::effective_mass;
+use crate::mechanics::projected_spring::spring_energy;
+use crate::mechanics::sphere::sliding_mass;
 use crate::mechanics::stable_step::stable_time_step;
 use crate::{Contact, Outcome, PairModel, Real, Vec3, flat_struct};
 

@@ -58,7 +58,6 @@ pub mod def_potential;
 pub mod def_restitution;
 pub mod def_stable_step;
 pub mod def_zero_force_end;
-pub mod eq01_symplectic_euler;
 pub mod eq02_pair_force;
 pub mod eq03_normal_force;
 pub mod eq04_tangential_force;
@@ -81,17 +80,14 @@ pub mod eq21_critical_damping;
 pub mod eq22_critical_length;
 pub mod law;
 
-pub use crate::mechanics::packing as def_box;
-pub use crate::mechanics::projected_spring as def_spring;
 pub use crate::mechanics::reduced_mass as eq17_effective_mass;
-pub use crate::mechanics::sphere as def_sphere;
-pub use crate::mechanics::truncated_lognormal as def_lognormal;
-pub use crate::mechanics::virial as def_virial;
+pub use crate::mechanics::symplectic_euler as eq01_symplectic_euler;
 
 pub use def_contact::Parameters;
 pub use law::{Interaction, Material, Wear};
 
 use crate::equation::{Equation, Paper};
+use crate::mechanics;
 
 /// The paper: Eqs. 1 to 22 and A.1 to A.66.
 pub fn paper() -> Paper {
@@ -110,11 +106,11 @@ fn equations() -> Vec<Equation> {
         def_potential::equations(),
         eq04_tangential_force::equations(),
         eq05_rescaled_maximum::equations(),
-        def_spring::equations(),
+        mechanics::projected_spring::equations(),
         def_contact::equations(),
         eq06_critical_time_step::equations(),
         def_stable_step::equations(),
-        crate::mechanics::stable_step::equations(),
+        mechanics::stable_step::equations(),
         eq07_normal_stiffness::equations(),
         eq08_tangential_stiffness::equations(),
         eq09_elastic_separation::equations(),
@@ -127,17 +123,17 @@ fn equations() -> Vec<Equation> {
         eq15_normal_cross_section::equations(),
         eq16_tangential_cross_section::equations(),
         eq17_effective_mass::equations(),
-        def_sphere::equations(),
+        mechanics::sphere::equations(),
         eq18_critical_diameter::equations(),
         eq19_minimum_diameter::equations(),
         def_parameters::equations(),
         eq20_matched_strength::equations(),
         def_elastic_constants::equations(),
         eq21_critical_damping::equations(),
-        crate::mechanics::drag::equations(),
-        def_virial::equations(),
-        def_lognormal::equations(),
-        def_box::equations(),
+        mechanics::drag::equations(),
+        mechanics::virial::equations(),
+        mechanics::truncated_lognormal::equations(),
+        mechanics::packing::equations(),
         eq22_critical_length::equations(),
         a01_pair_motion::equations(),
         a04_time_step::equations(),

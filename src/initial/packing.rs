@@ -4,8 +4,8 @@ use crate::error::Error;
 use crate::interrupt::Interrupt;
 use crate::random::Stream;
 use crate::spec::mechanics::solids::sphere_volume;
-use crate::spec::wear::def_lognormal::lognormal;
-use crate::spec::wear::def_sphere::sphere_mass;
+use crate::spec::mechanics::sphere::sphere_mass;
+use crate::spec::mechanics::truncated_lognormal::lognormal;
 use crate::spec::{Real, Vec3};
 use crate::system::{Domain, Particles, System};
 

@@ -134,7 +134,7 @@ impl Crew<'_> {
                     let omega = push.take(lane, body);
                     moved.kinetic += kinetic.0[lane];
                     moved.scheme += scheme.0[lane];
-                    moved.carries(body.mass, body.v);
+                    moved.add_momentum_flux(body.mass, body.v);
                     (omega, away.0[lane])
                 }
                 Some(wall) => {

@@ -6,8 +6,8 @@ use crate::spec::mechanics::drag::global_damping;
 use crate::spec::mechanics::kick_and_drift::drift;
 use crate::spec::mechanics::kinetic_energy::kinetic_energy;
 use crate::spec::mechanics::sphere::moment_of_inertia;
+use crate::spec::mechanics::symplectic_euler::symplectic_euler;
 use crate::spec::mechanics::work::drag_loss;
-use crate::spec::wear::eq01_symplectic_euler::symplectic_euler;
 use crate::spec::{PairModel, Vec3};
 use crate::system::{Particles, Wall};
 use std::borrow::Cow;
@@ -118,7 +118,7 @@ impl Moved {
     }
 
     /// Enters the momentum that a mass carries along.
-    pub fn carries(&mut self, m: f64, v: Vec3<f64>) {
+    pub fn add_momentum_flux(&mut self, m: f64, v: Vec3<f64>) {
         for (sum, flux) in self.momentum_flux.iter_mut().zip(momentum_flux(m, v).0) {
             *sum += flux;
         }
@@ -170,7 +170,7 @@ pub fn advance<M: PairModel>(blocks: &[Block<M>], number: usize, spheres: Sphere
             moved.kinetic += kinetic_energy(m, after, i, spin);
             moved.drag += drag_loss(damping, v, dt);
             moved.scheme += kinetic_energy(m, after - v, i, spin - w);
-            moved.carries(m, after);
+            moved.add_momentum_flux(m, after);
             (x, after, spin)
         } else {
             let Wall { velocity, spin, .. } = step.walls[spheres.wall[p] as usize - 1];

@@ -40,7 +40,7 @@ pub fn end(particles: &mut Particles, loads: &[[f64; 6]], dt: f64) -> Moved {
         let (v, spin) = verlet_end(half, w, force, torque, m, i, dt);
         moved.scheme += kinetic_energy(m, v - half, i, spin - w);
         moved.kinetic += kinetic_energy(m, v, i, spin);
-        moved.carries(m, v);
+        moved.add_momentum_flux(m, v);
         (particles.v[p], particles.w[p]) = (v, spin);
     }
     moved

@@ -1,13 +1,13 @@
 //! How densely spheres are packed.
 
 use super::Link;
-use crate::spec::wear::def_box;
+use crate::spec::mechanics::packing;
 use crate::system::System;
 
 /// The fraction of the box that is filled by spheres, overlaps counted twice.
 pub fn volume_fraction(system: &System) -> f64 {
     let cubes = system.particles.radius.iter().map(|&r| 8.0 * r * r * r).sum();
-    def_box::volume_fraction(cubes, system.domain.volume())
+    packing::volume_fraction(cubes, system.domain.volume())
 }
 
 /// Mean number of neighbours that a sphere touches (`touching`) or at least attracts.

@@ -2,7 +2,7 @@
 
 use crate::geometry::jacobi::eigenvectors;
 use crate::spec::Vec3;
-use crate::spec::titania::def_rotation::to_space;
+use crate::spec::mechanics::rotation::to_space;
 
 /// A rotation about a centre and where the centre went.
 #[derive(Clone, Copy, Debug)]

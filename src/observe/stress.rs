@@ -1,7 +1,7 @@
 //! The virial stress of a region.
 
 use super::Link;
-use crate::spec::wear::def_virial::{kinetic_stress, pair_stress};
+use crate::spec::mechanics::virial::{kinetic_stress, pair_stress};
 use crate::spec::{Tensor, Vec3};
 use crate::system::System;
 use serde::{Deserialize, Serialize};

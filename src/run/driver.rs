@@ -5,6 +5,7 @@ use crate::error::{Error, Halt};
 use crate::interrupt::Interrupt;
 use crate::output::Finding;
 use crate::simulation::Simulation;
+use crate::spec::PairModel;
 use crate::system::System;
 use serde::{Deserialize, Serialize};
 
@@ -189,4 +190,29 @@ impl<'a, S: Study> Driver<'a, S> {
         course.findings.extend(self.study.findings(number, &watch, &simulation)?);
         self.study.end(number, simulation)
     }
+}
+
+/// Advances a simulation that belongs to no study.
+///
+/// # Errors
+///
+/// If the simulation leaves its domain.
+pub fn advance<M: PairModel>(simulation: &mut Simulation<M>, steps: u64) -> Result<(), Halt> {
+    let last = simulation.system().step + steps;
+    advance_until(simulation, |simulation| simulation.system().step == last)
+}
+
+/// Advances a simulation that belongs to no study until `done` says so, which is asked before every step and may intervene.
+///
+/// # Errors
+///
+/// If the simulation leaves its domain.
+pub fn advance_until<M: PairModel>(
+    simulation: &mut Simulation<M>,
+    mut done: impl FnMut(&mut Simulation<M>) -> bool,
+) -> Result<(), Halt> {
+    while !done(simulation) {
+        simulation.step()?;
+    }
+    Ok(())
 }

@@ -9,7 +9,7 @@ mod sink;
 mod study;
 pub mod sweep;
 
-pub use driver::{Course, Driver, Outcome, Stage};
+pub use driver::{Course, Driver, Outcome, Stage, advance, advance_until};
 pub use job::{Job, Reader, Runnable};
 pub use recorder::Glance;
 pub use row::{Row, columns};

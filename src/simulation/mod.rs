@@ -6,6 +6,7 @@ mod letting_go;
 mod listing;
 mod necks;
 mod pairs;
+mod settings;
 mod snapshot;
 mod steering;
 mod surfaces;
@@ -15,11 +16,12 @@ pub use crate::motion::Integrator;
 pub use ledger::{Ledger, SurfaceAccount};
 pub use necks::EXAMINED;
 pub use pairs::Pair;
+pub use settings::Settings;
 pub use snapshot::Snapshot;
 
 use crate::error::Halt;
-use crate::forces::{self, Block, Instructions, Totals};
-use crate::motion::{self, BoxRelaxation, Grips, Moved, Spheres};
+use crate::forces::{self, Block, Totals};
+use crate::motion::{self, Grips, Moved, Spheres};
 use crate::spec::mechanics::box_relaxation::box_work;
 use crate::spec::mechanics::box_stress::box_stress;
 use crate::spec::{PairModel, Vec3};
@@ -27,44 +29,6 @@ use crate::system::System;
 use listing::Listed;
 use rayon::prelude::*;
 use verlet::Held;
-
-/// How a system is advanced. Units: ns, ag/ns, nm.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Settings {
-    /// Time step.
-    pub dt: f64,
-    /// How velocities go with positions.
-    pub integrator: Integrator,
-    /// Coefficient `c` of the global damping force `-c v` on every free sphere.
-    pub damping: f64,
-    /// How much farther than their range neighbours are listed.
-    pub skin: f64,
-    /// Largest overlap allowed, as a fraction of the sum of the radii; infinite for no limit.
-    pub max_overlap: f64,
-    /// Lets the sides of the box follow the stress.
-    pub relax_box: Option<BoxRelaxation>,
-    /// Far pairs, which only attract or repel each other, are evaluated anew every so many steps.
-    pub far_every: u64,
-    /// Vector instructions of the pair loop.
-    pub instructions: Instructions,
-}
-
-impl Settings {
-    /// A time step in ns, and of all else what is plain: velocities half a step behind positions, no damping, neighbours listed
-    /// no farther than their range, no limit of overlap, fixed sides, the widest vector instructions.
-    pub fn new(dt: f64) -> Self {
-        Self {
-            dt,
-            integrator: Integrator::HalfStep,
-            damping: 0.0,
-            skin: 0.0,
-            max_overlap: f64::INFINITY,
-            relax_box: None,
-            far_every: 1,
-            instructions: Instructions::best(),
-        }
-    }
-}
 
 /// A system under a contact model.
 pub struct Simulation<M: PairModel> {
@@ -165,7 +129,7 @@ impl<M: PairModel> Simulation<M> {
     }
 
     /// Takes one step.
-    pub fn step(&mut self) -> Result<(), Halt> {
+    pub(crate) fn step(&mut self) -> Result<(), Halt> {
         match self.settings.integrator {
             Integrator::HalfStep => self.step_half(),
             Integrator::VelocityVerlet => self.step_verlet(),

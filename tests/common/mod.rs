@@ -7,9 +7,10 @@ pub mod soot;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 use veridem::forces::Instructions;
+use veridem::run::advance;
 use veridem::simulation::{Integrator, Settings, Simulation};
 use veridem::spec::Vec3;
-use veridem::spec::wear::def_sphere::sphere_mass;
+use veridem::spec::mechanics::sphere::sphere_mass;
 use veridem::spec::wear::law::{Interaction, Material, Wear};
 use veridem::system::{Domain, Motion, Particles, System};
 
@@ -84,8 +85,6 @@ pub fn settings(dt: f64) -> Settings {
 /// A simulation after some steps.
 pub fn run(system: System, settings: Settings, steps: usize) -> Simulation<Wear> {
     let mut simulation = Simulation::new(wear(), system, settings).expect("a valid system");
-    for _ in 0..steps {
-        simulation.step().expect("a stable step");
-    }
+    advance(&mut simulation, steps as u64).expect("a stable step");
     simulation
 }

@@ -9,6 +9,7 @@ use veridem::interrupt::Interrupt;
 use veridem::papers::parse;
 use veridem::papers::soot::tip::tetrahedron;
 use veridem::papers::soot::{self, case::parts};
+use veridem::run::advance;
 use veridem::simulation::{Integrator, Settings, Simulation};
 use veridem::spec::Vec3;
 use veridem::spec::soot::{Along, SUBSTRATE, Soot, TIP};
@@ -91,9 +92,7 @@ pub fn settings(dt: f64) -> Settings {
 /// A simulation after some steps.
 pub fn run(law: Soot, system: System, settings: Settings, steps: usize) -> Simulation<Soot> {
     let mut simulation = Simulation::new(law, system, settings).expect("a stable step");
-    for _ in 0..steps {
-        simulation.step().expect("a stable step");
-    }
+    advance(&mut simulation, steps as u64).expect("a stable step");
     simulation
 }
 

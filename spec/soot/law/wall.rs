@@ -1,10 +1,10 @@
 //! What a surface does to a sphere.
 
-use super::super::def_grip::{Friction, Grip, Memory, Order, Springs, never};
-use super::super::def_meeting::Meeting;
-use super::super::def_spring::Twist;
 use super::super::eq21_hamaker_plane::{plane_force, saturated_plane};
 use super::lifted;
+use crate::mechanics::contact_kinematics::Meeting;
+use crate::mechanics::four_springs::{Friction, Grip, Memory, Order, Springs, never};
+use crate::mechanics::rotated_spring::Twist;
 use crate::{Real, Touch};
 
 /// A wall: the substrate, or the tip. It has a motion of its own that no force changes.

@@ -10,9 +10,9 @@ use crate::initial::aggregate::law::{Form, Law};
 use crate::interrupt::Interrupt;
 use crate::random::Stream;
 use crate::spec::Real;
+use crate::spec::mechanics::diffusion::diffusion;
+use crate::spec::mechanics::discretised_lognormal::lognormal_share;
 use crate::spec::mechanics::thermal::thermal_energy;
-use crate::spec::titania::def_diffusion::diffusion;
-use crate::spec::titania::def_lognormal::lognormal_share;
 use crate::spec::titania::eq14_friction_factor::friction_factor;
 use rayon::prelude::*;
 

@@ -11,7 +11,7 @@ use crate::geometry::directions::{cone, direction, frame, turn};
 use crate::interrupt::Interrupt;
 use crate::random::Stream;
 use crate::spec::Vec3;
-use crate::spec::titania::def_diffusion::exit_cosine;
+use crate::spec::mechanics::diffusion::exit_cosine;
 
 /// An aggregate touches what is nearer than this part of the largest radius.
 const GRAZE: f64 = 1e-4;

@@ -11,10 +11,11 @@ use crate::case::section::{choice, defaults, section, words};
 use crate::case::springs::{FourSprings, four_springs};
 use crate::case::units::{in_unit, rounded};
 use crate::spec::PairModel;
-use crate::spec::soot::def_sphere::solid_inertia;
+use crate::spec::mechanics::four_springs::Friction;
+use crate::spec::mechanics::primary_particle::solid_inertia;
+use crate::spec::mechanics::sphere::sphere_mass;
 use crate::spec::soot::eq24_fractal::gyration_radius;
 use crate::spec::soot::{self, Along, Printed, Programmed};
-use crate::spec::wear::def_sphere::sphere_mass;
 use std::path::PathBuf;
 
 /// A case of the soot paper.
@@ -152,7 +153,7 @@ impl Soot {
     pub fn law<S>(&self, reading: S) -> soot::Soot<S> {
         let ([static_t, static_r, static_o], [dynamic_t, dynamic_r, dynamic_o]) =
             (self.friction.at_rest, self.friction.in_motion);
-        let friction = soot::Friction { static_t, static_r, static_o, dynamic_t, dynamic_r, dynamic_o };
+        let friction = Friction { static_t, static_r, static_o, dynamic_t, dynamic_r, dynamic_o };
         let (contact, delta_0, cutoff) = (self.contact.spec(), self.saturation.value, self.cutoff.value);
         let wall = |hamaker: f64| soot::Wall { contact, friction, hamaker, delta_0, cutoff };
         soot::Soot {

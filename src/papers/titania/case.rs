@@ -15,10 +15,10 @@ use crate::case::section::{choice, section, words};
 use crate::case::springs::FourSprings;
 use crate::case::units::{BOLTZMANN, in_unit, rounded};
 use crate::spec::PairModel;
+use crate::spec::mechanics::sphere::sphere_mass;
 use crate::spec::mechanics::thermal::thermal_energy;
 use crate::spec::titania::def_radius::radii;
 use crate::spec::titania::{self, eq02_torque, eq03_attraction, eq09_stiffness, eq12_sliding, eq13_rolling};
-use crate::spec::wear::def_sphere::sphere_mass;
 use std::path::PathBuf;
 
 /// A case of the titania paper.

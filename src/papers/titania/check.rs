@@ -8,7 +8,7 @@ use super::case::{
 use super::chain::agglomerate;
 use crate::case::check::{Found, expect};
 use crate::case::units::{decimal, in_unit};
-use crate::spec::wear::def_stable_step::stable_time_step;
+use crate::spec::mechanics::stable_step::stable_time_step;
 
 /// All that is wrong with a case.
 pub fn problems(case: &Case, found: &mut Found) {

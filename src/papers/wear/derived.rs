@@ -2,7 +2,7 @@
 
 use super::case::{Amorphous, Case, Experiment, InCriticalDampings, InCriticalSteps, Material, Model, Sample};
 use crate::case::units::{in_unit, rounded};
-use crate::spec::wear::def_sphere::sphere_mass;
+use crate::spec::mechanics::sphere::sphere_mass;
 use crate::spec::wear::eq06_critical_time_step::critical_time_step;
 use crate::spec::wear::eq18_critical_diameter::critical_diameter;
 use crate::spec::wear::eq19_minimum_diameter::minimum_diameter;

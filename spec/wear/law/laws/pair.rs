@@ -2,8 +2,8 @@
 
 use super::super::*;
 use crate::mechanics::sphere::moment_of_inertia;
+use crate::mechanics::symplectic_euler::symplectic_euler;
 use crate::wear::def_contact::Losses;
-use crate::wear::eq01_symplectic_euler::symplectic_euler;
 
 /// Two equal spheres and their spring.
 pub struct Pair {

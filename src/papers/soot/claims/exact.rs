@@ -9,14 +9,14 @@ use crate::papers::soot::case::{NeckSet, Soot};
 use crate::reproduce::{Claim, Evidence};
 use crate::spec::PairModel;
 use crate::spec::mechanics::oscillation::speed_of_fall;
+use crate::spec::mechanics::primary_particle::solid_inertia;
+use crate::spec::mechanics::sphere::sphere_mass;
 use crate::spec::soot::Along;
-use crate::spec::soot::def_sphere::solid_inertia;
 use crate::spec::soot::eq19_equal_hamaker::{equal_hamaker_energy, saturated_hamaker};
 use crate::spec::soot::eq21_hamaker_plane::plane_energy;
 use crate::spec::soot::eq24_fractal;
 use crate::spec::soot::eq25_tip::tip_way;
 use crate::spec::soot::eq26_coordination::coordination_number;
-use crate::spec::wear::def_sphere::sphere_mass;
 
 /// Radius of the spheres, nm.
 const RADIUS: f64 = 14.0;

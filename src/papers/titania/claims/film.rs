@@ -6,7 +6,7 @@ use crate::initial::film::{Film, FilmPlan};
 use crate::interrupt::Interrupt;
 use crate::observe::film::Structure;
 use crate::reproduce::{Claim, Evidence, Figure, near};
-use crate::spec::titania::def_lognormal::lognormal;
+use crate::spec::mechanics::discretised_lognormal::lognormal;
 
 /// The box of the paper, nm, and the particles in it.
 const BOX: [f64; 3] = [1581.4, 1581.4, 3358.0];

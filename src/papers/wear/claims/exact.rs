@@ -3,8 +3,8 @@
 use crate::initial::packing::FILL;
 use crate::reproduce::{Claim, Evidence, near};
 use crate::spec::mechanics::solids::sphere_volume;
-use crate::spec::wear::def_lognormal::truncated_moments;
-use crate::spec::wear::def_sphere::sphere_mass;
+use crate::spec::mechanics::sphere::sphere_mass;
+use crate::spec::mechanics::truncated_lognormal::truncated_moments;
 use crate::spec::wear::eq06_critical_time_step::critical_time_step;
 use crate::spec::wear::eq07_normal_stiffness::normal_stiffness;
 use crate::spec::wear::eq15_normal_cross_section::normal_cross_section;

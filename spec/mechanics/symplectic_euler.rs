@@ -1,9 +1,10 @@
 //! The integrator: velocities first, positions with the new velocities.
+//!
+//! Equations and sections are numbered as in Pham-Ba & Molinari 2022.
 
+use super::kick_and_drift::{drift, kick};
 use crate::equation::Equation;
 use crate::{Real, Vec3, equation};
-
-pub use crate::mechanics::kick_and_drift::{drift, kick};
 
 /// **Eq. 1**, Section 2: one step of the symplectic Euler method for a particle.
 ///
@@ -59,8 +60,8 @@ pub fn symplectic_euler<R: Real>(
     (v, drift(x, v, dt), kick(omega, torque, i, dt))
 }
 
-pub(super) fn equations() -> Vec<Equation> {
-    vec![equation!("wear/eq01_symplectic_euler.rs", "wear-1", ["1"], symplectic_euler)]
+pub(crate) fn equations() -> Vec<Equation> {
+    vec![equation!("mechanics/symplectic_euler.rs", "wear-1", ["1"], symplectic_euler)]
 }
 
 #[cfg(test)]
