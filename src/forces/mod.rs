@@ -10,7 +10,7 @@ mod surfaces;
 mod totals;
 mod transpose;
 
-pub use blocks::{Block, CAPACITY, LANES, bond, partition, places};
+pub use blocks::{Block, CAPACITY, LANES, Touchable, bond, partition, places};
 pub use instructions::{Instructions, SideBySide};
 pub use kernel::{Load, evaluate, side_by_side};
 pub use order::spatial_order;

@@ -1,5 +1,6 @@
 //! Pairs one by one, for observers.
 
+use super::shares::Shares;
 use super::{Ledger, Simulation};
 use crate::forces::Block;
 use crate::spec::{Contact, Flat, Outcome, PairModel, Vec3};
@@ -38,7 +39,8 @@ struct Seat<'a, M: PairModel> {
 impl<M: PairModel> Simulation<M> {
     /// All pairs in range or joined by necks, in an order that depends on the particles alone.
     pub fn pairs(&self) -> impl Iterator<Item = Pair<M>> + '_ {
-        self.seats().filter(|seat| self.acts(seat)).map(|seat| self.looked_at(seat))
+        let shares = self.shares();
+        self.seats().filter(|seat| self.acts(seat)).map(move |seat| self.looked_at(seat, shares.as_ref()))
     }
 
     /// The same pairs by the places of their spheres, the sphere with the lower id first, with what they see of each other and their
@@ -48,11 +50,19 @@ impl<M: PairModel> Simulation<M> {
         seats.map(|Seat { i, j, contact, memory, .. }| (i.0, j.0, contact, memory))
     }
 
-    fn looked_at(&self, Seat { block, near, i: (i, _), j: (j, _), contact, memory }: Seat<'_, M>) -> Pair<M> {
+    fn looked_at(
+        &self,
+        Seat { block, near, i: (i, _), j: (j, _), contact, memory }: Seat<'_, M>,
+        shares: Option<&Shares>,
+    ) -> Pair<M> {
         let Particles { radius: r, mass: m, .. } = &self.system.particles;
         let coefficients = match near {
             Some((row, lane)) => Flat::from_fn(|k| block.pairs.constants(row).at(k).0[lane]),
             None => self.model.coefficients(r[i], r[j], m[i], m[j]),
+        };
+        let coefficients = match shares {
+            Some(shares) => self.model.turning(coefficients, shares.reduced(&self.system, i, j)),
+            None => coefficients,
         };
         let outcome = self.model.pair(&contact, &coefficients, memory, self.settings.dt);
         let stored = self.model.stored(&contact, &coefficients, &memory);
@@ -102,7 +112,9 @@ impl<M: PairModel> Simulation<M> {
     pub(super) fn stored(&self) -> Vec<f64> {
         let mut sums = vec![0.0; M::Stored::<f64>::LEN];
         let stretched = |seat: &Seat<M>| (0..M::Memory::<f64>::LEN).any(|k| *seat.memory.at(k) != 0.0);
-        for pair in self.seats().filter(|seat| stretched(seat) || self.acts(seat)).map(|seat| self.looked_at(seat)) {
+        for pair in
+            self.seats().filter(|seat| stretched(seat) || self.acts(seat)).map(|seat| self.looked_at(seat, None))
+        {
             for (k, sum) in sums.iter_mut().enumerate() {
                 *sum += pair.stored.at(k);
             }
