@@ -184,8 +184,10 @@ pub trait PairModel: Sync {
     fn joined<R: Real>(&self, constants: Self::Coefficients<R>) -> Self::Coefficients<R> {
         constants
     }
+    /// Whether friction is limited by what it may stop in a step, which [`turning`](Self::turning) is told.
+    const FRICTION_STOPS: bool = false;
     /// The constants of a pair of which the engine knows what its friction may stop: the reduced moment of inertia (kg m²) of two spheres, or
-    /// of the rigid bodies that they are parts of, each shared by all contacts.
+    /// of the rigid bodies that they are parts of, each shared by all contacts that touch.
     fn turning<R: Real>(&self, constants: Self::Coefficients<R>, _inertia: R) -> Self::Coefficients<R> {
         constants
     }

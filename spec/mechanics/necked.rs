@@ -80,6 +80,8 @@ impl<M: PairModel> PairModel for Necked<M> {
         (constants, Joined { joined: R::one() })
     }
 
+    const FRICTION_STOPS: bool = M::FRICTION_STOPS;
+
     fn turning<R: Real>(&self, (constants, joined): Self::Coefficients<R>, inertia: R) -> Self::Coefficients<R> {
         (self.law.turning(constants, inertia), joined)
     }

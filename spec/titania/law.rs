@@ -271,6 +271,8 @@ impl PairModel for Titania {
         (self.parameters(r_i, r_j, m_i, m_j), self.attraction(r_i, r_j))
     }
 
+    const FRICTION_STOPS: bool = true;
+
     fn turning<R: Real>(&self, (contact, attraction): Coefficients<R>, inertia: R) -> Coefficients<R> {
         (Parameters { inertia: self.stoppable(inertia), ..contact }, attraction)
     }

@@ -24,6 +24,19 @@ pub const CAPACITY: usize = 2048;
 /// The index of that sphere.
 pub const NOWHERE: u16 = CAPACITY as u16 - 1;
 
+/// A pair that may touch: places of its spheres within the block, its row and lane.
+#[derive(Clone, Copy, Debug)]
+pub struct Touchable {
+    /// First sphere.
+    pub i: u16,
+    /// Second sphere.
+    pub j: u16,
+    /// Its row.
+    pub row: usize,
+    /// Its lane.
+    pub lane: usize,
+}
+
 /// Some particles, their pairs, and the spheres around them.
 pub struct Block<M: PairModel> {
     /// The particles it owns.
@@ -32,6 +45,8 @@ pub struct Block<M: PairModel> {
     pub halo: Vec<(u32, Image)>,
     /// Its pairs.
     pub pairs: Pairs<M>,
+    /// Those of them that may touch before neighbours are listed anew, and that no neck joins, where friction stops what turns.
+    pub touchable: Vec<Touchable>,
     /// The pairs that cannot touch.
     pub far: FarPairs,
     /// The copies of its particles in the halos of other blocks: particle (counted within the block), block, index within that block.
@@ -63,6 +78,23 @@ impl<M: PairModel> Block<M> {
         self.pairs.rows_and_lanes().map(|(row, lane)| (self.pairs.i[row][lane], self.pairs.j[row][lane], row, lane))
     }
 
+    /// The pairs that may touch before neighbours are listed anew, but for those that necks join.
+    fn each_touchable(
+        &self,
+        particles: &Particles,
+        (x, domain, skin): (&[Vec3<f64>], &Domain, f64),
+        necks: &[(u32, u32)],
+    ) -> impl Iterator<Item = Touchable> {
+        let may_touch = move |&(i, j, ..): &(u16, u16, usize, usize)| {
+            let ((p, a), (q, b)) = (self.member(i), self.member(j));
+            let gap = (x[p] + domain.shift(a) - (x[q] + domain.shift(b))).norm()
+                - (particles.radius[p] + particles.radius[q]);
+            let (first, second, _) = bond(particles, p, q, [0; 3]);
+            gap <= skin && necks.binary_search(&(first, second)).is_err()
+        };
+        self.each_pair().filter(may_touch).map(|(i, j, row, lane)| Touchable { i, j, row, lane })
+    }
+
     /// The far pairs one by one: places within the block.
     pub fn each_far(&self) -> impl Iterator<Item = (u16, u16)> {
         (0..self.far.len).map(|k| {
@@ -77,7 +109,7 @@ const NEAR: f64 = 0.01;
 
 /// Cuts the pairs, sorted by first sphere, into blocks; springs are found again in `springs`. `x` and `domain` are those that the
 /// pairs were found with, `skin` is the distance by which two spheres may approach before the next rebuild. Only the first
-/// `moving` particles have pairs; `shares` is the moment of inertia that each particle contributes to a contact.
+/// `moving` particles have pairs.
 pub fn partition<M: PairModel>(
     model: &M,
     particles: &Particles,
@@ -85,7 +117,7 @@ pub fn partition<M: PairModel>(
     pairs: &[Neighbour],
     necks: &[(u32, u32)],
     springs: &Springs,
-    (moving, shares): (usize, &[f64]),
+    moving: usize,
 ) -> Result<Vec<Block<M>>, Reason> {
     let n = moving;
     let mut first = vec![0usize; n + 1];
@@ -124,8 +156,13 @@ pub fn partition<M: PairModel>(
             near.extend(joined.split_off(joined.len() / LANES * LANES));
             let places = Places { particles, own: &own, halo: &halo };
             let far = FarPairs::arrange(&places, &far);
-            let pairs = Pairs::arrange(model, &places, [&joined, &near, &others], necks, springs, shares);
-            Block { own, halo, pairs, far, incoming: Vec::new(), loads: no_loads() }
+            let pairs = Pairs::arrange(model, &places, [&joined, &near, &others], necks, springs);
+            let touchable = Vec::new();
+            let mut block = Block { own, halo, pairs, touchable, far, incoming: Vec::new(), loads: no_loads() };
+            if M::FRICTION_STOPS {
+                block.touchable = block.each_touchable(particles, (x, domain, skin), necks).collect();
+            }
+            block
         })
         .collect();
     hand_out(n, &mut blocks);

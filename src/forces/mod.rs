@@ -11,7 +11,7 @@ mod surfaces;
 mod totals;
 mod transpose;
 
-pub use blocks::{Block, CAPACITY, LANES, bond, partition, places};
+pub use blocks::{Block, CAPACITY, LANES, Touchable, bond, partition, places};
 pub use instructions::{Instructions, Vectorised};
 pub use kernel::{Load, evaluate, vectorised};
 pub use order::spatial_order;

@@ -3,7 +3,6 @@
 use super::Load;
 use super::blocks::{CAPACITY, LANES, NOWHERE, bond, no_loads};
 use crate::geometry::Neighbour;
-use crate::spec::mechanics::reduced_mass::effective_mass;
 use crate::spec::numbers::Lanes;
 use crate::spec::{Flat, PairModel};
 use crate::system::{Bond, Springs};
@@ -106,19 +105,24 @@ impl Places<'_> {
     }
 }
 
-/// Reduced moment of inertia of two spheres that contribute the given moments, which are infinite for spheres of a wall.
-fn reduced_moment(particles: &Particles, shares: &[f64], p: usize, q: usize) -> f64 {
-    let moment = |p: usize| (particles.wall[p] == 0).then(|| shares[p]);
-    match (moment(p), moment(q)) {
-        (Some(of_p), Some(of_q)) => effective_mass(of_p, of_q),
-        (only, other) => only.or(other).unwrap_or(f64::INFINITY),
-    }
-}
-
 impl<M: PairModel> Pairs<M> {
     /// The constants of a row.
     pub fn constants(&self, row: usize) -> &M::Coefficients<Lanes<LANES>> {
         &self.coefficients[self.kind[row] as usize]
+    }
+
+    /// Changes the constants of a pair whose row has its own.
+    pub fn change_constants(
+        &mut self,
+        row: usize,
+        lane: usize,
+        change: impl FnOnce(M::Coefficients<f64>) -> M::Coefficients<f64>,
+    ) {
+        let constants = &mut self.coefficients[self.kind[row] as usize];
+        let changed = change(Flat::from_fn(|k| constants.at(k).0[lane]));
+        for k in 0..M::Coefficients::<f64>::LEN {
+            constants.at_mut(k).0[lane] = *changed.at(k);
+        }
     }
 
     /// The springs of a pair.
@@ -147,7 +151,6 @@ impl<M: PairModel> Pairs<M> {
         parts: [&[Neighbour]; 3],
         necks: &[(u32, u32)],
         springs: &Springs,
-        shares: &[f64],
     ) -> Self {
         let mut laid = Self {
             i: Vec::new(),
@@ -161,10 +164,7 @@ impl<M: PairModel> Pairs<M> {
             let (mut i, mut j) = ([NOWHERE; LANES], [0; LANES]);
             let (mut coefficients, mut memory) = (Vec::with_capacity(LANES), Vec::with_capacity(LANES));
             let (r, m) = (&places.particles.radius, &places.particles.mass);
-            let of = |Placed { p, q, .. }| {
-                let constants = model.coefficients(r[p], r[q], m[p], m[q]);
-                model.turning(constants, reduced_moment(places.particles, shares, p, q))
-            };
+            let of = |Placed { p, q, .. }| model.coefficients(r[p], r[q], m[p], m[q]);
             for (lane, pair) in row.iter().map(|pair| places.of(pair)).enumerate() {
                 (i[lane], j[lane]) = (pair.i, pair.j);
                 let constants = of(pair);
@@ -180,7 +180,8 @@ impl<M: PairModel> Pairs<M> {
                 Flat::from_fn(|k| Lanes(std::array::from_fn(|lane| *coefficients[lane].at(k))));
             let same =
                 |last: &M::Coefficients<_>| (0..M::Coefficients::<f64>::LEN).all(|k| last.at(k) == constants.at(k));
-            if !laid.coefficients.last().is_some_and(same) {
+            // What friction may stop is a matter of each pair, and changes.
+            if M::FRICTION_STOPS || !laid.coefficients.last().is_some_and(same) {
                 laid.coefficients.push(constants);
             }
             laid.kind.push(laid.coefficients.len() as u32 - 1);

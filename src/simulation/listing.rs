@@ -4,8 +4,7 @@ use super::Simulation;
 use crate::error::{Halt, Reason};
 use crate::forces;
 use crate::geometry::{Neighbour, neighbours_but};
-use crate::motion::{self, LoadTable, MotionTotals};
-use crate::spec::mechanics::friction_share::inertia_share;
+use crate::motion::{LoadTable, MotionTotals};
 use crate::spec::{PairModel, Vec3};
 use crate::system::Springs;
 use crate::system::{Domain, Pose, System};
@@ -145,7 +144,6 @@ impl<M: PairModel> Simulation<M> {
     fn build_blocks(&mut self, pairs: &[Neighbour], springs: &Springs) -> Result<(), Halt> {
         let (particles, necks) = (&self.system.particles, &self.system.necks);
         let domain = Domain { sides: self.listed.sides, ..self.system.domain };
-        let moments = (self.listed.moving, &self.shares(pairs)[..]);
         self.blocks = forces::partition(
             &self.model,
             particles,
@@ -153,7 +151,7 @@ impl<M: PairModel> Simulation<M> {
             pairs,
             necks,
             springs,
-            moments,
+            self.listed.moving,
         )
         .map_err(|reason| self.halt(reason))?;
         self.far_known = false;
@@ -162,31 +160,5 @@ impl<M: PairModel> Simulation<M> {
             .filter_map(|(p, block, place)| Some((particles.wall[p].checked_sub(1)?, block, place)))
             .collect();
         Ok(())
-    }
-
-    /// The moment of inertia that each contact of a particle, or of the body it belongs to, may take for its own: friction may stop what turns,
-    /// and several contacts together must not turn it back.
-    fn shares(&self, pairs: &[Neighbour]) -> Vec<f64> {
-        let System { particles, bodies, necks, .. } = &self.system;
-        // Single spheres are numbered after the bodies.
-        let turning = |p: usize| (particles.body[p] as usize).checked_sub(1).unwrap_or(bodies.len() + p);
-        let mut contacts = vec![0.0f64; bodies.len() + particles.len()];
-        for pair in pairs {
-            let (p, q) = (pair.p as usize, pair.q as usize);
-            let (i, j, _) = forces::bond(particles, p, q, pair.image);
-            if necks.binary_search(&(i, j)).is_err() {
-                contacts[turning(p)] += 1.0;
-                contacts[turning(q)] += 1.0;
-            }
-        }
-        let least = |moments: Vec3<f64>| moments.0.into_iter().fold(f64::INFINITY, f64::min);
-        let share = |p: usize| {
-            let moment = match particles.body[p] as usize {
-                0 => motion::inertia(particles, p),
-                body => least(bodies[body - 1].moments),
-            };
-            inertia_share(moment, contacts[turning(p)])
-        };
-        (0..particles.len()).map(share).collect()
     }
 }

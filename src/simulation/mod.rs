@@ -7,6 +7,7 @@ mod listing;
 mod necks;
 mod pairs;
 mod settings;
+mod shares;
 mod snapshot;
 mod steering;
 mod surfaces;
@@ -138,6 +139,7 @@ impl<M: PairModel> Simulation<M> {
 
     /// Evaluates all pairs and advances their springs by `dt`.
     fn evaluate(&mut self, dt: f64) -> Result<Totals<M::Losses<f64>>, Halt> {
+        self.share();
         let Settings { max_overlap, instructions, .. } = self.settings;
         let (model, particles, domain) = (&self.model, &self.system.particles, &self.system.domain);
         let far_anew = self.far_due();

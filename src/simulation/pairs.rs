@@ -1,5 +1,6 @@
 //! Pairs one by one, for observers.
 
+use super::shares::Shares;
 use super::{Ledger, Simulation};
 use crate::forces::Block;
 use crate::spec::mechanics::box_stress::momentum_flux;
@@ -40,7 +41,10 @@ struct ListedPair<'a, M: PairModel> {
 impl<M: PairModel> Simulation<M> {
     /// All pairs in range or joined by necks, in an order that depends on the particles alone.
     pub fn pairs(&self) -> impl Iterator<Item = Pair<M>> + '_ {
-        self.listed_pairs().filter(|listed| self.acts(listed)).map(|listed| self.evaluated(listed))
+        let shares = self.shares();
+        self.listed_pairs()
+            .filter(|listed| self.acts(listed))
+            .map(move |listed| self.evaluated(listed, shares.as_ref()))
     }
 
     /// The same pairs by the indices of their spheres, the sphere with the lower id first, with their contact kinematics and
@@ -53,11 +57,16 @@ impl<M: PairModel> Simulation<M> {
     fn evaluated(
         &self,
         ListedPair { block, near, i: (i, _), j: (j, _), contact, memory }: ListedPair<'_, M>,
+        shares: Option<&Shares>,
     ) -> Pair<M> {
         let Particles { radius: r, mass: m, .. } = &self.system.particles;
         let coefficients = match near {
             Some((row, lane)) => Flat::from_fn(|k| block.pairs.constants(row).at(k).0[lane]),
             None => self.model.coefficients(r[i], r[j], m[i], m[j]),
+        };
+        let coefficients = match shares {
+            Some(shares) => self.model.turning(coefficients, shares.reduced(&self.system, i, j)),
+            None => coefficients,
         };
         let outcome = self.model.pair(&contact, &coefficients, memory, self.settings.dt);
         let stored = self.model.stored(&contact, &coefficients, &memory);
@@ -110,7 +119,7 @@ impl<M: PairModel> Simulation<M> {
         for pair in self
             .listed_pairs()
             .filter(|listed| stretched(listed) || self.acts(listed))
-            .map(|listed| self.evaluated(listed))
+            .map(|listed| self.evaluated(listed, None))
         {
             for (k, sum) in sums.iter_mut().enumerate() {
                 *sum += pair.stored.at(k);
