@@ -1,4 +1,4 @@
-//! The contact law, composed of its equations: what an engine runs.
+//! The contact law, composed of its equations, for an engine.
 
 use super::attraction::Attraction;
 use super::def_radius::{effective_radius, radii};

@@ -4,7 +4,7 @@ mod batch;
 mod call;
 mod show;
 
-use super::{Manner, print};
+use super::{OutputMode, print};
 use crate::error::{AtPath, Error};
 use call::Registry;
 use std::path::Path;
@@ -20,14 +20,14 @@ pub struct Arguments {
 enum Action {
     /// List every equation; with --json names, symbols, units, domains and laws too
     List,
-    /// Show an equation: formula as printed, how it was read, table, laws, source file
+    /// Show an equation: formula as printed, reading, table, laws, source file
     Show {
-        /// Its id, such as wear-3
+        /// Its id, such as mechanics-sphere-volume
         id: String,
     },
-    /// Evaluate an equation, such as: veridem eq eval wear-9 r_i="0.75 nm" r_j="0.75 nm" sigma_mn="16 GPa" e="73 GPa"
+    /// Evaluate an equation, such as: veridem eq eval mechanics-sphere-volume r="14 nm"
     Eval {
-        /// Its id, such as wear-3
+        /// Its id, such as mechanics-sphere-volume
         #[arg(required_unless_present = "batch")]
         id: Option<String>,
         /// Arguments as name="value unit", vectors as n="1 0 0" or v="[1, 0, 0] m/s"; a value without unit is in SI
@@ -39,7 +39,7 @@ enum Action {
 }
 
 /// Lists, shows or evaluates equations.
-pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
+pub fn run(arguments: &Arguments, manner: OutputMode) -> Result<(), Error> {
     let registry = Registry::new();
     match &arguments.action {
         Action::List if manner.json => print(&show::list_as_json(&registry)),

@@ -1,12 +1,12 @@
-//! The neighbour list cut into blocks that one core works on alone.
+//! The neighbour list, divided into blocks, each of which is processed by one core.
 //!
 //! A block owns a run of particles and the pairs whose first sphere is among them; the other spheres of those pairs are its
-//! halo. Positions are copied in, forces are summed inside the block in a fixed order, and what the halo received is handed to
+//! halo. Positions are gathered, forces are summed inside the block in a fixed order, and the forces on the halo are scattered to
 //! the owners afterwards, again in a fixed order. The cut depends on the particles alone, so the sums, and with them every
 //! bit of the trajectory, do not depend on how many threads share the work.
 
 use super::Load;
-use super::pairs::{FarPairs, Pairs, Places, seat};
+use super::pairs::{FarPairs, Pairs, Places, row_and_lane};
 use crate::error::Reason;
 use crate::geometry::Neighbour;
 use crate::spec::{PairModel, Vec3};
@@ -16,12 +16,12 @@ use num_traits::Zero;
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// Pairs that are evaluated side by side.
+/// Number of pairs that are evaluated in one row.
 pub const LANES: usize = 8;
-/// Most spheres in a block, halo included, plus one: place `CAPACITY - 1` is a sphere far from everything, the partner of
+/// Largest number of spheres in a block, halo included, plus one: index `CAPACITY - 1` is a sphere far from everything, the partner of
 /// lanes without a pair.
 pub const CAPACITY: usize = 2048;
-/// The place of that sphere.
+/// The index of that sphere.
 pub const NOWHERE: u16 = CAPACITY as u16 - 1;
 
 /// Some particles, their pairs, and the spheres around them.
@@ -32,16 +32,16 @@ pub struct Block<M: PairModel> {
     pub halo: Vec<(u32, Image)>,
     /// Its pairs.
     pub pairs: Pairs<M>,
-    /// Those of them that cannot touch.
+    /// The pairs that cannot touch.
     pub far: FarPairs,
-    /// What other blocks' halos hold for it: its particle (counted within the block), the block, the place within that block.
+    /// The copies of its particles in the halos of other blocks: particle (counted within the block), block, index within that block.
     pub incoming: Vec<(u32, u32, u32)>,
     /// The loads on its spheres in the last step, own and halo.
     pub loads: Box<[Load; CAPACITY]>,
 }
 
 impl<M: PairModel> Block<M> {
-    /// How many spheres there are in it, its own and its halo.
+    /// Number of spheres in it, its own and its halo.
     #[expect(clippy::len_without_is_empty, reason = "none is empty")]
     pub fn len(&self) -> usize {
         self.own.len() + self.halo.len()
@@ -60,24 +60,24 @@ impl<M: PairModel> Block<M> {
 
     /// Its pairs, but for the far ones, one by one: places within the block, row and lane.
     pub fn each_pair(&self) -> impl Iterator<Item = (u16, u16, usize, usize)> {
-        self.pairs.seats().map(|(row, lane)| (self.pairs.i[row][lane], self.pairs.j[row][lane], row, lane))
+        self.pairs.rows_and_lanes().map(|(row, lane)| (self.pairs.i[row][lane], self.pairs.j[row][lane], row, lane))
     }
 
     /// The far pairs one by one: places within the block.
     pub fn each_far(&self) -> impl Iterator<Item = (u16, u16)> {
         (0..self.far.len).map(|k| {
-            let (row, lane) = seat(k, self.far.len);
+            let (row, lane) = row_and_lane(k, self.far.len);
             (self.far.i[row][lane], self.far.j[row][lane])
         })
     }
 }
 
-/// Two spheres are laid among the near ones from this gap downwards, in sums of radii.
+/// Largest gap at which a pair is listed as near, in sums of radii.
 const NEAR: f64 = 0.01;
 
 /// Cuts the pairs, sorted by first sphere, into blocks; springs are found again in `springs`. `x` and `domain` are those that the
-/// pairs were found with, `skin` is how much closer two spheres may come before they are found anew. Only the first
-/// `moving` particles have pairs; `shares` is what moment of inertia each particle contributes to a contact.
+/// pairs were found with, `skin` is the distance by which two spheres may approach before the next rebuild. Only the first
+/// `moving` particles have pairs; `shares` is the moment of inertia that each particle contributes to a contact.
 pub fn partition<M: PairModel>(
     model: &M,
     particles: &Particles,
@@ -123,8 +123,8 @@ pub fn partition<M: PairModel>(
             }
             near.extend(joined.split_off(joined.len() / LANES * LANES));
             let places = Places { particles, own: &own, halo: &halo };
-            let far = FarPairs::lay(&places, &far);
-            let pairs = Pairs::lay(model, &places, [&joined, &near, &others], necks, springs, shares);
+            let far = FarPairs::arrange(&places, &far);
+            let pairs = Pairs::arrange(model, &places, [&joined, &near, &others], necks, springs, shares);
             Block { own, halo, pairs, far, incoming: Vec::new(), loads: no_loads() }
         })
         .collect();
@@ -139,7 +139,7 @@ pub fn no_loads() -> Box<[Load; CAPACITY]> {
 
 type Cut = (Range<usize>, Vec<(u32, Image)>);
 
-/// Halves a run of particles until each part fits a block with its halo.
+/// Bisects a run of particles until each part fits into a block with its halo.
 fn cut_to_fit(
     own: Range<usize>,
     particles: &Particles,
@@ -173,13 +173,13 @@ pub fn places<M: PairModel>(blocks: &[Block<M>]) -> impl Iterator<Item = (usize,
     })
 }
 
-/// The lasting name of a pair of places, `q` displaced by `image`.
+/// The persistent key of a pair of particles, `q` displaced by `image`.
 pub fn bond(particles: &Particles, p: usize, q: usize, image: Image) -> Bond {
     let (a, b) = (particles.id[p], particles.id[q]);
     if a <= b { (a, b, image) } else { (b, a, image.map(|k| -k)) }
 }
 
-/// Tells every block what the halos of the others hold for it.
+/// Sets for every block the copies of its particles in the halos of other blocks.
 fn hand_out<M: PairModel>(n: usize, blocks: &mut [Block<M>]) {
     let mut owner = vec![0u32; n];
     for (number, block) in blocks.iter().enumerate() {

@@ -10,7 +10,7 @@ use crate::system::{Bond, Springs};
 use crate::system::{Image, Particles};
 use std::ops::Range;
 
-/// Pairs that are evaluated in full, eight to a row: those that a neck joins, as many as fill their rows, those that were near when they were listed,
+/// Pairs that are evaluated in full, eight to a row: complete rows of pairs joined by necks, pairs that were near when they were listed,
 /// then the others. In each part every lane has a stretch of the list of its own, so that neighbouring lanes load different spheres. Spheres are counted
 /// within the block: its own first, then the halo. The sphere with the lower id is `i`.
 pub struct Pairs<M: PairModel> {
@@ -18,7 +18,7 @@ pub struct Pairs<M: PairModel> {
     pub i: Vec<[u16; LANES]>,
     /// Second spheres.
     pub j: Vec<[u16; LANES]>,
-    /// Which constants each row has: those of one material and size are all alike.
+    /// Index of the constants of each row: pairs of one material and size share theirs.
     pub kind: Vec<u32>,
     /// Constants.
     pub coefficients: Vec<M::Coefficients<Lanes<LANES>>>,
@@ -28,14 +28,14 @@ pub struct Pairs<M: PairModel> {
     parts: [usize; 3],
 }
 
-/// Pairs that cannot touch before neighbours are listed anew, laid out alike: they have no springs, and only attract or repel each other
-/// along the line of centres. What they do changes little from step to step, and is kept.
+/// Pairs that cannot touch before the next rebuild of the neighbour list, in the same layout: they have no springs, and only central forces.
+/// These forces change little from step to step and can be held constant.
 pub struct FarPairs {
     /// First spheres.
     pub i: Vec<[u16; LANES]>,
     /// Second spheres.
     pub j: Vec<[u16; LANES]>,
-    /// Which radii each row has.
+    /// Index of the radii of each row.
     pub kind: Vec<u32>,
     /// Radii of first and second spheres.
     pub radii: Vec<[Lanes<LANES>; 2]>,
@@ -48,7 +48,7 @@ pub struct FarPairs {
 }
 
 /// Where the pair `k` of `of` is: row and lane.
-pub fn seat(k: usize, of: usize) -> (usize, usize) {
+pub fn row_and_lane(k: usize, of: usize) -> (usize, usize) {
     let rows = of.div_ceil(LANES);
     (k % rows, k / rows)
 }
@@ -64,7 +64,7 @@ fn lanes(numbers: &[f64]) -> Lanes<LANES> {
     Lanes(std::array::from_fn(|lane| *numbers.get(lane).unwrap_or(&numbers[0])))
 }
 
-/// Who is where in a block.
+/// The spheres of a block.
 pub struct Places<'a> {
     /// The spheres of the whole system.
     pub particles: &'a Particles,
@@ -74,7 +74,7 @@ pub struct Places<'a> {
     pub halo: &'a [(u32, Image)],
 }
 
-/// A pair in a block: its lasting name, its spheres' places in the block and in the system.
+/// A pair in a block: its persistent key, and the indices of its spheres in the block and in the system.
 #[derive(Clone, Copy)]
 struct Placed {
     bond: Bond,
@@ -106,7 +106,7 @@ impl Places<'_> {
     }
 }
 
-/// Reduced moment of inertia of two spheres that contribute the given moments. Nothing turns the spheres of a wall: theirs is infinite.
+/// Reduced moment of inertia of two spheres that contribute the given moments, which are infinite for spheres of a wall.
 fn reduced_moment(particles: &Particles, shares: &[f64], p: usize, q: usize) -> f64 {
     let moment = |p: usize| (particles.wall[p] == 0).then(|| shares[p]);
     match (moment(p), moment(q)) {
@@ -126,22 +126,22 @@ impl<M: PairModel> Pairs<M> {
         Flat::from_fn(|k| self.memory[row].at(k).0[lane])
     }
 
-    /// How many rows, the first ones, are of pairs joined by necks.
+    /// Number of leading rows of pairs joined by necks.
     pub fn joined(&self) -> usize {
         self.parts[0] / LANES
     }
 
     /// Rows and lanes of the pairs, in order.
-    pub fn seats(&self) -> impl Iterator<Item = (usize, usize)> + use<M> {
+    pub fn rows_and_lanes(&self) -> impl Iterator<Item = (usize, usize)> + use<M> {
         let parts = self.parts;
         (0..parts.len()).flat_map(move |part| {
             let before: usize = parts[..part].iter().map(|pairs| pairs.div_ceil(LANES)).sum();
-            (0..parts[part]).map(move |k| seat(k, parts[part])).map(move |(row, lane)| (before + row, lane))
+            (0..parts[part]).map(move |k| row_and_lane(k, parts[part])).map(move |(row, lane)| (before + row, lane))
         })
     }
 
     /// Lays out joined pairs, near pairs, and others that may come near.
-    pub fn lay(
+    pub fn arrange(
         model: &M,
         places: &Places,
         parts: [&[Neighbour]; 3],
@@ -194,7 +194,7 @@ impl<M: PairModel> Pairs<M> {
 
 impl FarPairs {
     /// Lays out far pairs.
-    pub fn lay(places: &Places, pairs: &[Neighbour]) -> Self {
+    pub fn arrange(places: &Places, pairs: &[Neighbour]) -> Self {
         let mut laid = Self {
             i: Vec::new(),
             j: Vec::new(),
@@ -223,8 +223,8 @@ impl FarPairs {
         laid
     }
 
-    /// What they do to the first so many spheres, as numbers to be written down.
-    pub fn kept(&self, spheres: usize) -> impl Iterator<Item = f64> + '_ {
+    /// The held loads on the first spheres, as numbers to be saved.
+    pub fn held_loads(&self, spheres: usize) -> impl Iterator<Item = f64> + '_ {
         let loads = self
             .loads
             .iter()
@@ -232,8 +232,8 @@ impl FarPairs {
         self.virial.into_iter().chain(loads)
     }
 
-    /// The way back.
-    pub fn keep(&mut self, spheres: usize, numbers: &mut impl Iterator<Item = f64>) {
+    /// Restores the held loads.
+    pub fn restore_loads(&mut self, spheres: usize, numbers: &mut impl Iterator<Item = f64>) {
         let mut next = || numbers.next().unwrap_or(f64::NAN);
         self.virial = std::array::from_fn(|_| next());
         for load in self.loads.iter_mut().flat_map(|loads| loads[..spheres].iter_mut()) {

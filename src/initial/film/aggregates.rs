@@ -18,7 +18,7 @@ use rayon::prelude::*;
 
 /// Walks that measure the hydrodynamic radius: its standard error is 3 % where half of them hit.
 const WALKS: usize = 1000;
-/// How often the spheres of an aggregate are drawn anew if they cannot meet the law: a large one among small ones.
+/// Number of times that the spheres of an aggregate are redrawn if they cannot meet the law, such as a large one among small ones.
 const DRAWS: usize = 5;
 /// Directions in which the projected area is taken.
 const DIRECTIONS: usize = 56;
@@ -39,7 +39,7 @@ pub fn aggregates(plan: &FilmPlan, seed: u64, interrupt: &Interrupt) -> Result<V
         total += sizes[sizes.len() - 1];
     }
     let classes = plan.diameters.classes();
-    let law = Law { k_f: plan.k_f, d_f: plan.d_f, form: Form::Titania };
+    let law = Law { k_f: plan.k_f, d_f: plan.d_f, form: Form::SauterDiameter };
     let one = |(k, &number): (usize, &usize)| {
         let mut stream = Stream::new(seed, &format!("film aggregate {k}"));
         let mut missed = None;
