@@ -147,6 +147,11 @@ pub fn defaults<T: for<'de> Deserialize<'de>>() -> T {
     T::deserialize(nothing).expect("every key of an optional section has a default")
 }
 
+/// A default as `veridem schema` lists it.
+pub fn plain(default: &impl serde::Serialize) -> serde_json::Value {
+    serde_json::to_value(default).expect("a default is plain data")
+}
+
 /// The error for a missing required key.
 pub fn missing<E: Error>(key: &str, expected: &str) -> E {
     E::custom(format!("missing key `{key}`, expected {expected}"))
@@ -231,7 +236,7 @@ macro_rules! section {
     (@default $type:ty) => { None };
     (@default $type:ty, $default:expr) => {{
         let default: $type = $default;
-        Some(serde_json::to_value(default).expect("a default is plain data"))
+        Some($crate::case::section::plain(&default))
     }};
 }
 

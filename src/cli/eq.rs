@@ -22,12 +22,12 @@ enum Action {
     List,
     /// Show an equation: formula as printed, reading, table, laws, source file
     Show {
-        /// Its id, such as wear-3
+        /// Its id, such as mechanics-sphere-volume
         id: String,
     },
-    /// Evaluate an equation, such as: veridem eq eval wear-9 r_i="0.75 nm" r_j="0.75 nm" sigma_mn="16 GPa" e="73 GPa"
+    /// Evaluate an equation, such as: veridem eq eval mechanics-sphere-volume r="14 nm"
     Eval {
-        /// Its id, such as wear-3
+        /// Its id, such as mechanics-sphere-volume
         #[arg(required_unless_present = "batch")]
         id: Option<String>,
         /// Arguments as name="value unit", vectors as n="1 0 0" or v="[1, 0, 0] m/s"; a value without unit is in SI

@@ -19,7 +19,7 @@ use std::time::{Duration, Instant};
 pub struct Arguments {
     /// The case file
     case: PathBuf,
-    /// Keys and their values: `seed=1,2,5`, `seed=1..8`, `sample.hcp.diameter=0.6 d_c,1.2 d_c`, `model.wear.poisson_ratio=0..0.25:6`
+    /// Keys and their values: `seed=1,2,5`, `seed=1..8`, `output.series=1 ps,10 ps`, `limits.overlap=0.2..0.8:4`
     #[arg(required = true, value_name = "KEY=VALUES")]
     keys: Vec<String>,
     /// Folder for the run folders and summary.csv; by default `run/` and the name of the case file

@@ -29,7 +29,7 @@ impl Registry {
         Self(veridem_spec::equations().into_iter().map(document).collect())
     }
 
-    /// The equation with an id; `wear-03` and `WEAR-3` are `wear-3`.
+    /// The equation with an id; case, leading zeros and separators do not matter.
     pub fn find(&self, id: &str) -> Result<&Entry, String> {
         self.0.iter().find(|entry| plain_id(entry.equation.id) == plain_id(id)).ok_or_else(|| {
             let ids = self.0.iter().map(|entry| entry.equation.id);

@@ -21,10 +21,10 @@ pub struct Law {
 /// The measures that a law uses for the size of an aggregate and of its spheres.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
-    /// The gyration radius of the centres and the geometric mean of the radii: Eq. 24 of the soot paper.
-    Soot,
-    /// The gyration radius by which one sphere has its own radius and the Sauter diameter: Section 5.3 of the titania paper.
-    Titania,
+    /// The gyration radius of the centres and the geometric mean of the radii: Eq. 24 of Demidov, Gor & Khalizov 2024.
+    GeometricMean,
+    /// The gyration radius by which one sphere has its own radius and the Sauter diameter: Section 5.3 of Laube et al. 2018.
+    SauterDiameter,
 }
 
 /// Sums over spheres.
@@ -68,8 +68,8 @@ impl Law {
     pub fn gyration_radius(&self, sums: &Sums) -> f64 {
         let n = sums.number as f64;
         match self.form {
-            Form::Soot => eq24_fractal::gyration_radius(self.k_f, n, Real::exp(sums.logarithms / n), self.d_f),
-            Form::Titania => {
+            Form::GeometricMean => eq24_fractal::gyration_radius(self.k_f, n, Real::exp(sums.logarithms / n), self.d_f),
+            Form::SauterDiameter => {
                 let (volume, surface) = (sums.cubes * sphere_volume(1.0), 4.0 * f64::pi() * sums.squares);
                 0.5 * fractal_diameter(self.k_f, n, sauter_diameter(volume, surface), self.d_f)
             }
@@ -79,8 +79,8 @@ impl Law {
     /// The extent of the spheres that counts in its gyration radius.
     pub fn extent(&self) -> SphereExtent {
         match self.form {
-            Form::Soot => SphereExtent::Centres,
-            Form::Titania => SphereExtent::Radii,
+            Form::GeometricMean => SphereExtent::Centres,
+            Form::SauterDiameter => SphereExtent::Radii,
         }
     }
 }

@@ -227,7 +227,7 @@ fn grow(
 impl Recipe {
     /// The law that the aggregate is to obey.
     pub fn law(&self) -> Law {
-        Law { k_f: self.k_f, d_f: self.d_f, form: Form::Soot }
+        Law { k_f: self.k_f, d_f: self.d_f, form: Form::GeometricMean }
     }
 }
 

@@ -39,7 +39,7 @@ pub fn aggregates(plan: &FilmPlan, seed: u64, interrupt: &Interrupt) -> Result<V
         total += sizes[sizes.len() - 1];
     }
     let classes = plan.diameters.classes();
-    let law = Law { k_f: plan.k_f, d_f: plan.d_f, form: Form::Titania };
+    let law = Law { k_f: plan.k_f, d_f: plan.d_f, form: Form::SauterDiameter };
     let one = |(k, &number): (usize, &usize)| {
         let mut stream = Stream::new(seed, &format!("film aggregate {k}"));
         let mut missed = None;

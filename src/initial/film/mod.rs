@@ -1,4 +1,4 @@
-//! A film of aggregates, Section 5.3 of the titania paper: polydisperse particles form fractal aggregates, which diffuse and drift
+//! A film of aggregates, Section 5.3 of Laube et al. 2018: polydisperse particles form fractal aggregates, which diffuse and drift
 //! down one by one and stay where they touch the floor or an earlier one.
 //!
 //! Choices where the paper is silent: gyration radii count a sphere alone by its radius, as the work does that the paper takes its

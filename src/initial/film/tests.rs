@@ -32,7 +32,7 @@ fn aggregates_obey_the_law_and_are_trees_of_touching_spheres() {
     for aggregate in aggregates(&small(), 3, &Interrupt::default()).unwrap() {
         let spheres = aggregate.spheres;
         let n = spheres.len();
-        let lawful = Law { k_f: 1.0, d_f: 1.8, form: Form::Titania }.gyration_radius(&Sums::of(&spheres));
+        let lawful = Law { k_f: 1.0, d_f: 1.8, form: Form::SauterDiameter }.gyration_radius(&Sums::of(&spheres));
         assert!((gyration_radius(&spheres, SphereExtent::Radii) / lawful - 1.0).abs() < 1e-9);
         let gaps: Vec<f64> =
             pairs_within(&spheres, |r, s| 1.01 * (r + s)).iter().map(|&(i, j)| spheres[i].gap(&spheres[j])).collect();
