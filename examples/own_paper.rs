@@ -1,7 +1,7 @@
 //! A paper of one's own beside the library's: a contact law, the sections of its case files, two stages, an observer, a graph, and a claim.
 //!
-//! Cundall and Strack (1979) let two spheres that overlap repel each other by a linear spring with a dashpot. Two spheres that meet head-on then part
-//! with a fixed share of the velocity with which they met. The program has the whole command line:
+//! In the law of Cundall and Strack (1979) overlapping spheres repel each other by a linear spring and a dashpot. After a head-on collision two spheres separate
+//! with a constant fraction of their relative velocity, the coefficient of restitution. The program has the complete command line:
 //!
 //! ```sh
 //! cargo run --example own_paper -- check examples/own_paper.yaml
@@ -39,27 +39,27 @@ pub fn main() -> ExitCode {
 
 // ---- The equations: generic over the number, without branches ----
 
-/// Damping factor of a dashpot that is `zeta` of the critical one.
+/// Damping coefficient of a dashpot with the damping ratio `zeta`.
 fn damping_factor<R: Real>(m: R, k: R, zeta: R) -> R {
     R::lit(2.0) * zeta * (m * k).sqrt()
 }
 
-/// Force of spring and dashpot along the normal, positive for repulsion; none without an overlap.
+/// Force of spring and dashpot along the normal, positive for repulsion; zero without an overlap.
 fn normal_force<R: Real>(k: R, c: R, gap: R, velocity: R) -> R {
     piecewise([(gap.lt(R::zero()), -(k * gap) - c * velocity)], R::zero())
 }
 
-/// How long two spheres overlap that meet head-on.
+/// Duration of the contact in a head-on collision.
 fn contact_time<R: Real>(m: R, k: R, zeta: R) -> R {
     R::pi() / (k / m * (R::one() - zeta.squared())).sqrt()
 }
 
-/// The velocity with which they part over that with which they met.
+/// Coefficient of restitution: velocity of separation relative to velocity of approach.
 fn restitution<R: Real>(zeta: R) -> R {
     (-(R::pi() * zeta) / (R::one() - zeta.squared()).sqrt()).exp()
 }
 
-// ---- The contact law: all that the engine sees of the paper ----
+// ---- The contact law: the only part of the paper that the engine uses ----
 
 /// A linear spring with a dashpot between spheres that overlap.
 #[derive(Clone, Copy, Debug)]
@@ -69,32 +69,32 @@ pub struct Linear {
 }
 
 flat_struct! {
-    /// What is constant for a pair.
+    /// The constants of a pair.
     pub struct Constants {
         /// Stiffness.
         pub k,
-        /// Damping factor.
+        /// Damping coefficient.
         pub c,
     }
 }
 flat_struct! {
-    /// The energy that a pair holds.
+    /// The energy stored in a pair.
     pub struct Stored {
-        /// By its spring.
+        /// In its spring.
         pub spring,
     }
 }
 flat_struct! {
-    /// The energy that a pair loses.
+    /// The energy dissipated by a pair.
     pub struct Losses {
-        /// To its dashpot.
+        /// By its dashpot.
         pub dashpots,
     }
 }
 
 impl PairModel for Linear {
     type Coefficients<R: Real> = Constants<R>;
-    /// The spring is as long as the overlap is deep: nothing needs to be remembered.
+    /// The compression of the spring is the overlap, so there is no contact history.
     type Memory<R: Real> = [R; 0];
     type Losses<R: Real> = Losses<R>;
     type Stored<R: Real> = Stored<R>;
@@ -151,7 +151,7 @@ section! {
     pub struct Material {
         /// Stiffness of the spring.
         stiffness: Quantity<Stiffness>,
-        /// Damping factor over the critical one, below 1.
+        /// Damping ratio: damping coefficient relative to the critical one, below 1.
         damping_ratio: f64 = 0.1,
         /// Density of the spheres.
         density: Quantity<Density>,
@@ -167,32 +167,32 @@ choice! {
 section! {
     /// Two equal spheres.
     pub struct Pair {
-        /// Their radius.
+        /// Radius of the spheres.
         radius: Quantity<Length>,
         /// The gap between them.
         gap: Scaled<Length, SphereRadius> = Scaled::times(0.1),
     }
 }
 choice! {
-    /// What is done to them.
+    /// The experiment.
     pub enum Experiment {
-        /// They collide head-on.
+        /// A head-on collision.
         Collision = "collision": Collision,
     }
 }
 section! {
     /// A head-on collision.
     pub struct Collision {
-        /// The velocity with which they approach each other.
+        /// Velocity of approach.
         velocity: Quantity<Velocity>,
         /// Time step, as a fraction of the duration of the contact.
         dt: Scaled<Time, ContactTime> = Scaled::times(0.01),
-        /// The longest that either stage may take.
+        /// Largest duration of either stage.
         most: InSteps = Scaled::times(100_000.0),
     }
 }
 
-// ---- The study: what is simulated, in which stages, and what is watched ----
+// ---- The study: the stages and their observer ----
 
 /// Two spheres approach each other, and rebound.
 pub struct Plan {
@@ -211,7 +211,7 @@ const REBOUND: usize = 1;
 /// The gap between the spheres.
 const GAP: Column = Column::new("gap", "nm");
 
-/// What the observer remembers: the gap now, and the least one so far, nm.
+/// The state of the observer: the present gap and the smallest one so far, nm.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Watch {
     gap: f64,
@@ -242,7 +242,7 @@ impl Plan {
         }
     }
 
-    /// The velocity with which the spheres part over that with which they approached each other.
+    /// Velocity of separation relative to velocity of approach.
     fn bounce(&self, system: &System) -> f64 {
         (system.particles.v[0] - system.particles.v[1]).norm() / self.velocity
     }
@@ -278,7 +278,7 @@ impl Study for Plan {
         let late = simulation.system().step >= self.steps(stage, self.dt);
         match stage {
             REBOUND if watch.gap >= 0.0 => Progress::Done,
-            REBOUND if late => Progress::Failed("the spheres have not parted"),
+            REBOUND if late => Progress::Failed("the spheres have not separated"),
             REBOUND => Progress::Going,
             _ if watch.gap < 0.0 => Progress::Done,
             _ if late => Progress::Failed("the spheres have not met"),
@@ -316,7 +316,7 @@ impl Study for Plan {
 
 // ---- The claim ----
 
-/// A collision for each of several damping ratios.
+/// A collision at each of several damping ratios.
 fn collisions(setting: &Setting) -> Result<Evidence, Error> {
     let (mut evidence, mut curve) = (Evidence::default(), Vec::new());
     for ratio in [0.05, 0.2, 0.5] {
@@ -325,16 +325,16 @@ fn collisions(setting: &Setting) -> Result<Evidence, Error> {
         let (measured, expected) =
             (plan.bounce(&Driver::new(&plan, setting.interrupt).run(&mut ())?.system), restitution(ratio));
         let [paper, ours] = [expected, measured].map(|bounce| format!("{bounce:.4}"));
-        let claim = format!("restitution at {ratio} of the critical damping");
+        let claim = format!("coefficient of restitution at a damping ratio of {ratio}");
         evidence.claims.push(Claim::new("restitution", claim, paper, ours, near(measured, expected, 0.01)).exact());
         curve.push((ratio, measured));
     }
     let (axes, curves) = (["damping ratio", "restitution"], vec![Curve::new("", Mark::Points, curve)]);
-    evidence.figures.push(Figure::linear("restitution", "Velocity kept in a collision", axes, curves));
+    evidence.figures.push(Figure::linear("restitution", "Coefficient of restitution of a collision", axes, curves));
     Ok(evidence)
 }
 
-// ---- The paper: what the command line is handed ----
+// ---- The paper, for the command line ----
 
 /// The paper.
 pub struct LinearContacts;

@@ -1,4 +1,4 @@
-//! Do the rooms of the house keep their rules? Each is read off the source text, without what is there for tests only: a test inside a room
+//! Do the rooms of the house obey its rules? Each rule is checked on the source text without test modules: a test inside a room
 //! may take a paper's law as its example.
 
 mod source;
