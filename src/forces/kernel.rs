@@ -1,8 +1,9 @@
 //! The pair loop: the contact model, eight pairs at a time.
 
 use super::act::{Given, Row, Seen, Sums};
-use super::blocks::{Block, CAPACITY, LANES};
+use super::blocks::Block;
 use super::instructions::{Instructions, Set, SideBySide};
+use super::layout::{CAPACITY, LANES};
 use super::pairs::{FarPairs, Pairs};
 use super::{Totals, transpose};
 use crate::spec::numbers::Lanes;

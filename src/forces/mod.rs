@@ -5,15 +5,17 @@ mod blocks;
 mod causes;
 mod instructions;
 mod kernel;
+mod layout;
 mod order;
 mod pairs;
 mod surfaces;
 mod totals;
 mod transpose;
 
-pub use blocks::{Block, CAPACITY, LANES, bond, partition, places};
+pub use blocks::{Block, partition, places};
 pub use instructions::{Instructions, SideBySide};
 pub use kernel::{Load, evaluate, side_by_side};
+pub use layout::{CAPACITY, LANES, bond};
 pub use order::spatial_order;
 pub use pairs::{FarPairs, Pairs};
 pub use surfaces::{Leaning, each_touch, lean};

@@ -181,7 +181,9 @@ fn comment_or_literal(text: &str) -> usize {
         return closed(2, "*/");
     }
     let raw = text.trim_start_matches('b');
-    if let Some(hashes) = raw.strip_prefix('r').and_then(|raw| raw.find('"').filter(|&at| raw[..at].bytes().all(|c| c == b'#'))) {
+    if let Some(hashes) =
+        raw.strip_prefix('r').and_then(|raw| raw.find('"').filter(|&at| raw[..at].bytes().all(|c| c == b'#')))
+    {
         let open = text.len() - raw.len() + 2 + hashes;
         return closed(open, &format!("\"{}", "#".repeat(hashes)));
     }
