@@ -253,7 +253,7 @@ fn system_computes_nothing() {
         }
         for (at, line) in source.code.lines().enumerate() {
             // A product or a quotient with a number that has a fraction is a formula; one of counts is a place in a list.
-            let near = |operator: &str| line.split(operator).any(|side| has_fraction(side));
+            let near = |operator: &str| line.split(operator).any(has_fraction);
             if [" * ", " / "].iter().any(|operator| line.contains(operator) && near(operator)) {
                 found.push(format!("{}:{}: {}", source.path, at + 1, line.trim()));
             }

@@ -11,7 +11,10 @@ use std::process::{Command, ExitCode, Output};
 const AS_PROGRAM: &str = "OWN_PAPER";
 const CASE: &str = include_str!("../examples/own_paper/case.yaml");
 
-const TESTS: [(&str, fn(&Path)); 8] = [
+/// Tries something in an empty folder.
+type Test = fn(&Path);
+
+const TESTS: [(&str, Test); 8] = [
     ("check_prints_defaults_and_derived_values", check_prints_defaults_and_derived_values),
     ("a_wrong_key_is_named_with_its_line_and_the_nearest_one", a_wrong_key_is_named_with_its_line_and_the_nearest_one),
     ("a_value_that_makes_no_sense_is_refused", a_value_that_makes_no_sense_is_refused),

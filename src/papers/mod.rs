@@ -54,9 +54,11 @@ pub trait Paper: Sync {
     /// Fills in what a case leaves open and no key has a default for.
     fn complete(_case: &mut CaseOf<Self>) {}
     /// Finds what is wrong with a case beyond its grammar.
-    fn check(case: &CaseOf<Self>, found: &mut Found);
+    fn check(_case: &CaseOf<Self>, _found: &mut Found) {}
     /// What follows from a checked case, with units.
-    fn derived(case: &CaseOf<Self>) -> Vec<(String, String)>;
+    fn derived(_case: &CaseOf<Self>) -> Vec<(String, String)> {
+        Vec::new()
+    }
     /// The files that a case reads.
     fn reads(_case: &CaseOf<Self>) -> Vec<PathBuf> {
         Vec::new()
