@@ -6,23 +6,15 @@
 //! bit of the trajectory, do not depend on how many threads share the work.
 
 use super::Load;
+use super::layout::{CAPACITY, LANES, bond, no_loads};
 use super::pairs::{FarPairs, Pairs, Places, row_and_lane};
 use crate::error::Reason;
 use crate::geometry::Neighbour;
 use crate::spec::{PairModel, Vec3};
-use crate::system::{Bond, Springs};
+use crate::system::Springs;
 use crate::system::{Domain, Image, Particles};
-use num_traits::Zero;
 use rayon::prelude::*;
 use std::ops::Range;
-
-/// Number of pairs that are evaluated in one row.
-pub const LANES: usize = 8;
-/// Largest number of spheres in a block, halo included, plus one: index `CAPACITY - 1` is a sphere far from everything, the partner of
-/// lanes without a pair.
-pub const CAPACITY: usize = 2048;
-/// The index of that sphere.
-pub const NOWHERE: u16 = CAPACITY as u16 - 1;
 
 /// A pair that may touch: places of its spheres within the block, its row and lane.
 #[derive(Clone, Copy, Debug)]
@@ -169,11 +161,6 @@ pub fn partition<M: PairModel>(
     Ok(blocks)
 }
 
-/// Loads on the spheres of a block, all zero.
-pub fn no_loads() -> Box<[Load; CAPACITY]> {
-    vec![Load::zero(); CAPACITY].try_into().expect("as many as it is made of")
-}
-
 type Cut = (Range<usize>, Vec<(u32, Image)>);
 
 /// Bisects a run of particles until each part fits into a block with its halo.
@@ -208,12 +195,6 @@ pub fn places<M: PairModel>(blocks: &[Block<M>]) -> impl Iterator<Item = (usize,
     blocks.iter().zip(0..).flat_map(|(block, number)| {
         (0..block.len()).map(move |place| (block.member(place as u16).0, number, place as u32))
     })
-}
-
-/// The persistent key of a pair of particles, `q` displaced by `image`.
-pub fn bond(particles: &Particles, p: usize, q: usize, image: Image) -> Bond {
-    let (a, b) = (particles.id[p], particles.id[q]);
-    if a <= b { (a, b, image) } else { (b, a, image.map(|k| -k)) }
 }
 
 /// Sets for every block the copies of its particles in the halos of other blocks.

@@ -1,8 +1,9 @@
 //! The pair loop: the contact model, eight pairs at a time.
 
 use super::act::{Row, RowInput, RowOutput, Sums};
-use super::blocks::{Block, CAPACITY, LANES};
+use super::blocks::Block;
 use super::instructions::{Instructions, Set, Vectorised};
+use super::layout::{CAPACITY, LANES};
 use super::pairs::{FarPairs, Pairs};
 use super::{Totals, transpose};
 use crate::spec::numbers::Lanes;

@@ -5,15 +5,17 @@ mod blocks;
 mod causes;
 mod instructions;
 mod kernel;
+mod layout;
 mod order;
 mod pairs;
 mod surfaces;
 mod totals;
 mod transpose;
 
-pub use blocks::{Block, CAPACITY, LANES, Touchable, bond, partition, places};
+pub use blocks::{Block, Touchable, partition, places};
 pub use instructions::{Instructions, Vectorised};
 pub use kernel::{Load, evaluate, vectorised};
+pub use layout::{CAPACITY, LANES, bond};
 pub use order::spatial_order;
 pub use pairs::{FarPairs, Pairs};
 pub use surfaces::{SurfaceTotals, each_touch, surface_forces};

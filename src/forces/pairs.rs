@@ -1,7 +1,7 @@
 //! The pairs of a block, laid out for the pair loop.
 
 use super::Load;
-use super::blocks::{CAPACITY, LANES, NOWHERE, bond, no_loads};
+use super::layout::{CAPACITY, LANES, NOWHERE, bond, no_loads};
 use crate::geometry::Neighbour;
 use crate::spec::numbers::Lanes;
 use crate::spec::{Flat, PairModel};

@@ -54,9 +54,11 @@ pub trait Paper: Sync {
     /// Completes values of a case that have no default.
     fn complete(_case: &mut CaseOf<Self>) {}
     /// Finds the problems of a case beyond its grammar.
-    fn check(case: &CaseOf<Self>, found: &mut Found);
+    fn check(_case: &CaseOf<Self>, _found: &mut Found) {}
     /// The derived values of a checked case, with units.
-    fn derived(case: &CaseOf<Self>) -> Vec<(String, String)>;
+    fn derived(_case: &CaseOf<Self>) -> Vec<(String, String)> {
+        Vec::new()
+    }
     /// The files that a case reads.
     fn reads(_case: &CaseOf<Self>) -> Vec<PathBuf> {
         Vec::new()
