@@ -2,9 +2,10 @@
 
 use super::{Progress, Sink, Step, Study};
 use crate::error::{Error, Halt};
+use crate::forces::Instructions;
 use crate::interrupt::Interrupt;
 use crate::output::Finding;
-use crate::simulation::Simulation;
+use crate::simulation::{Settings, Simulation};
 use crate::system::System;
 use serde::{Deserialize, Serialize};
 
@@ -53,6 +54,8 @@ pub struct Outcome {
 pub struct Driver<'a, S: Study> {
     study: &'a S,
     interrupt: &'a Interrupt,
+    /// If not those that the study asks for.
+    instructions: Option<Instructions>,
     names: Vec<String>,
     /// Steps of this process.
     taken: u64,
@@ -61,7 +64,18 @@ pub struct Driver<'a, S: Study> {
 impl<'a, S: Study> Driver<'a, S> {
     /// A driver that stops when `interrupt` says so.
     pub fn new(study: &'a S, interrupt: &'a Interrupt) -> Self {
-        Self { study, interrupt, names: study.names(), taken: 0 }
+        Self { study, interrupt, instructions: None, names: study.names(), taken: 0 }
+    }
+
+    /// The same with these vector instructions, if any are given: for checks, as results do not depend on them.
+    pub fn using(self, instructions: Option<Instructions>) -> Self {
+        Self { instructions, ..self }
+    }
+
+    /// How a stage advances its system.
+    pub fn settings(&self, number: usize, system: &System) -> Settings {
+        let settings = self.study.settings(number, system);
+        Settings { instructions: self.instructions.unwrap_or(settings.instructions), ..settings }
     }
 
     /// Runs all stages, from placing the particles to the findings.
@@ -140,7 +154,7 @@ impl<'a, S: Study> Driver<'a, S> {
         let mut system = self.study.set_up(number, from)?;
         // Steps are counted stage by stage; time goes on, whatever the stage starts from.
         (system.step, system.time) = (0, clock);
-        let settings = self.study.settings(number, &system);
+        let settings = self.settings(number, &system);
         let simulation = Simulation::new(self.study.model(number), system, settings)?;
         let watch = self.study.watch(number, &simulation);
         let mut stage = self.stage(number, simulation, watch);
