@@ -65,7 +65,7 @@ pub trait Laid<R> {
     /// How many numbers it is; tuples of results list several.
     fn sizes() -> Vec<usize>;
     /// Appends its numbers.
-    fn lay(self, out: &mut Vec<R>);
+    fn flatten(self, out: &mut Vec<R>);
 }
 /// An argument that can be taken up again from numbers laid end to end.
 pub trait Taken<R>: Laid<R> {
@@ -77,7 +77,7 @@ impl<R: Real> Laid<R> for R {
     fn sizes() -> Vec<usize> {
         vec![1]
     }
-    fn lay(self, out: &mut Vec<R>) {
+    fn flatten(self, out: &mut Vec<R>) {
         out.push(self);
     }
 }
@@ -92,7 +92,7 @@ impl<R: Real> Laid<R> for Vec3<R> {
     fn sizes() -> Vec<usize> {
         vec![3]
     }
-    fn lay(self, out: &mut Vec<R>) {
+    fn flatten(self, out: &mut Vec<R>) {
         out.extend(self.0);
     }
 }
@@ -105,9 +105,9 @@ impl<R: Real> Laid<R> for Tensor<R> {
     fn sizes() -> Vec<usize> {
         vec![9]
     }
-    fn lay(self, out: &mut Vec<R>) {
+    fn flatten(self, out: &mut Vec<R>) {
         for row in self {
-            row.lay(out);
+            row.flatten(out);
         }
     }
 }
@@ -119,9 +119,9 @@ macro_rules! laid_tuple {
                 [$($part::sizes()),+].concat()
             }
             #[allow(non_snake_case)]
-            fn lay(self, out: &mut Vec<R>) {
+            fn flatten(self, out: &mut Vec<R>) {
                 let ($($part,)+) = self;
-                $($part.lay(out);)+
+                $($part.flatten(out);)+
             }
         }
     };
@@ -152,7 +152,7 @@ macro_rules! kernel {
             }
             fn apply(&self, mut numbers: &[R]) -> Vec<R> {
                 let mut out = Vec::new();
-                self($($argument::take(&mut numbers)),+).lay(&mut out);
+                self($($argument::take(&mut numbers)),+).flatten(&mut out);
                 out
             }
         }

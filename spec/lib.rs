@@ -26,7 +26,7 @@ pub use model::{Flat, Named, Outcome, PairModel, Touch, Wrench};
 pub use real::{Real, piecewise};
 pub use vec3::{Tensor, Vec3};
 
-/// The papers, and what none of them owns.
+/// The papers, and the mechanics that they share.
 pub fn papers() -> Vec<Paper> {
     vec![mechanics::paper(), titania::paper(), wear::paper(), soot::paper()]
 }

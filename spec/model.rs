@@ -32,7 +32,7 @@ pub struct Outcome<R, M, L> {
     pub losses: L,
 }
 
-/// A sphere at a point of a surface that moves as it is told.
+/// A sphere at a point of a surface with prescribed motion.
 #[derive(Clone, Copy, Debug)]
 pub struct Touch<R> {
     /// Unit vector from the surface to the centre.
@@ -47,7 +47,7 @@ pub struct Touch<R> {
     pub r: R,
 }
 
-/// A fixed number of `R`, in order: how an engine keeps what a model remembers without knowing what it means.
+/// A fixed number of `R`, in order: the form in which an engine stores the contact history of a model without knowing its meaning.
 pub trait Flat<R>: Copy + Send + Sync {
     /// How many numbers.
     const LEN: usize;
@@ -167,7 +167,7 @@ macro_rules! flat_struct {
     };
 }
 
-/// A contact model: what acts between two spheres.
+/// A contact model: the interaction of two spheres.
 pub trait PairModel: Sync {
     /// What stays constant while two spheres are neighbours.
     type Coefficients<R: Real>: Flat<R>;
@@ -184,14 +184,16 @@ pub trait PairModel: Sync {
     fn joined<R: Real>(&self, constants: Self::Coefficients<R>) -> Self::Coefficients<R> {
         constants
     }
+    /// Whether friction is limited by what it may stop in a step, which [`turning`](Self::turning) is told.
+    const FRICTION_STOPS: bool = false;
     /// The constants of a pair of which the engine knows what its friction may stop: the reduced moment of inertia (kg m²) of two spheres, or
-    /// of the rigid bodies that they are parts of, each shared by all contacts.
+    /// of the rigid bodies that they are parts of, each shared by all contacts that touch.
     fn turning<R: Real>(&self, constants: Self::Coefficients<R>, _inertia: R) -> Self::Coefficients<R> {
         constants
     }
     /// Largest distance of centres at which two spheres of these radii act on each other, m.
     fn range(&self, r_i: f64, r_j: f64) -> f64;
-    /// The pair at one instant: advances its springs by `dt` and says what they do. Beyond its range all is zero.
+    /// The pair at one instant: advances its springs by `dt` and returns their forces. Beyond its range everything is zero.
     fn pair<R: Real>(
         &self,
         c: &Contact<R>,
@@ -199,7 +201,7 @@ pub trait PairModel: Sync {
         memory: Self::Memory<R>,
         dt: R,
     ) -> Outcome<R, Self::Memory<R>, Self::Losses<R>>;
-    /// The springs that a pair keeps when neighbours are listed anew, and the energy lost with the others, J, by cause: all are kept unless a
+    /// The springs that a pair keeps when the neighbour list is rebuilt, and the energy lost with the others, J, by cause: all are kept unless a
     /// program is to be followed that forgets some.
     fn relisted<R: Real>(
         &self,
@@ -232,7 +234,7 @@ pub trait PairModel: Sync {
     fn surface_range(&self, _material: usize, _r: f64) -> f64 {
         0.0
     }
-    /// A contact of a sphere and a surface: advances its springs by `dt` and says what they do to the sphere.
+    /// A contact of a sphere and a surface: advances its springs by `dt` and returns the forces on the sphere.
     fn surface_contact(
         &self,
         _material: usize,

@@ -1,6 +1,6 @@
 //! The numerical vocabulary of every equation, on one page.
 //!
-//! An equation is written once over [`Real`]. What the number *is* decides what evaluating the equation means:
+//! An equation is written once over [`Real`]. The number type determines the meaning of its evaluation:
 //! `f64` gives its value, [`Lanes`](crate::numbers::Lanes) eight values at once, and the checking numbers its
 //! derivative, its dimension, its exact value or its bounds.
 //!

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-/// Signals, time and steps that are left. Whatever takes long asks it, and keeps what can be kept.
+/// Signals, and the remaining time and steps. Long computations poll it, and save their state before they stop.
 #[derive(Clone, Debug, Default)]
 pub struct Interrupt {
     signal: Arc<AtomicBool>,

@@ -1,4 +1,4 @@
-//! The f64 engine built on the equations of [`veridem_spec`], and the command line that runs the papers' cases.
+//! The f64 engine built on the equations of [`veridem_spec`], and the command line that runs the cases of the papers.
 
 pub mod case;
 #[cfg(feature = "cli")]

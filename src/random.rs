@@ -4,7 +4,7 @@ use crate::spec::Real;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha12Rng;
 
-/// Random numbers that depend on the seed and on what they are for, and on nothing else.
+/// Random numbers that depend only on the seed and on their purpose.
 pub struct Stream(ChaCha12Rng);
 
 impl Stream {

@@ -1,4 +1,4 @@
-//! Do rigid bodies among free spheres and walls keep what must be kept, whatever the number of threads and wherever a run was stopped?
+//! Do rigid bodies among free spheres and walls conserve momentum and energy, for any number of threads and after any restart?
 
 mod common;
 

@@ -1,4 +1,4 @@
-//! Do the commands around a run do what they say?
+//! Do the commands around a run work as documented?
 
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
@@ -224,7 +224,7 @@ fn a_signal_stops_a_run_at_a_checkpoint() {
     let manifest = std::fs::read_to_string(place.path().join("run/long/manifest.json")).unwrap();
     assert!(manifest.contains("\"status\": \"stopped\""));
     let resumed = veridem(place.path(), &["resume", "run/long", "--stop-after-steps", "10"]);
-    assert_eq!(text(&resumed.stderr), "stopped; go on with `veridem resume run/long`\n");
+    assert_eq!(text(&resumed.stderr), "stopped; resume with `veridem resume run/long`\n");
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! Does the engine keep what the equations keep?
+//! Does the engine obey the conservation laws of the equations?
 
 mod common;
 

@@ -1,4 +1,4 @@
-//! Do the bits depend on anything but the case?
+//! Do the bits depend on the case alone?
 
 mod common;
 

@@ -1,4 +1,4 @@
-//! Does a film under a tip run, and is what it says of the forces what was done to it?
+//! Does a film under a tip run, and do its forces agree with its energy balance?
 
 use std::path::Path;
 use std::process::Command;
@@ -50,7 +50,7 @@ fn the_tip_comes_down_to_its_setpoint_turns_and_pulls_and_the_events_are_those_t
     assert!((deepest - (lowest - 5.0)).abs() < 0.1, "{deepest} {lowest}");
     let rise = up[up.len() - 1][0] - up[up.len() - 2][0];
     assert!((rise - 5.0 * 0.5).abs() < 1e-9, "{rise}");
-    let largest = finding(&run, "largest pull on the tip");
+    let largest = finding(&run, "largest pulling force on the tip");
     assert!(largest > 0.0 && up.iter().any(|point| point[1] == -largest));
     let spectrum = Spectrum::read(&RunFolder::open(&run).unwrap()).unwrap();
     assert_eq!((spectrum.approach.len(), spectrum.retraction.len()), (down.len(), up.len()));

@@ -1,4 +1,4 @@
-//! Is a relaxed film that was kept the film that it was?
+//! Is a saved and loaded relaxed film the same film?
 
 use std::path::Path;
 use std::process::{Command, Output};
@@ -52,8 +52,8 @@ fn a_kept_film_gives_the_same_curve_and_another_is_refused() {
     let results = std::fs::read_to_string(place.join("run/kept/results.yaml")).unwrap();
     for name in [
         "porosity of the relaxed film",
-        "contacts of an aggregate with others",
-        "pore diameters that 10, 50 and 90 % do not reach [nm]",
+        "mean number of contacts between an aggregate and others",
+        "pore diameter, 10th, 50th and 90th percentile [nm]",
     ] {
         assert!(results.contains(name), "{results}");
     }

@@ -2,8 +2,8 @@
 
 use serde_json::Value;
 use std::path::Path;
-use veridem_spec::mechanics::contact_kinematics::Meeting;
-use veridem_spec::mechanics::four_springs::Grip;
+use veridem_spec::mechanics::contact_kinematics::ContactKinematics;
+use veridem_spec::mechanics::four_springs::SpringsOutcome;
 use veridem_spec::mechanics::four_springs::{Friction, Memory, Springs};
 use veridem_spec::mechanics::primary_particle::solid_inertia;
 use veridem_spec::mechanics::sphere::sphere_mass;
@@ -92,9 +92,9 @@ impl Pair {
         let x = [Vec3::zero(), Vec3::new(2.0, 0.0, 0.0)];
         Self { springs, friction, bonded, x, v, omega, memory: Memory::from_fn(|_| 0.0) }
     }
-    fn act(&self, dt: f64) -> Grip<f64> {
+    fn act(&self, dt: f64) -> SpringsOutcome<f64> {
         let c = Contact::new(self.x[0] - self.x[1], self.v[0] - self.v[1], self.omega[0], self.omega[1], 1.0, 1.0);
-        self.springs.grip(&self.friction, self.bonded, &Meeting::of_spheres(&c), self.memory, dt)
+        self.springs.evaluate(&self.friction, self.bonded, &ContactKinematics::of_spheres(&c), self.memory, dt)
     }
     fn start(&mut self, dt: f64) {
         let w = self.act(0.0).wrench;
@@ -104,7 +104,7 @@ impl Pair {
         }
     }
     fn step(&mut self, dt: f64) {
-        let Grip { wrench: w, memory, .. } = self.act(dt);
+        let SpringsOutcome { wrench: w, memory, .. } = self.act(dt);
         self.memory = memory;
         for (k, (force, torque)) in [(w.force, w.torque_i), (-w.force, w.torque_j)].into_iter().enumerate() {
             let (v, x, omega) =

@@ -1,4 +1,4 @@
-//! Does every wrong input get the error that helps, and every good one pass?
+//! Does every invalid input give a helpful error, and every valid one pass?
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};

@@ -1,4 +1,4 @@
-//! Do the two ways to step keep what they promise?
+//! Do both integrators have the stated accuracy?
 
 mod common;
 

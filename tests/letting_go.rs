@@ -1,4 +1,4 @@
-//! Springs that let go: is what they held entered as lost, whoever is near and however neighbours are listed?
+//! Released springs: is their energy entered as lost, whatever pairs are near and whenever the neighbour list is rebuilt?
 
 mod common;
 
@@ -94,10 +94,10 @@ fn a_sphere_that_is_taken_off_a_surface_or_put_elsewhere_on_it_loses_its_springs
     particles.v[0] = Vec3([1.0, 0.5, 0.0]);
     let mut law = dry();
     law.walls[0].hamaker = 0.0;
-    let substrate = Surface::new("substrate", 0, plane(), veridem::system::Course::Still);
+    let substrate = Surface::new("substrate", 0, plane(), veridem::system::PrescribedMotion::Still);
     let leaning = System { surfaces: vec![substrate], ..free(particles) };
     let touching = run(law, leaning, soot_settings(1e-6), 1e-4).into_system_with_springs();
-    assert_eq!(touching.surfaces[0].grips.places.len(), 1);
+    assert_eq!(touching.surfaces[0].contacts.places.len(), 1);
     for moved in [Vec3([0.0, 0.0, 5.0]), Vec3([5.0, 0.0, 0.0])] {
         let mut system = touching.clone();
         system.particles.x[0] = system.particles.x[0] + moved;

@@ -1,4 +1,4 @@
-//! Necks under another paper's contact law: is what they do accounted for, and what is left of a broken one a contact?
+//! Necks under another paper's contact law: is their energy accounted for, and does a contact replace a broken neck?
 
 use veridem::forces::Instructions;
 use veridem::run::advance;

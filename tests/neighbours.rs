@@ -1,4 +1,4 @@
-//! Is the neighbour list the same as looking at every pair?
+//! Does the neighbour list agree with a search over all pairs?
 
 mod common;
 

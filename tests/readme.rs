@@ -1,4 +1,4 @@
-//! Does the README still tell the truth about the files it quotes and shows?
+//! Does the README agree with the files that it quotes and shows?
 
 use std::fs;
 use std::path::Path;

@@ -48,7 +48,10 @@ fn survives_stops(name: &str, stops: &[u64]) {
         let arguments = ["run", &case(name), "--out", &out, "--name", "parts", "--force", "--stop-after-steps"];
         let stopped = veridem(&[&arguments[..], &[&stop.to_string()]].concat());
         assert_eq!(stopped.status.code(), Some(75), "{}", String::from_utf8_lossy(&stopped.stderr));
-        assert_eq!(String::from_utf8_lossy(&stopped.stderr), format!("stopped; go on with `veridem resume {parts}`\n"));
+        assert_eq!(
+            String::from_utf8_lossy(&stopped.stderr),
+            format!("stopped; resume with `veridem resume {parts}`\n")
+        );
         let again = veridem(&["resume", &parts, "--stop-after-steps", "7"]);
         assert_eq!(again.status.code(), Some(75), "{}", String::from_utf8_lossy(&again.stderr));
         let resumed = veridem(&["resume", &parts]);
@@ -141,7 +144,7 @@ fn a_run_is_not_resumed_with_another_case_or_another_file() {
          {indentation: {tip: {stl: tip.stl, unit: 1 nm}, duration: 20 steps}}]}\n",
     );
     let resume = |steps: &str| within(&["--quiet", "resume", "run/tip", "--stop-after-steps", steps]);
-    let stopped = (Some(75), "stopped; go on with `veridem resume run/tip`\n".to_string());
+    let stopped = (Some(75), "stopped; resume with `veridem resume run/tip`\n".to_string());
     assert_eq!(within(&["--quiet", "run", "tip.yaml", "--stop-after-steps", "5"]), stopped);
 
     write("tip.stl", &tip(21.0));

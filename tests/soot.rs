@@ -1,4 +1,4 @@
-//! Does a soot aggregate under its coating keep what the equations keep, with the same bits on any machine?
+//! Does a soot aggregate under its coating obey the conservation laws, with the same bits on any machine?
 
 mod common;
 

@@ -1,4 +1,4 @@
-//! Does an aggregate between a substrate and a moving tip keep what the equations keep, with the same bits on any machine?
+//! Does an aggregate between a substrate and a moving tip obey the conservation laws, with the same bits on any machine?
 
 mod common;
 
@@ -12,7 +12,7 @@ use veridem::spec::Vec3;
 use veridem::spec::mechanics::sphere::sphere_mass;
 use veridem::spec::soot::{Soot, TIP};
 use veridem::system::Mesh;
-use veridem::system::{Course, Particles, Shape, Surface, System};
+use veridem::system::{Particles, PrescribedMotion, Shape, Surface, System};
 
 /// A square far larger than the aggregate, whose diagonal passes below it.
 fn sheet() -> Shape {
@@ -80,7 +80,7 @@ fn neither_threads_nor_instructions_nor_a_pause_change_a_bit() {
 
     // The pause is made while a sphere lies on the substrate.
     let mut first = run(between(sheet()), settings(DT), 0);
-    advance_until(&mut first, |now| !now.system().surfaces[0].grips.places.is_empty()).expect("a stable step");
+    advance_until(&mut first, |now| !now.system().surfaces[0].contacts.places.is_empty()).expect("a stable step");
     let taken = first.system().step as usize;
     let mut resumed = Simulation::resume(dry(), settings(DT), first.snapshot()).expect("a valid snapshot");
     advance(&mut resumed, 6000 - taken as u64).expect("a stable step");
@@ -119,7 +119,7 @@ fn a_sphere_falls_on_the_tip_as_the_energy_integral_says() {
 
     let mut particles = Particles::default();
     particles.push(Vec3([0.0, 0.0, RADIUS + start]), RADIUS, sphere_mass(1.7e-3, RADIUS), 0);
-    let surfaces = vec![Surface::new("tip", TIP, sheet(), Course::Still)];
+    let surfaces = vec![Surface::new("tip", TIP, sheet(), PrescribedMotion::Still)];
     let system = System { surfaces, ..System::new(particles, space()) };
     let mut simulation = Simulation::new(dry(), system, settings(DT)).expect("a stable step");
     advance_until(&mut simulation, |now| now.system().particles.x[0].0[2] <= RADIUS + 1.0).expect("a stable step");

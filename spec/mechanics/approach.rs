@@ -35,7 +35,7 @@ pub fn tip_velocity<R: Real>(t: R, v_tip: R, rate: R, t_reversal: R) -> R {
     v_tip * (rate * (t - t_reversal)).tanh()
 }
 
-/// **Section 3.1.2**, unnumbered: way of the tip since the start.
+/// **Section 3.1.2**, unnumbered: displacement of the tip since the start.
 ///
 /// ```math
 /// z = \frac{v}{\lambda} \ln \frac{\cosh \lambda (t - t_\mathrm{r})}{\cosh \lambda t_\mathrm{r}}

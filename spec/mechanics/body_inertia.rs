@@ -6,7 +6,7 @@ use crate::equation::Equation;
 use crate::mechanics::sphere::moment_of_inertia;
 use crate::{Real, Tensor, Vec3, equation};
 
-/// **Section 5.3**, unnumbered: what a sphere adds to the inertia tensor of its aggregate.
+/// **Section 5.3**, unnumbered: contribution of a sphere to the inertia tensor of its aggregate.
 ///
 /// ```math
 /// \mathbf{I} = \frac{2}{5} m r^2 \, \mathbf{1} + m \left(x^2 \, \mathbf{1} - \mathbf{x} \mathbf{x}\right)

@@ -11,7 +11,7 @@ use crate::{Contact, Real, Vec3};
 
 /// The geometry of a contact and the rates of its four springs, as the paper has them.
 #[derive(Clone, Copy, Debug)]
-pub struct Meeting<R> {
+pub struct ContactKinematics<R> {
     /// Normal from i to j.
     pub n: Vec3<R>,
     /// Gap, negative for an overlap, m.
@@ -34,7 +34,7 @@ pub struct Meeting<R> {
     pub v_o: R,
 }
 
-impl<R: Real> Meeting<R> {
+impl<R: Real> ContactKinematics<R> {
     /// Two spheres.
     #[inline(always)]
     pub fn of_spheres(c: &Contact<R>) -> Self {

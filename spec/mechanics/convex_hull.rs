@@ -1,4 +1,4 @@
-//! The convex hull of spheres: what its edges and faces add to its volume.
+//! The convex hull of spheres: contributions of its edges and faces to its volume.
 
 use crate::equation::Equation;
 use crate::{Real, equation};

@@ -41,7 +41,7 @@ pub fn diffusion<R: Real>(kt: R, f: R) -> R {
 ///
 /// Without a drift every place of the surface is as likely as any other, whatever the time of the exit. By Girsanov's theorem a drift weights the paths with
 /// $e^{\mathbf{v} \cdot \mathbf{x} / 2D}$ and a function of that time: the density of $\cos\theta$, of which this is the inverse integral, goes with $e^{\kappa \cos\theta}$.
-/// A walk may therefore go from ball to ball, as large as there is room, without error. Written with $\tanh \kappa$ where the logarithm is that of a number near 1.
+/// A walk may therefore jump between spheres that are as large as the free space allows, without error. Written with $\tanh \kappa$ where the logarithm is that of a number near 1.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

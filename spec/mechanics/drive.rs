@@ -1,4 +1,4 @@
-//! What drives and what brakes a simulation.
+//! Drives and drag.
 //!
 //! Equations and sections are numbered as in Laube et al. 2018.
 

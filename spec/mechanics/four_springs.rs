@@ -1,8 +1,8 @@
-//! Four springs at work: what holds two spheres together, or rubs them against each other.
+//! The four springs of a neck or of a frictional contact of two spheres.
 //!
 //! Equations and sections are numbered as in Demidov, Gor & Khalizov 2024.
 
-use super::contact_kinematics::Meeting;
+use super::contact_kinematics::ContactKinematics;
 use super::friction::{dynamic_friction, rubbed, static_friction};
 use super::rotated_spring::{Span, Twist, rotated_spring, stretched};
 use super::spring_force::{energy, force, turning_torque};
@@ -69,7 +69,7 @@ flat_struct! {
         pub rolling,
         /// Torsion dashpot.
         pub torsion,
-        /// Springs that slid or let go. For one step it may be negative: when Eq. 17 sets a spring against its dashpot.
+        /// Springs that slipped or were released. In a single step it may be negative: when Eq. 17 sets a spring against its dashpot.
         pub slip,
     }
 }
@@ -132,9 +132,9 @@ impl<R: Copy + Send + Sync, O: Flat<R>> Flat<R> for Memory<R, O> {
 }
 
 /// A contact after one evaluation.
-pub type Grip<R, O = R> = Outcome<R, Memory<R, O>, Losses<R>>;
+pub type SpringsOutcome<R, O = R> = Outcome<R, Memory<R, O>, Losses<R>>;
 
-/// One spring after a step: its force, its next length, and what dashpot and slip took.
+/// One spring after a step: its force, its next elongation, and the energies dissipated by dashpot and slip.
 struct Pull<R, S> {
     force: S,
     xi: S,
@@ -146,7 +146,14 @@ impl<R: Real> Springs<R> {
     /// The springs of a meeting, advanced by `dt`, and what they do. Where `bonded` is true they are those of a neck, which holds at any gap and in any direction; elsewhere they are those of
     /// a contact, which only acts while the spheres overlap, never pulls along the normal, and rubs as Eqs. 13 to 17 say.
     #[inline(always)]
-    pub fn grip(&self, friction: &Friction<R>, bonded: R::Mask, at: &Meeting<R>, memory: Memory<R>, dt: R) -> Grip<R> {
+    pub fn evaluate(
+        &self,
+        friction: &Friction<R>,
+        bonded: R::Mask,
+        at: &ContactKinematics<R>,
+        memory: Memory<R>,
+        dt: R,
+    ) -> SpringsOutcome<R> {
         self.grip_in(Order::StretchFirst, friction, bonded, at, memory, dt)
     }
 
@@ -157,10 +164,10 @@ impl<R: Real> Springs<R> {
         order: Order,
         friction: &Friction<R>,
         bonded: R::Mask,
-        at: &Meeting<R>,
+        at: &ContactKinematics<R>,
         memory: Memory<R, O>,
         dt: R,
-    ) -> Grip<R, O> {
+    ) -> SpringsOutcome<R, O> {
         let zero = R::zero();
         let acts = bonded | at.delta.lt(zero);
         let rate = |v: Vec3<R>| Vec3::select(acts, v, Vec3::zero());

@@ -1,4 +1,4 @@
-//! Coulomb's friction of a spring: what it holds, when it slips, where it is then.
+//! Coulomb friction of a spring: largest force, onset of slip, and spring after a slip.
 //!
 //! Equations and sections are numbered as in Demidov, Gor & Khalizov 2024.
 
@@ -132,7 +132,7 @@ pub fn dynamic_friction<R: Real>(mu_d: R, f_n: R) -> R {
 /// | `f_cd` | $f_{\mathrm{C,d}}$ | N | >= 0 | dynamic friction force |
 /// | `f_0` | $\mathbf{f}_0$ | N (3) | any | test force, above the static friction force |
 /// | `xi_dot` | $\dot{\boldsymbol{\xi}}$ | m/s (3) | any | rate |
-/// | → `xi_next` | $\boldsymbol{\xi}'$ | m (3) | | spring to go on with |
+/// | → `xi_next` | $\boldsymbol{\xi}'$ | m (3) | | spring after the step |
 ///
 /// Rounding: at most 1 ULP.
 ///
@@ -153,7 +153,7 @@ fn slipped<R: Real, S: Span<R>>(k: R, eta: R, applied: S, xi_dot: S) -> S {
     S::select(exists, (applied - xi_dot * eta) * (R::one() / k), S::none())
 }
 
-/// **Section 2.1.3**, Eqs. 12 to 17 together, unnumbered: force of a spring with friction, and the spring to go on with.
+/// **Section 2.1.3**, Eqs. 12 to 17 together, unnumbered: force of a spring with friction, and the spring after the step.
 ///
 /// ```math
 /// (\mathbf{f}, \boldsymbol{\xi}') = \begin{cases} (\mathbf{f}_0, \boldsymbol{\xi}) & \lVert \mathbf{f}_0 \rVert \le f_{\mathrm{C,s}} \\
@@ -177,7 +177,7 @@ fn slipped<R: Real, S: Span<R>>(k: R, eta: R, applied: S, xi_dot: S) -> S {
 /// | → `f_cs` | $f_{\mathrm{C,s}}$ | N | | static friction force |
 /// | → `f_cd` | $f_{\mathrm{C,d}}$ | N | | dynamic friction force |
 /// | → `f` | $\mathbf{f}$ | N (3) | | force on i |
-/// | → `xi_next` | $\boldsymbol{\xi}'$ | m (3) | | spring to go on with |
+/// | → `xi_next` | $\boldsymbol{\xi}'$ | m (3) | | spring after the step |
 ///
 /// Rounding: at most 1 ULP.
 ///

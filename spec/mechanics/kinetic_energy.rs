@@ -1,4 +1,4 @@
-//! The energy of motion of a sphere, a rigid body and a wall, and what a time step adds to it.
+//! Kinetic energy of a sphere, a rigid body and a wall, and its error in a time step.
 
 use crate::equation::Equation;
 use crate::{Real, Vec3, equation};

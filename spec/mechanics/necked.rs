@@ -8,12 +8,12 @@
 //! begin relaxed. A neck joins the particles proper, which touch when they are at rest: their spheres are smaller than those of the
 //! contact law by the thickness by which the latter overlap then.
 
-use super::contact_kinematics::Meeting;
+use super::contact_kinematics::ContactKinematics;
 use super::four_springs::{Friction, Memory, Springs};
 use crate::{Contact, Flat, Outcome, PairModel, Real, Vec3, Wrench, flat_struct};
 
 flat_struct! {
-    /// Energies of a neck, J, by spring: what it holds, or what the dashpot beside it has taken.
+    /// Energies of a neck, J, by spring: stored in the spring, or dissipated by its dashpot.
     pub struct OfNeck {
         /// Along the normal.
         pub neck_normal,
@@ -80,6 +80,8 @@ impl<M: PairModel> PairModel for Necked<M> {
         (constants, Joined { joined: R::one() })
     }
 
+    const FRICTION_STOPS: bool = M::FRICTION_STOPS;
+
     fn turning<R: Real>(&self, (constants, joined): Self::Coefficients<R>, inertia: R) -> Self::Coefficients<R> {
         (self.law.turning(constants, inertia), joined)
     }
@@ -100,7 +102,8 @@ impl<M: PairModel> PairModel for Necked<M> {
         let joined = joined.joined.gt(R::lit(0.5));
         let free = self.law.pair(c, constants, memory, dt);
         let smooth = Friction::from_fn(|_| R::zero());
-        let neck = self.springs().grip(&smooth, joined, &Meeting::of_spheres(&self.under(c)), springs, dt);
+        let neck =
+            self.springs().evaluate(&smooth, joined, &ContactKinematics::of_spheres(&self.under(c)), springs, dt);
         let either = |neck: Vec3<R>, free: Vec3<R>| Vec3::select(joined, neck, free);
         Outcome {
             wrench: Wrench {

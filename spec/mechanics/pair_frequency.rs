@@ -45,7 +45,7 @@ pub fn neck_frequencies<R: Real>(k_n: R, k_t: R, k_r: R, k_o: R, m: R, i: R, r: 
     ((k_n * shift).sqrt(), (k_t * (shift + turn)).sqrt(), (k_r * turn).sqrt(), (k_o * turn).sqrt())
 }
 
-/// **Section 2.1.1**, unnumbered: how near a time step comes to what the sliding and the rolling of two spheres bear.
+/// **Section 2.1.1**, unnumbered: time step relative to the stability limit of sliding and rolling of two spheres.
 ///
 /// ```math
 /// \lambda = \tfrac{1}{2} \left(a + b + \sqrt{(a - b)^2 + 4c^2}\right), \quad a = s_\mathrm{t} \left(\tfrac{1}{m_i} + \tfrac{1}{m_j} + \tfrac{r_i^2}{I_i} + \tfrac{r_j^2}{I_j}\right), \quad

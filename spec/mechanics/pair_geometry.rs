@@ -14,7 +14,7 @@ use crate::{Real, Vec3, equation};
 /// # Reading
 ///
 /// From i to j: the opposite of the normal of a [`Contact`](crate::Contact). All equations of this room are in the convention of
-/// the paper; [`Meeting`](super::contact_kinematics::Meeting) is the one place where one is turned into the other.
+/// the paper; [`ContactKinematics`](super::contact_kinematics::ContactKinematics) is the one place where one is turned into the other.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

@@ -54,7 +54,7 @@ pub fn free_rotation<R: Real>(q_0: R, q: Vec3<R>, l: Vec3<R>, i: Vec3<R>, dt: R)
 /// Orientation, a quaternion, and angular momentum.
 type Turn<R> = (R, Vec3<R>, Vec3<R>);
 
-/// Rotation about one principal axis with what the angular momentum has along it.
+/// Rotation about one principal axis with the component of the angular momentum along it.
 #[inline(always)]
 fn about_axis<R: Real>((q_0, q, l): Turn<R>, i: Vec3<R>, axis: usize, dt: R) -> Turn<R> {
     let quarter = R::lit(0.25) * (l.0[axis] / i.0[axis] * dt);

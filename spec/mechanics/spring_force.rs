@@ -1,4 +1,4 @@
-//! The force of a spring and its dashpot, and what four of them do to two spheres.
+//! The force of a spring and its dashpot, and the forces and torques of four of them on two spheres.
 //!
 //! Equations and sections are numbered as in Demidov, Gor & Khalizov 2024.
 

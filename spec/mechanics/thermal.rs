@@ -11,12 +11,12 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// The Boltzmann constant is exactly $1.380649 \times 10^{-23}$ J/K.
+/// The Boltzmann constant is exactly $1.380649 \times 10^{-23}$ J/K. The tables have no unit of temperature: kelvins are counted.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
-/// | `k_b` | $k_B$ | J/K | > 0 | Boltzmann constant |
-/// | `t` | $T$ | K | > 0 | temperature |
+/// | `k_b` | $k_B$ | J | > 0 | Boltzmann constant, per kelvin |
+/// | `t` | $T$ | 1 | > 0 | temperature in kelvin |
 /// | → `kt` | $k_B T$ | J |  | energy |
 ///
 /// Rounding: at most 0.5 ULP.

@@ -1,4 +1,4 @@
-//! Several `f64` side by side: what the engine's pair loop computes with.
+//! Several `f64` in one vector: the number type of the engine's pair loop.
 //!
 //! Plain arrays and element-wise loops. The compiler turns them into whatever vector instructions it is allowed to use;
 //! because no operation is fused or reordered, every lane has the bits of the same calculation in `f64`.

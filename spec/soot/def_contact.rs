@@ -1,8 +1,8 @@
 //! The two contacts of the paper: the neck and the frictional contact.
 
 use crate::equation::Equation;
-use crate::mechanics::contact_kinematics::Meeting;
-use crate::mechanics::four_springs::{Friction, Grip, Memory, Springs, never};
+use crate::mechanics::contact_kinematics::ContactKinematics;
+use crate::mechanics::four_springs::{Friction, Memory, Springs, SpringsOutcome, never};
 use crate::{Contact, Real, Vec3, equation};
 
 /// Force on i, torques on i and j, and the three springs.
@@ -81,10 +81,10 @@ pub fn neck<R: Real>(
     xi_o: R,
     dt: R,
 ) -> Effect<R> {
-    let at = Meeting::of_spheres(&Contact::new(x_i - x_j, v_i - v_j, omega_i, omega_j, r_i, r_j));
+    let at = ContactKinematics::of_spheres(&Contact::new(x_i - x_j, v_i - v_j, omega_i, omega_j, r_i, r_j));
     let springs = Springs { k_n, k_t, k_r, k_o, eta_n, eta_t, eta_r, eta_o };
     let memory = Memory { tangential: xi_t, rolling: xi_r, torsion: xi_o };
-    laid(springs.grip(&Friction::from_ratio([R::zero(); 3], R::zero()), !never::<R>(), &at, memory, dt))
+    effect(springs.evaluate(&Friction::from_ratio([R::zero(); 3], R::zero()), !never::<R>(), &at, memory, dt))
 }
 
 /// **Section 2.1.3**, Eqs. 3 to 17 together, unnumbered: a frictional contact, from two particles and their springs to forces and springs.
@@ -169,14 +169,14 @@ pub fn frictional_contact<R: Real>(
     xi_o: R,
     dt: R,
 ) -> Effect<R> {
-    let at = Meeting::of_spheres(&Contact::new(x_i - x_j, v_i - v_j, omega_i, omega_j, r_i, r_j));
+    let at = ContactKinematics::of_spheres(&Contact::new(x_i - x_j, v_i - v_j, omega_i, omega_j, r_i, r_j));
     let springs = Springs { k_n, k_t, k_r, k_o, eta_n, eta_t, eta_r, eta_o };
     let memory = Memory { tangential: xi_t, rolling: xi_r, torsion: xi_o };
-    laid(springs.grip(&Friction::from_ratio([mu_t, mu_r, mu_o], phi), never::<R>(), &at, memory, dt))
+    effect(springs.evaluate(&Friction::from_ratio([mu_t, mu_r, mu_o], phi), never::<R>(), &at, memory, dt))
 }
 
-fn laid<R: Real>(grip: Grip<R>) -> Effect<R> {
-    let Grip { wrench, memory, .. } = grip;
+fn effect<R: Real>(evaluate: SpringsOutcome<R>) -> Effect<R> {
+    let SpringsOutcome { wrench, memory, .. } = evaluate;
     (wrench.force, wrench.torque_i, wrench.torque_j, memory.tangential, memory.rolling, memory.torsion)
 }
 
@@ -212,10 +212,10 @@ mod laws {
             torsion,
         })
     }
-    fn act(c: &Contact<f64>, bonded: bool, memory: Memory<f64>) -> Grip<f64> {
-        SPRINGS.grip(&FRICTION, bonded, &Meeting::of_spheres(c), memory, DT)
+    fn act(c: &Contact<f64>, bonded: bool, memory: Memory<f64>) -> SpringsOutcome<f64> {
+        SPRINGS.evaluate(&FRICTION, bonded, &ContactKinematics::of_spheres(c), memory, DT)
     }
-    fn distance(a: &Grip<f64>, b: &Grip<f64>) -> f64 {
+    fn distance(a: &SpringsOutcome<f64>, b: &SpringsOutcome<f64>) -> f64 {
         let (v, w) = (a.wrench, b.wrench);
         let wrenches = (v.force - w.force).norm() + (v.torque_i - w.torque_i).norm() + (v.torque_j - w.torque_j).norm();
         let (m, k) = (a.memory, b.memory);
@@ -278,8 +278,8 @@ mod laws {
         fn dashpots_never_deliver_power(c in pair()) {
             let dashpots = Springs { k_n: 0.0, k_t: 0.0, k_r: 0.0, k_o: 0.0, ..SPRINGS };
             for bonded in BOTH {
-                let grip = dashpots.grip(&FRICTION, bonded, &Meeting::of_spheres(&c), Memory::zero(), DT);
-                let (power, l) = (grip.wrench.power(&c), grip.losses);
+                let evaluate = dashpots.evaluate(&FRICTION, bonded, &ContactKinematics::of_spheres(&c), Memory::zero(), DT);
+                let (power, l) = (evaluate.wrench.power(&c), evaluate.losses);
                 prop_assert!(power <= 1e-15);
                 prop_assert!(!bonded || (l.normal + l.tangential + l.rolling + l.torsion + power * DT).abs() < 1e-14);
             }
@@ -287,7 +287,7 @@ mod laws {
 
         #[test]
         fn without_overlap_a_contact_feels_and_remembers_nothing(n in unit(), beyond in 1e-12..1e6, v in vector(), omega in vector(), memory in memory()) {
-            let Grip { wrench, memory: after, losses } = act(&Contact::new(n * (1.75 + beyond), v, omega, -omega, 1.0, 0.75), false, memory);
+            let SpringsOutcome { wrench, memory: after, losses } = act(&Contact::new(n * (1.75 + beyond), v, omega, -omega, 1.0, 0.75), false, memory);
             for none in [wrench.force, wrench.torque_i, wrench.torque_j] {
                 prop_assert_eq!(none.norm(), 0.0);
             }
@@ -298,19 +298,19 @@ mod laws {
 
         #[test]
         fn a_contact_never_pulls_and_rubs_no_more_than_its_normal_force_allows(c in pair(), memory in memory()) {
-            let grip = act(&c, false, memory);
-            let f_n = grip.wrench.force.dot(c.n);
+            let evaluate = act(&c, false, memory);
+            let f_n = evaluate.wrench.force.dot(c.n);
             prop_assert!(f_n >= -1e-15);
-            prop_assert!(grip.wrench.force.perpendicular_to(c.n).norm() <= FRICTION.static_t * f_n + 1e-14);
-            prop_assert!(grip.losses.normal >= -1e-15);
+            prop_assert!(evaluate.wrench.force.perpendicular_to(c.n).norm() <= FRICTION.static_t * f_n + 1e-14);
+            prop_assert!(evaluate.losses.normal >= -1e-15);
         }
 
         #[test]
         fn with_friction_without_limit_a_contact_is_a_neck(c in pair(), memory in memory()) {
-            let at = Meeting::of_spheres(&c);
+            let at = ContactKinematics::of_spheres(&c);
             let f_n = -(SPRINGS.k_n * c.gap + SPRINGS.eta_n * at.v_n);
             prop_assume!(c.gap < 0.0 && f_n > 1e-6);
-            let rough = SPRINGS.grip(&Friction::from_ratio([1e9; 3], 1.0), false, &at, memory, DT);
+            let rough = SPRINGS.evaluate(&Friction::from_ratio([1e9; 3], 1.0), false, &at, memory, DT);
             prop_assert!(distance(&rough, &act(&c, true, memory)) < 1e-13);
         }
     }

@@ -1,4 +1,4 @@
-//! How hard a neck is drawn, bent and twisted.
+//! Stresses of a neck under tension, bending and torsion.
 
 use crate::equation::Equation;
 use crate::{Real, Vec3, equation};

@@ -1,8 +1,8 @@
 //! A sphere against a wall: the substrate, a facet of the tip.
 
 use crate::equation::Equation;
-use crate::mechanics::contact_kinematics::Meeting;
-use crate::mechanics::four_springs::{Friction, Grip, Memory, Springs, never};
+use crate::mechanics::contact_kinematics::ContactKinematics;
+use crate::mechanics::four_springs::{Friction, Memory, Springs, SpringsOutcome, never};
 use crate::{Real, Vec3, equation};
 
 /// **Section 3.1**, unnumbered: frictional contact of a sphere with a wall of given velocity.
@@ -82,9 +82,9 @@ pub fn wall_contact<R: Real>(
 ) -> (Vec3<R>, Vec3<R>, Vec3<R>, Vec3<R>, R) {
     let springs = Springs { k_n, k_t, k_r, k_o, eta_n, eta_t, eta_r, eta_o };
     let memory = Memory { tangential: xi_t, rolling: xi_r, torsion: xi_o };
-    let at = Meeting::of_wall(n, delta, v, omega, r);
-    let Grip { wrench, memory, .. } =
-        springs.grip(&Friction::from_ratio([mu_t, mu_r, mu_o], phi), never::<R>(), &at, memory, dt);
+    let at = ContactKinematics::of_wall(n, delta, v, omega, r);
+    let SpringsOutcome { wrench, memory, .. } =
+        springs.evaluate(&Friction::from_ratio([mu_t, mu_r, mu_o], phi), never::<R>(), &at, memory, dt);
     (wrench.force, wrench.torque_i, memory.tangential, memory.rolling, memory.torsion)
 }
 

@@ -41,7 +41,7 @@ pub fn equal_hamaker_energy<R: Real>(r: R, delta: R, a: R) -> R {
 ///
 /// # Reading
 ///
-/// The coefficient of the normal: positive, so that i is drawn towards j. Over one denominator it is
+/// The coefficient of the normal: positive, so that i is attracted by j. Over one denominator it is
 /// $\frac{32 A r^6}{3 \delta^2 (4r + \delta)^2 (2r + \delta)^3}$, which cancels nothing; the printed form has no digit left at a thousand radii.
 ///
 /// | name | symbol | unit | domain | meaning |
@@ -71,7 +71,7 @@ pub fn equal_hamaker_force<R: Real>(r: R, delta: R, a: R) -> R {
 /// # Reading
 ///
 /// The text names a saturation distance $\delta_0$ from 0.4 to 1 nm, but no formula. The force is frozen at its value there, also where the spheres overlap, and the
-/// potential goes on as a straight line: both are continuous.
+/// potential continues as a straight line: both are continuous.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

@@ -36,7 +36,7 @@ pub fn transfer_function<R: Real>(omega_0: R, s_re: R, s_im: R) -> (R, R, R) {
     ((x - y) * (x + y), R::lit(2.0) * x * y, omega_0.squared() / square)
 }
 
-/// **Eq. 32**, Appendix: what a stiff cantilever transmits.
+/// **Eq. 32**, Appendix: transfer function of a stiff cantilever.
 ///
 /// ```math
 /// \lim_{\omega_0 \to \infty} \frac{\omega_0^2}{(s + \omega_0)^2} = 1
@@ -62,7 +62,7 @@ pub fn preserved<R: Real>(omega_0: R, s: R) -> R {
     transfer_function(omega_0, s, R::zero()).0
 }
 
-/// **Eq. 33**, Appendix: what a soft cantilever transmits.
+/// **Eq. 33**, Appendix: transfer function of a soft cantilever.
 ///
 /// ```math
 /// \lim_{\omega_0 \to 0} \frac{\omega_0^2}{(s + \omega_0)^2} = 0

@@ -1,10 +1,10 @@
-//! The contact law, composed of its equations: what an engine runs.
+//! The contact law, composed of its equations, for an engine.
 
 use super::def_body_forces::Attraction;
 use super::def_neck_stress::neck_stress;
 use super::eq12_spring_force::turning_torque;
-use crate::mechanics::contact_kinematics::Meeting;
-use crate::mechanics::four_springs::{Friction, Grip, Losses, Memory, Order, Springs};
+use crate::mechanics::contact_kinematics::ContactKinematics;
+use crate::mechanics::four_springs::{Friction, Losses, Memory, Order, Springs, SpringsOutcome};
 use crate::mechanics::rotated_spring::Twist;
 use crate::{Contact, Flat, PairModel, Real, Touch, Vec3, flat_struct};
 
@@ -114,7 +114,7 @@ impl<S: Reading> PairModel for Soot<S> {
         Coefficients { bonded: R::one() }
     }
 
-    /// Two spheres at one instant: advances their springs by `dt` and says what they do. A neck acts at any distance; all else ends at the cutoff.
+    /// Two spheres at one instant: advances their springs by `dt` and returns their forces. A neck acts at any distance; everything else ends at the cutoff.
     #[inline(always)]
     fn pair<R: Real>(
         &self,
@@ -122,12 +122,12 @@ impl<S: Reading> PairModel for Soot<S> {
         k: &Coefficients<R>,
         memory: Self::Memory<R>,
         dt: R,
-    ) -> Grip<R, S::Torsion<R>> {
+    ) -> SpringsOutcome<R, S::Torsion<R>> {
         let bonded = is_bonded(k);
-        let at = Meeting::of_spheres(c);
-        let mut grip = self.springs(bonded).grip_in(S::ORDER, &lifted(&self.friction), bonded, &at, memory, dt);
-        grip.wrench.force = grip.wrench.force + self.far(c);
-        grip
+        let at = ContactKinematics::of_spheres(c);
+        let mut evaluate = self.springs(bonded).grip_in(S::ORDER, &lifted(&self.friction), bonded, &at, memory, dt);
+        evaluate.wrench.force = evaluate.wrench.force + self.far(c);
+        evaluate
     }
 
     const MOSTLY_FAR: bool = true;
@@ -181,8 +181,8 @@ impl<S: Reading> PairModel for Soot<S> {
         touch: &Touch<f64>,
         memory: Self::Memory<f64>,
         dt: f64,
-    ) -> Grip<f64, S::Torsion<f64>> {
-        self.walls[material].grip(S::ORDER, touch, memory, dt)
+    ) -> SpringsOutcome<f64, S::Torsion<f64>> {
+        self.walls[material].evaluate(S::ORDER, touch, memory, dt)
     }
 
     fn surface_pull(&self, material: usize, touch: &Touch<f64>) -> f64 {
@@ -206,7 +206,7 @@ impl<S: Reading> PairModel for Soot<S> {
 impl<S: Reading> Soot<S> {
     /// Largest tensile and largest shear stress, Pa, that the springs of a neck leave in it where it is thinnest, `r_b` from its axis to its circumference.
     pub fn neck_stress<R: Real>(&self, c: &Contact<R>, memory: &Memory<R, S::Torsion<R>>, r_b: R) -> (R, R) {
-        let (at, neck) = (Meeting::of_spheres(c), lifted::<R, _, Springs<R>>(&self.neck));
+        let (at, neck) = (ContactKinematics::of_spheres(c), lifted::<R, _, Springs<R>>(&self.neck));
         let turning = turning_torque(at.n, at.a, memory.rolling * neck.k_r, at.r, memory.torsion * neck.k_o);
         neck_stress(neck.k_n * at.delta, memory.tangential * neck.k_t, turning, at.n, r_b)
     }

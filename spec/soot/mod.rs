@@ -2,8 +2,8 @@
 //! Phys. Rev. E 110 (2024) 054902.
 //!
 //! Aggregates of spheres that touch or are joined by necks, attract each other, and are pulled together by a coating or pulled apart by the tip of a force microscope.
-//! The rooms `eq..` are the numbered equations, `def_..` what the paper uses without a number. [`four_springs`](mechanics::four_springs) are the four springs of a contact,
-//! [`def_contact`] neck and friction, [`def_wall`] substrate and tip, [`law`] what an engine runs, [`verlet`](mechanics::verlet) the step. Every number, 1 to 33, is a function. All of it holds for
+//! The modules `eq..` are the numbered equations, `def_..` unnumbered relations. [`four_springs`](mechanics::four_springs) are the four springs of a contact,
+//! [`def_contact`] neck and friction, [`def_wall`] substrate and tip, [`law`] the law for an engine, [`verlet`](mechanics::verlet) the step. Every number, 1 to 33, is a function. All of it holds for
 //! unequal spheres; the equal ones of the paper are a case.
 //!
 //! # Errata

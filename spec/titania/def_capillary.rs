@@ -12,7 +12,7 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// Surface tension around the wetted circle and suction over its area, in the circular approximation; the curvature is that of Kelvin.
+/// Surface tension around the wetted circle and suction over its area, in the circular approximation; the curvature follows from Kelvin's equation.
 /// Positive when it attracts, as Eq. 3 takes it. Without a meniscus, $\beta = 0$, there is none.
 ///
 /// | name | symbol | unit | domain | meaning |
@@ -45,7 +45,7 @@ pub fn capillary_force<R: Real>(gamma: R, r_k: R, r_eff: R, theta: R, beta: R) -
 ///
 /// # Reading
 ///
-/// Along the branch both depend on the angle. At rupture the slope is infinite: the force falls like the square root of what is left of the distance.
+/// Along the branch both depend on the angle. At rupture the slope is infinite: the force decreases like the square root of the remaining distance.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -53,7 +53,7 @@ pub fn capillary_force<R: Real>(gamma: R, r_k: R, r_eff: R, theta: R, beta: R) -
 /// | `r_k` | $r_K$ | m | > 0 | Kelvin radius |
 /// | `r_eff` | $R$ | m | > 0 | harmonic mean radius of the water-covered particles |
 /// | `theta` | $\theta$ | rad | [0, pi/2) | contact angle |
-/// | `beta` | $\beta$ | rad | (0, pi/2] | half-filling angle, not that of rupture |
+/// | `beta` | $\beta$ | rad | (0, pi/2] | half-filling angle, not the angle at rupture |
 /// | → `slope` | $F'_{cap}$ | N/m | | change of the force with the distance |
 ///
 /// Rounding: at most 1 ULP.
@@ -74,7 +74,7 @@ pub(super) fn angle_slope<R: Real>(gamma: R, r_k: R, r_eff: R, theta: R, beta: R
     R::pi() * gamma * two * (a_slope * (sum.sin() + a / r_k) + a * sum.cos())
 }
 
-/// Not in the paper: work that the capillary force does while the particles part, from one half-filling angle to that of rupture.
+/// Not in the paper: work of the capillary force during separation, from a given half-filling angle to the angle at rupture.
 ///
 /// ```math
 /// W = \int_d^{d_r} F_{cap} \, dd = \int_{\beta}^{\beta_r} F_{cap} \frac{dD}{d\beta} \, d\beta

@@ -10,7 +10,7 @@
 //! r = \frac{g}{2c}, \quad l = A - r (1 - s), \quad \frac{1}{r} - \frac{1}{l} = \frac{1}{r_K}
 //! ```
 //!
-//! For a given angle the last equation is quadratic in $g$, so the distance follows in closed form and the largest distance is that of rupture.
+//! For a given angle the last equation is quadratic in $g$, so the distance follows in closed form and the largest distance is the rupture distance.
 
 use crate::equation::Equation;
 use crate::{Real, equation};

@@ -1,4 +1,4 @@
-//! The radii of a particle and what a pair makes of them.
+//! The radii of a particle and of a pair.
 
 use crate::equation::Equation;
 use crate::{Real, equation};

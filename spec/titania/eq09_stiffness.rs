@@ -47,7 +47,7 @@ pub fn stiffness<R: Real>(f_na_0: R, delta_n_0: R, r_i: R, r_j: R, h_n: R) -> R 
     -f_na_0 / (delta_n_0 * (delta_n_0 * r_eff).sqrt())
 }
 
-/// **Section 2.3**, unnumbered: contact stiffness of unlike particles, from those of either size.
+/// **Section 2.3**, unnumbered: contact stiffness of unlike particles, from the stiffnesses of equal pairs of either size.
 ///
 /// ```math
 /// \frac{1}{k_n} = \frac{1}{2} \left(\frac{1}{k_i} + \frac{1}{k_j}\right)

@@ -6,7 +6,7 @@ use crate::{Real, Vec3, equation};
 /// What becomes of the tangential spring when its length reaches the period.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Slip {
-    /// The spring lets go: the force of that step is the largest one, and the spring starts from zero, as in the authors' program.
+    /// The spring is released: the force of that step is the largest one, and the spring restarts from zero, as in the authors' program.
     Reset,
     /// The spring gives up whole periods and keeps the remainder, so that steady sliding has exactly the printed period.
     Remainder,
@@ -47,7 +47,7 @@ pub fn sawtooth<R: Real>(tau_s: R, a: R, delta_t: R, lambda_t: R, t: Vec3<R>) ->
     (frac, t * -(tau_s * a * frac))
 }
 
-/// **Eq. 12** as a spring and a slider in three dimensions: force of the spring and what remains of it.
+/// **Eq. 12** as a spring and a slider in three dimensions: force of the spring and its remaining elongation.
 ///
 /// ```math
 /// \mathbf{F}_t = -\frac{\tau_S A_{ij}}{\lambda_t} \boldsymbol{\xi}, \quad

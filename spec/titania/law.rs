@@ -1,4 +1,4 @@
-//! The contact law, composed of its equations: what an engine runs.
+//! The contact law, composed of its equations, for an engine.
 
 use super::attraction::Attraction;
 use super::def_radius::{effective_radius, radii};
@@ -270,6 +270,8 @@ impl PairModel for Titania {
     fn coefficients<R: Real>(&self, r_i: R, r_j: R, m_i: R, m_j: R) -> Coefficients<R> {
         (self.parameters(r_i, r_j, m_i, m_j), self.attraction(r_i, r_j))
     }
+
+    const FRICTION_STOPS: bool = true;
 
     fn turning<R: Real>(&self, (contact, attraction): Coefficients<R>, inertia: R) -> Coefficients<R> {
         (Parameters { inertia: self.stoppable(inertia), ..contact }, attraction)

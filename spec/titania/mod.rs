@@ -3,9 +3,9 @@
 //!
 //! Oxide particles of a few nanometres under a layer of water: a meniscus and the layers of water between the surfaces attract, compressed layers
 //! repel, rough surfaces stick and slip, and roll against a constant resistance. The rooms `eq..` are the numbered
-//! equations, `def_..` what the paper uses without a number. The attraction is not in the paper, which refers to earlier work for it:
+//! equations, `def_..` unnumbered relations. The attraction is not in the paper, which refers to earlier work for it:
 //! [`def_water`], [`def_meniscus`] and [`def_capillary`] are classical capillarity, [`attraction`] composes it for a pair, [`table`] makes it fast.
-//! [`law`] is what an engine runs, [`tabulated`] the same for particles of few sizes, and many. Every number, 1 to 14, is a function.
+//! [`law`] is the law for an engine, [`tabulated`] the same for many particles of a few sizes. Every number, 1 to 14, is a function.
 //!
 //! # Errata
 //!

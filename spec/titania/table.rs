@@ -1,4 +1,4 @@
-//! A function tabulated to a tolerance: what makes the attraction fast.
+//! A function tabulated to a tolerance, for a fast evaluation of the attraction.
 
 use crate::{Real, flat_struct};
 

@@ -83,6 +83,8 @@ impl PairModel for Tabulated {
         (self.law.parameters_with(number(STIFFNESS), r_i, r_j, m_i, m_j), Piece::from_fn(number))
     }
 
+    const FRICTION_STOPS: bool = true;
+
     fn turning<R: Real>(&self, (contact, piece): Self::Coefficients<R>, inertia: R) -> Self::Coefficients<R> {
         (Parameters { inertia: self.law.stoppable(inertia), ..contact }, piece)
     }

@@ -1,4 +1,4 @@
-//! Position, velocity and time step without dimension: what is left of the pair is one number, the scaled step.
+//! Dimensionless position, velocity and time step: the pair is characterised by one number, the scaled step.
 
 use crate::equation::Equation;
 use crate::{Real, equation};

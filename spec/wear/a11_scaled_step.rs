@@ -1,4 +1,4 @@
-//! The scaled step, its matrix, and what it leaves unchanged.
+//! The scaled step, its matrix, and its invariant.
 
 use crate::equation::Equation;
 use crate::{Real, equation};
@@ -94,7 +94,7 @@ pub fn amplify<R: Real>(a_xx: R, a_xv: R, a_vx: R, a_vv: R, x: R, v: R) -> (R, R
     (a_xx * x + a_xv * v, a_vx * x + a_vv * v)
 }
 
-/// **Unnumbered**, after Eq. A.13: what the step conserves instead of the energy.
+/// **Unnumbered**, after Eq. A.13: the quantity conserved by the step instead of the energy.
 ///
 /// ```math
 /// I = \hat x^2 + \hat v^2 - \hat{\Delta t}\, \hat x \hat v

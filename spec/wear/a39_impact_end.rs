@@ -1,4 +1,4 @@
-//! The end of an impact: how long it takes and with what velocity the spheres part.
+//! The end of an impact: its duration and the velocity of separation.
 
 use super::a19_critical_damping::critical_pair_damping;
 use super::a35_impact::impact_velocity;

@@ -37,13 +37,13 @@ flat_struct! {
         pub normal_damping,
         /// In the dashpot in the contact plane.
         pub tangential_damping,
-        /// By springs that slid or let go.
+        /// By springs that slipped or were released.
         pub slip,
     }
 }
 
 impl<R: Real> Parameters<R> {
-    /// Eqs. 2 to 5 composed: the force and the torques of a contact, its spring advanced by `dt`, and what was lost on the way.
+    /// Eqs. 2 to 5 composed: the force and the torques of a contact, its spring advanced by `dt`, and the energy lost.
     /// Beyond the fracture separation all is zero, and the spring forgotten.
     #[inline(always)]
     pub fn act(&self, c: &Contact<R>, spring: Vec3<R>, dt: R) -> Outcome<R, Vec3<R>, Losses<R>> {

@@ -35,7 +35,7 @@ pub fn tangential_force<R: Real>(k_t: R, delta_t: R, f_mt_rescaled: R) -> R {
     (k_t * delta_t).min(f_mt_rescaled)
 }
 
-/// **Section 2.1**, unnumbered: what is left of the slid distance once the force has reached its cap.
+/// **Section 2.1**, unnumbered: sliding distance that remains once the force has reached its cap.
 ///
 /// ```math
 /// \delta_T := \min\left(\delta_T, \frac{F'_{m,T}}{k_T}\right)
@@ -43,7 +43,7 @@ pub fn tangential_force<R: Real>(k_t: R, delta_t: R, f_mt_rescaled: R) -> R {
 ///
 /// # Reading
 ///
-/// The paper does not say what becomes of the slid distance beyond the cap. If it kept growing, a pair could slide
+/// The paper does not define the sliding distance beyond the cap. If it kept growing, a pair could slide
 /// at a large separation, where the cap is small, and give the distance back in contact, where it is large:
 /// such a loop delivers work. The slider of the spring must therefore slip.
 /// Computed as the fraction $F_T / k_T \delta_T$ that is kept, one where nothing slips, so that `k_t = 0` is allowed.

@@ -3,7 +3,7 @@
 use crate::equation::Equation;
 use crate::{Real, equation};
 
-/// **Eq. 7**, Section 2.2: normal stiffness of a pair, that of a bar of the cross section between the two centres.
+/// **Eq. 7**, Section 2.2: normal stiffness of a pair, equal to the stiffness of a bar of its cross-section between the two centres.
 ///
 /// ```math
 /// k_N = \frac{A_N E}{r_i + r_j}

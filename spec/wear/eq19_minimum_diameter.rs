@@ -3,7 +3,7 @@
 use crate::equation::Equation;
 use crate::{Real, equation};
 
-/// **Eq. 19**, Section 2.2: smallest reasonable diameter, that of particles that reach as far as they are wide.
+/// **Eq. 19**, Section 2.2: smallest reasonable diameter, at which the range of a particle equals its diameter.
 ///
 /// ```math
 /// d_{\min} = \frac{4 \gamma}{\sigma_{m,N}}

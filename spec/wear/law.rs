@@ -1,4 +1,4 @@
-//! The contact law, composed of its equations: what an engine runs.
+//! The contact law, composed of its equations, for an engine.
 
 use super::def_contact::{Losses, Parameters};
 use super::def_parameters::force_parameters;
@@ -32,7 +32,7 @@ pub struct Material {
     pub forget_stretched_springs: bool,
 }
 
-/// Which forces act: all of them, or those of a phase of the relaxation (Section 3.2).
+/// The active forces: all of them, or those of a phase of the relaxation (Section 3.2).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Interaction {
     /// Normal repulsion alone: the first phase.

@@ -2,8 +2,8 @@
 //! Comput. Methods Appl. Mech. Engrg. 397 (2022) 115124.
 //!
 //! A solid of cohesive spheres: every pair is a spring that carries tension too, weakens and breaks, and heals when its particles meet again.
-//! The rooms `eq..` are the numbered equations of the text, `a..` those of the appendix, `def_..` what the paper uses without a number.
-//! [`def_parameters`] leads from a material to the parameters of a pair, [`def_contact`] is the force law, [`law`] what an engine runs,
+//! The modules `eq..` are the numbered equations of the text, `a..` those of the appendix, `def_..` unnumbered relations.
+//! [`def_parameters`] leads from a material to the parameters of a pair, [`def_contact`] is the force law, [`law`] the law for an engine,
 //! [`eq01_symplectic_euler`] the step. Every number, 1 to 22 and A.1 to A.66, is a function.
 //!
 //! # Errata

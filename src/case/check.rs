@@ -1,20 +1,20 @@
-//! The vocabulary of checks: what a case must satisfy beyond its grammar.
+//! Checks of a case beyond its grammar.
 
 use super::schema::{Limits, Output};
 use super::units::decimal;
 use std::fmt::Display;
 
-/// Keys and complaints, in the order of the file.
+/// Keys and error messages, in the order of the file.
 pub type Found = Vec<(String, String)>;
 
-/// Enters a complaint about the value of a key unless the condition `holds`.
+/// Adds an error message about the value of a key unless the condition `holds`.
 pub fn expect(found: &mut Found, holds: bool, key: &str, value: impl Display, expected: &str) {
     if !holds {
         found.push((key.into(), format!("found `{value}`, expected {expected}")));
     }
 }
 
-/// What is wrong with the general sections of a case.
+/// Checks the general sections of a case.
 pub(super) fn general(output: &Output, limits: &Limits, found: &mut Found) {
     for (key, interval) in
         [("series", &output.series), ("frames", &output.frames), ("checkpoints", &output.checkpoints)]
@@ -24,7 +24,7 @@ pub(super) fn general(output: &Output, limits: &Limits, found: &mut Found) {
     expect(found, limits.overlap > 0.0, "limits.overlap", decimal(limits.overlap), "more than zero");
 }
 
-/// Words as a choice: `a`, `b` or `c`.
+/// Formats alternatives: `a`, `b` or `c`.
 pub fn either(words: &[&str]) -> String {
     match words {
         [] => String::new(),

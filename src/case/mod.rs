@@ -1,4 +1,4 @@
-//! The language of case files: sections, quantities with units, and the places of errors. It knows no paper.
+//! The language of case files: sections, quantities with units, and the locations of errors. It depends on no paper.
 
 pub mod check;
 mod outline;

@@ -1,4 +1,4 @@
-//! The outline of a case file: the words below `model`, `sample` and `experiment` that tell whose case it is.
+//! The outline of a case file: the words below `model`, `sample` and `experiment`, which identify its paper.
 
 use super::Case;
 use super::check::{Found, either};
@@ -9,7 +9,7 @@ use serde::de::{DeserializeSeed, Deserializer, IgnoredAny, MapAccess, Visitor};
 use std::fmt;
 use std::path::Path;
 
-/// The words that may stand below `model`, `sample` and `experiment`.
+/// The words allowed below `model`, `sample` and `experiment`.
 #[derive(Clone, Debug, Default)]
 pub struct Words {
     /// Below `model`.
@@ -51,7 +51,7 @@ impl Outline {
     }
 }
 
-/// Reads a case file but for what is below the words.
+/// Reads a case file without the content of the chosen sections.
 struct Whole<'a>(&'a Words);
 
 impl<'de> DeserializeSeed<'de> for Whole<'_> {

@@ -6,17 +6,17 @@ use serde::{Serialize, Serializer};
 use std::fmt;
 use std::marker::PhantomData;
 
-/// What a key measures.
+/// The kind of a quantity: its name, dimension and an example.
 pub trait Kind: Clone + fmt::Debug + PartialEq + 'static {
     /// With its article: `a length`.
     const NAME: &'static str;
     /// Its dimension.
     const DIMENSION: Dimension;
-    /// What a user may write.
+    /// An example of a valid value.
     const EXAMPLE: &'static str;
 }
 
-/// A length, a time... that the case itself defines and quantities may be multiples of: `1.5 d_0`.
+/// A reference length, time or other scale defined by the case, of which quantities may be multiples: `1.5 d_0`.
 pub trait Scale: Clone + fmt::Debug + PartialEq + 'static {
     /// Its name in case files.
     const SYMBOL: &'static str;
@@ -85,7 +85,7 @@ pub struct Quantity<K> {
 }
 
 impl<K: Kind> Quantity<K> {
-    /// Reads `14 nm`; the error says what is wrong with the text.
+    /// Parses `14 nm`; the error states the problem.
     pub fn parse(text: &str) -> Result<Self, String> {
         let expected = format!("expected {} such as `{}`", K::NAME, K::EXAMPLE);
         let wrong = |what: &str| format!("found `{text}`{what}, {expected}");
@@ -95,17 +95,17 @@ impl<K: Kind> Quantity<K> {
         }
         let (dimension, power) = unit(rest).ok_or_else(|| wrong(&format!(", `{rest}` is not a unit")))?;
         if dimension != K::DIMENSION {
-            return Err(wrong(", which has another dimension"));
+            return Err(wrong(", which has the wrong dimension"));
         }
         Ok(Self { value: shifted(number, power), written: text.trim().into(), kind: PhantomData })
     }
 }
 
-/// A quantity that is written in the source, not by a user.
+/// A quantity written in the source code, not by a user.
 ///
 /// # Panics
 ///
-/// If the text is no quantity of that kind.
+/// If the text is not a quantity of that kind.
 pub fn quantity<K: Kind>(text: &str) -> Quantity<K> {
     Quantity::parse(text).expect("a quantity of the right kind")
 }
@@ -115,23 +115,23 @@ pub fn quantity<K: Kind>(text: &str) -> Quantity<K> {
 pub enum Scaled<K, S> {
     /// With a unit.
     Absolute(Quantity<K>),
-    /// So many times the scale.
+    /// A multiple of the scale.
     Multiple(f64, PhantomData<S>),
 }
 
 impl<K: Kind, S: Scale> Scaled<K, S> {
-    /// So many times the scale.
+    /// A multiple of the scale.
     pub const fn times(number: f64) -> Self {
         Self::Multiple(number, PhantomData)
     }
-    /// In engine units, where `scale` is one scale in engine units.
+    /// In engine units, where `scale` is the scale in engine units.
     pub fn value(&self, scale: f64) -> f64 {
         match self {
             Self::Absolute(quantity) => quantity.value,
             Self::Multiple(number, _) => number * scale,
         }
     }
-    /// The number as written, in engine units or in scales: enough to know its sign.
+    /// The number as written, in engine units or as a multiple: enough to know its sign.
     pub fn number(&self) -> f64 {
         self.value(1.0)
     }
@@ -162,7 +162,7 @@ impl<K: Kind, S: Scale> fmt::Display for Scaled<K, S> {
     }
 }
 
-/// Reads a scalar of the case file as the text that stands there.
+/// Reads a scalar of the case file as the text that was written.
 struct Text<T>(fn(&str) -> Result<T, String>);
 
 impl<T> Visitor<'_> for Text<T> {

@@ -1,4 +1,4 @@
-//! Reads a case file and says exactly where it is wrong.
+//! Reads a case file and locates its errors.
 
 use super::Case;
 use super::check::{self, Found};
@@ -13,7 +13,7 @@ pub fn read_text(file: &Path) -> Result<String, Error> {
     std::fs::read_to_string(file).map_err(|cause| Error::NoInput(file.into(), cause))
 }
 
-/// Reads the text of a case file whose sections are known, completes and checks it; `problems` finds what is wrong with it beyond its grammar.
+/// Parses a case file whose sections are known, completes it and checks it; `problems` finds errors beyond its grammar.
 pub fn parse<M: Part, S: Part, E: Part>(
     file: &Path,
     text: &str,
@@ -40,7 +40,7 @@ pub fn unmarked(text: &str) -> &str {
     text.strip_prefix('\u{feff}').unwrap_or(text)
 }
 
-/// Says of problems with keys in which file and line they are.
+/// Adds file and line to the problems of keys.
 pub fn located(error: Error, file: &Path, text: &str) -> Error {
     let Error::Input(mut problems) = error else { return error };
     for problem in problems.iter_mut().filter(|problem| problem.file.as_os_str().is_empty()) {
@@ -49,7 +49,7 @@ pub fn located(error: Error, file: &Path, text: &str) -> Error {
     Error::Input(problems)
 }
 
-/// Puts an error of the YAML reader into our form. Its text is `path: message at line 3 column 5`.
+/// Converts an error of the YAML reader, whose text is `path: message at line 3 column 5`.
 pub(super) fn problem(file: &Path, error: &serde_yaml::Error) -> Problem {
     let message = error.to_string();
     let location = error.location();
@@ -82,7 +82,7 @@ pub(super) fn problem(file: &Path, error: &serde_yaml::Error) -> Problem {
     Problem { file: file.into(), line: location.map(|at| at.line()), key: key.into(), what }
 }
 
-/// The line of the value behind `key`, such as `sample.hcp.size[1]`: reads the text again and fails exactly there.
+/// The line of the value of `key`, such as `sample.hcp.size[1]`: parses the text again and fails exactly there.
 fn line_of(text: &str, key: &str) -> Option<usize> {
     let path: Vec<&str> = key.split(['.', '[']).map(|part| part.trim_end_matches(']')).collect();
     let stopped = Find(&path).deserialize(serde_yaml::Deserializer::from_str(unmarked(text))).err()?;

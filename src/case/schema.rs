@@ -1,4 +1,4 @@
-//! What every case file has: its general sections and keys, with their defaults. The sections below `model`, `sample` and `experiment` are left open.
+//! The general sections and keys of every case file, with their defaults. The sections below `model`, `sample` and `experiment` are type parameters.
 
 use super::quantity::{Scaled, Step, Time};
 use super::section::{Field, Key, defaults, section};
@@ -7,21 +7,21 @@ use super::section::{Field, Key, defaults, section};
 pub type InSteps = Scaled<Time, Step>;
 
 section! {
-    /// A case: what is built, of what, and what is done to it.
+    /// A case: the contact model, the sample and the experiment.
     pub struct Case<M, S, E> {
-        /// One line for people.
+        /// One-line description.
         title: String,
-        /// Seed of every random stream.
+        /// Seed of all random streams.
         seed: u64 = 1,
         /// The contact model and its material.
         model: M,
-        /// The particles before anything is done to them.
+        /// The particles in their initial state.
         sample: S,
-        /// What is done to the sample.
+        /// The experiment on the sample.
         experiment: E,
-        /// What is written, and how often.
+        /// Output intervals.
         output: Output = defaults(),
-        /// When a run is given up.
+        /// Limits beyond which a run halts.
         limits: Limits = defaults(),
     }
 }
@@ -32,21 +32,21 @@ pub fn keys() -> Vec<Key> {
 }
 
 section! {
-    /// What is written, and how often.
+    /// Output intervals.
     pub struct Output {
-        /// Time between two rows of series.csv.
+        /// Time between rows of series.csv.
         series: InSteps = Scaled::times(100.0),
-        /// Time between two frames.
+        /// Time between frames.
         frames: InSteps = Scaled::times(5000.0),
-        /// Time between two checkpoints.
+        /// Time between checkpoints.
         checkpoints: InSteps = Scaled::times(10_000.0),
     }
 }
 
 section! {
-    /// When a run is given up.
+    /// Limits beyond which a run halts.
     pub struct Limits {
-        /// Largest overlap of two particles, as a part of the sum of their radii, once they have been relaxed.
+        /// Largest overlap of two particles after the relaxation, as a fraction of the sum of their radii.
         overlap: f64 = 0.8,
     }
 }

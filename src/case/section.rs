@@ -1,4 +1,4 @@
-//! How a section of a case file is declared: once, with its keys, their types, defaults and meaning.
+//! Declaration of a section of a case file, in one place: its keys, their types, defaults and meaning.
 //!
 //! From one declaration come the Rust structure, the reader that knows its keys, and the listing of `veridem schema`.
 
@@ -12,11 +12,11 @@ use std::path::PathBuf;
 pub struct Key {
     /// Its name.
     pub key: &'static str,
-    /// What it means.
+    /// Its meaning.
     pub about: String,
-    /// What may be written there.
+    /// The values that it accepts.
     pub expects: String,
-    /// What stands there when nothing is written; none for a key that must be written.
+    /// Its default value; none for a required key.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub default: Option<serde_json::Value>,
     /// The keys below it.
@@ -24,9 +24,9 @@ pub struct Key {
     pub keys: Vec<Key>,
 }
 
-/// Anything that may stand behind a key.
+/// A type that the value of a key may have.
 pub trait Field: serde::Serialize {
-    /// What may be written there.
+    /// The values that it accepts.
     fn expects() -> String;
     /// The keys below it.
     fn keys() -> Vec<Key> {
@@ -43,7 +43,7 @@ macro_rules! plain_fields {
         }
     )*};
 }
-/// A section that somebody else reads.
+/// A section that is read elsewhere.
 impl Field for () {
     fn expects() -> String {
         "a section".into()
@@ -89,15 +89,15 @@ impl<T: Field> Field for [T; 3] {
     }
 }
 
-/// What a type must be for a section to leave it open.
+/// The bounds on a type parameter of a section.
 pub trait Part: Field + serde::de::DeserializeOwned + Clone + fmt::Debug + PartialEq {}
 impl<T: Field + serde::de::DeserializeOwned + Clone + fmt::Debug + PartialEq> Part for T {}
 
-/// Reads the name of a key that must be known and not have been seen: so that a wrong one is reported where it stands.
+/// Reads the name of a key, which must be known and not repeated, so that a wrong key is reported on its own line.
 pub struct KeyName<'a> {
     /// The keys of the section.
     pub known: &'a [&'static str],
-    /// Those already read.
+    /// The keys already read.
     pub seen: &'a [&'static str],
 }
 
@@ -134,17 +134,17 @@ pub fn unknown_word(word: &str, known: &[&str]) -> String {
     format!("found `{word}`, expected one of `{}`{meant}", known.join("`, `"))
 }
 
-/// What was probably meant: at most every third letter is wrong.
+/// The word that was probably meant: at most every third letter differs.
 fn nearest<'a>(name: &str, known: &[&'a str]) -> Option<&'a str> {
     let distance = |key: &str| strsim::damerau_levenshtein(name, key);
     known.iter().copied().min_by_key(|key| distance(key)).filter(|key| 3 * distance(key) <= name.len().max(3))
 }
 
-/// A section in which every key has its default.
+/// A section with every key at its default.
 pub fn defaults<T: for<'de> Deserialize<'de>>() -> T {
     let nothing =
         serde::de::value::MapDeserializer::<_, serde::de::value::Error>::new(std::iter::empty::<(String, String)>());
-    T::deserialize(nothing).expect("every key of a section that may be left out has a default")
+    T::deserialize(nothing).expect("every key of an optional section has a default")
 }
 
 /// A default as `veridem schema` lists it.
@@ -152,12 +152,12 @@ pub fn plain(default: &impl serde::Serialize) -> serde_json::Value {
     serde_json::to_value(default).expect("a default is plain data")
 }
 
-/// The error for a key that must be written and is not.
+/// The error for a missing required key.
 pub fn missing<E: Error>(key: &str, expected: &str) -> E {
     E::custom(format!("missing key `{key}`, expected {expected}"))
 }
 
-/// Reads the one key that a choice consists of.
+/// Reads the single key of a choice.
 pub fn only_key<'de, A: MapAccess<'de>>(map: &mut A, known: &[&'static str]) -> Result<&'static str, A::Error> {
     map.next_key_seed(KeyName { known, seen: &[] })?.ok_or_else(|| A::Error::custom(one_of(known)))
 }
@@ -167,12 +167,12 @@ pub fn one_of(known: &[&str]) -> String {
     format!("expected {}", one_of_these(known))
 }
 
-/// What may stand behind a choice.
+/// The keys that a choice accepts.
 pub fn one_of_these(known: &[&str]) -> String {
     format!("exactly one of the keys `{}`", known.join("`, `"))
 }
 
-/// Declares a section: `key: Type,` must be written, `key: Type = default,` may be. Its keys may be of types that are left open.
+/// Declares a section: `key: Type,` is required, `key: Type = default,` is optional. A section may have type parameters.
 #[macro_export]
 macro_rules! section {
     ($(#[doc = $about:literal])* pub struct $name:ident $(<$($open:ident),+>)? {

@@ -58,7 +58,7 @@ impl FourSprings {
     }
 }
 
-/// What is wrong with the necks of a model of any paper.
+/// Checks the necks of a model of any paper.
 pub fn necks(model: &str, neck: &Option<FourSprings>, strength: &Option<Quantity<Energy>>, found: &mut Found) {
     if let Some(energy) = strength {
         expect(found, energy.value > 0.0, &format!("{model}.break_energy"), energy, "more than zero");
@@ -68,7 +68,7 @@ pub fn necks(model: &str, neck: &Option<FourSprings>, strength: &Option<Quantity
     }
 }
 
-/// What is wrong with four springs.
+/// Checks four springs.
 pub fn springs(springs: &FourSprings, section: &str, found: &mut Found) {
     let at = |key: &str| format!("{section}.{key}");
     for (key, stiffness) in [

@@ -1,14 +1,14 @@
-//! Units: the border between the user and the engine.
+//! Units: the interface between the user and the engine.
 //!
-//! The engine counts in nanometres, nanoseconds and attograms (1e-21 kg), hence in piconewtons, zeptojoules and megapascals.
-//! Every unit accepted here is a power of ten of those, so a conversion only moves the decimal point and nothing is rounded twice.
+//! The engine works in nanometres, nanoseconds and attograms (1e-21 kg), hence in piconewtons, zeptojoules and megapascals.
+//! Every unit accepted here is a power of ten times one of these, so a conversion only shifts the decimal point and nothing is rounded twice.
 
 /// Exponents of kilogram, metre, second and kelvin.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Dimension(pub [i32; 4]);
 
 impl Dimension {
-    /// Power of ten of the coherent SI unit of this dimension, counted in engine units.
+    /// Power of ten of the coherent SI unit of this dimension, in engine units.
     pub const fn engine_power(self) -> i32 {
         let [kilogram, metre, second, _] = self.0;
         21 * kilogram + 9 * metre + 9 * second
@@ -98,23 +98,23 @@ pub fn number_and_unit(text: &str) -> Option<(&str, &str)> {
 /// A decimal number times a power of ten, rounded once.
 pub fn shifted(decimal: &str, power: i32) -> f64 {
     let (mantissa, exponent) = decimal.split_once(['e', 'E']).unwrap_or((decimal, "0"));
-    // Where it does not fit, the number is zero.
+    // An exponent that overflows belongs to the number zero.
     let exponent = exponent.parse().unwrap_or(i32::MIN);
     format!("{mantissa}e{}", exponent.saturating_add(power)).parse().expect("the number has been parsed before")
 }
 
-/// A number as people write it: plain near one, with an exponent far from it, always enough digits to read it back exactly.
+/// A number for people: in decimal notation near one, otherwise with an exponent, always with enough digits to read it back exactly.
 pub fn decimal(value: f64) -> String {
     let size = value.abs();
     if size == 0.0 || (1e-4..1e7).contains(&size) { format!("{value}") } else { format!("{value:e}") }
 }
 
-/// A number with six digits, for people.
+/// A number with six significant digits, for people.
 pub fn rounded(value: f64) -> String {
     decimal(format!("{value:.5e}").parse().expect("a formatted number is a number"))
 }
 
-/// An engine value written in `unit` with six digits, for people.
+/// An engine value in `unit` with six significant digits, for people.
 pub fn in_unit(value: f64, unit_text: &str) -> String {
     if !value.is_finite() {
         return format!("{value} {unit_text}");

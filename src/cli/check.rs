@@ -1,6 +1,6 @@
-//! `veridem check`: everything about a case short of running it.
+//! `veridem check`: checks a case without running it.
 
-use super::{Manner, print};
+use super::{OutputMode, print};
 use crate::error::Error;
 use crate::papers::Papers;
 use std::path::PathBuf;
@@ -12,8 +12,8 @@ pub struct Arguments {
     case: PathBuf,
 }
 
-/// Checks the case and prints it resolved.
-pub fn run(arguments: &Arguments, papers: Papers, manner: Manner) -> Result<(), Error> {
+/// Checks the case and prints it with its defaults and derived values.
+pub fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
     let job = papers.read(&arguments.case)?;
     job.examine()?;
     let resolved = job.resolved;

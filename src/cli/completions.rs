@@ -1,4 +1,4 @@
-//! `veridem completions`: what the shell needs to complete our command line.
+//! `veridem completions`: completions of the command line for a shell.
 
 use super::{command, print};
 use crate::error::Error;

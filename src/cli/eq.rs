@@ -4,7 +4,7 @@ mod batch;
 mod call;
 mod show;
 
-use super::{Manner, print};
+use super::{OutputMode, print};
 use crate::error::{AtPath, Error};
 use call::Registry;
 use std::path::Path;
@@ -20,7 +20,7 @@ pub struct Arguments {
 enum Action {
     /// List every equation; with --json names, symbols, units, domains and laws too
     List,
-    /// Show an equation: formula as printed, how it was read, table, laws, source file
+    /// Show an equation: formula as printed, reading, table, laws, source file
     Show {
         /// Its id, such as mechanics-sphere-volume
         id: String,
@@ -39,7 +39,7 @@ enum Action {
 }
 
 /// Lists, shows or evaluates equations.
-pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
+pub fn run(arguments: &Arguments, manner: OutputMode) -> Result<(), Error> {
     let registry = Registry::new();
     match &arguments.action {
         Action::List if manner.json => print(&show::list_as_json(&registry)),

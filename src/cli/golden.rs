@@ -1,12 +1,12 @@
-//! `veridem golden`: checks the golden vectors, or mints them anew.
+//! `veridem golden`: checks or regenerates the golden vectors.
 
-use super::{Manner, print};
+use super::{OutputMode, print};
 use crate::error::{AtPath, Error};
 use crate::golden::{INDEX, check, documented, index, measure, regenerate, samples};
 use std::fmt::Write;
 use std::path::PathBuf;
 
-/// Random inputs per equation when its rounding error is measured.
+/// Number of random inputs per equation for the measurement of its rounding error.
 const SAMPLED: usize = 200;
 
 /// The arguments.
@@ -14,23 +14,23 @@ const SAMPLED: usize = 200;
 pub struct Arguments {
     #[command(subcommand)]
     action: Action,
-    /// The repository, which has the folders golden, spec and src
+    /// The repository, with the folders golden, spec and src
     #[arg(long, default_value = ".", global = true)]
     root: PathBuf,
 }
 
 #[derive(clap::Subcommand)]
 enum Action {
-    /// Compare every vector with 256-bit numbers, f64 with every vector, and the index with the sources
+    /// Compare every vector with 256-bit arithmetic, f64 with every vector, and the index with the sources
     Check,
-    /// Mint the vectors and the index anew; print what changed and by how much. Independent values are kept
+    /// Regenerate the vectors and the index, and print the changes; independent values are kept
     Regenerate,
     /// Measure the rounding error of every equation and print it beside the stated bound
     Bounds,
 }
 
-/// Checks, mints or measures.
-pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
+/// Checks, regenerates or measures.
+pub fn run(arguments: &Arguments, manner: OutputMode) -> Result<(), Error> {
     let root = &arguments.root;
     let equations = documented().map_err(Error::Verification)?;
     let (golden, index_file) = (root.join("golden"), root.join(INDEX));
@@ -54,7 +54,7 @@ pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
             }
             std::fs::write(&index_file, index(root, &equations).at(root)?).at(&index_file)?;
             text.extend(changes.iter().map(|change| format!("{change}\n")));
-            manner.say(format!("{} equations minted, {} vectors changed", equations.len(), changes.len()));
+            manner.say(format!("{} equations regenerated, {} vectors changed", equations.len(), changes.len()));
         }
         Action::Bounds => {
             let _ = writeln!(text, "{:24} {:>10} {:>8}", "equation", "measured", "stated");

@@ -1,6 +1,6 @@
-//! `veridem import`: what an aggregate of another program looks like, and its spheres as extended XYZ.
+//! `veridem import`: describes an aggregate from another program, and writes its spheres as extended XYZ.
 
-use super::{Manner, print};
+use super::{OutputMode, print};
 use crate::case::quantity::{Length, Quantity};
 use crate::error::Error;
 use crate::initial::aggregate::import::{Imported, Options, extended_xyz, read, read_necks};
@@ -11,30 +11,30 @@ use std::path::PathBuf;
 /// The arguments.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// FLAGE XML, MSTM, FracVAL, PyFracVAL, VTK, LAMMPS data or XYZ; told by its content
+    /// FLAGE XML, MSTM, FracVAL, PyFracVAL, VTK, LAMMPS data or XYZ; identified by its content
     file: PathBuf,
-    /// Unit of length of the file, such as `1 nm`, where it has none of its own
+    /// Unit of length of the file, such as `1 nm`, if the format does not define one
     #[arg(long, value_name = "LENGTH")]
     unit: Option<String>,
-    /// Radius of all spheres, such as `14 nm`, where the file has none
+    /// Radius of all spheres, such as `14 nm`, if the file gives none
     #[arg(long, value_name = "LENGTH")]
     radius: Option<String>,
-    /// Format, where the content does not tell: flage, mstm, fracval, pyfracval, vtk, lammps or xyz
+    /// Format, if the content does not identify it: flage, mstm, fracval, pyfracval, vtk, lammps or xyz
     #[arg(long)]
     format: Option<String>,
-    /// File of necks that soot-dem wrote beside the spheres
+    /// File of necks written by soot-dem beside the spheres
     #[arg(long, value_name = "FILE")]
     necks: Option<PathBuf>,
-    /// Accept spheres that do not hang together
+    /// Accept spheres that do not form one connected aggregate
     #[arg(long)]
     disconnected: bool,
-    /// Write the spheres here as extended XYZ, in nm
+    /// Write the spheres to this file as extended XYZ, in nm
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
 }
 
-/// Reads, writes, describes.
-pub fn run(arguments: &Arguments, manner: Manner) -> Result<(), Error> {
+/// Reads, describes and writes the aggregate.
+pub fn run(arguments: &Arguments, manner: OutputMode) -> Result<(), Error> {
     let length = |text: &Option<String>| {
         let parse = |text: &String| Quantity::<Length>::parse(text).map(|length| length.value).map_err(Error::Usage);
         text.as_ref().map(parse).transpose()

@@ -1,7 +1,7 @@
-//! `veridem inspect`: what a run folder holds, or where two of them differ.
+//! `veridem inspect`: summarises a run folder, or compares two.
 
 use super::run::table;
-use super::{Manner, print};
+use super::{OutputMode, print};
 use crate::error::Error;
 use crate::output::{Finding, Manifest, RunFolder, Series, read};
 use crate::papers::Papers;
@@ -14,13 +14,13 @@ pub struct Arguments {
     /// The run folder
     #[arg(required_unless_present = "diff")]
     run: Option<PathBuf>,
-    /// Compare two run folders; exits with 4 if they differ
+    /// Compare two run folders; the exit status is 4 if they differ
     #[arg(long, num_args = 2, value_names = ["A", "B"], conflicts_with = "run")]
     diff: Option<Vec<PathBuf>>,
 }
 
 /// Summarises or compares.
-pub fn run(arguments: &Arguments, papers: Papers, manner: Manner) -> Result<(), Error> {
+pub fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
     match (&arguments.run, &arguments.diff) {
         (_, Some(pair)) => compare(&pair[0], &pair[1], manner),
         (Some(run), None) => summarise(run, papers, manner),
@@ -28,7 +28,7 @@ pub fn run(arguments: &Arguments, papers: Papers, manner: Manner) -> Result<(), 
     }
 }
 
-fn summarise(root: &Path, papers: Papers, manner: Manner) -> Result<(), Error> {
+fn summarise(root: &Path, papers: Papers, manner: OutputMode) -> Result<(), Error> {
     let folder = RunFolder::open(root)?;
     let title = papers.read(&folder.case())?.title;
     let manifest = Manifest::read(&folder)?;
@@ -57,7 +57,7 @@ struct Difference {
     scale: f64,
 }
 
-fn compare(a: &Path, b: &Path, manner: Manner) -> Result<(), Error> {
+fn compare(a: &Path, b: &Path, manner: OutputMode) -> Result<(), Error> {
     let (folder_a, folder_b) = (RunFolder::open(a)?, RunFolder::open(b)?);
     let (series_a, series_b) = (Series::read(&folder_a)?, Series::read(&folder_b)?);
     let differences = differences(&series_a, &series_b);
@@ -85,7 +85,7 @@ fn compare(a: &Path, b: &Path, manner: Manner) -> Result<(), Error> {
             text.push_str(&format!("series: {} rows and {} rows\n", rows.0, rows.1));
         }
         if !same_columns {
-            text.push_str("series: the columns are not the same\n");
+            text.push_str("series: the columns differ\n");
         }
         for d in &differences {
             let Difference { column, row, largest, scale } = d;
@@ -106,7 +106,7 @@ fn compare(a: &Path, b: &Path, manner: Manner) -> Result<(), Error> {
     if identical { Ok(()) } else { Err(Error::Verification(format!("{} and {} differ", a.display(), b.display()))) }
 }
 
-/// Column by column, over the rows that both have.
+/// Compares column by column, over the rows that both have.
 fn differences(a: &Series, b: &Series) -> Vec<Difference> {
     let mut found = Vec::new();
     for (place, column) in a.columns.iter().enumerate() {

@@ -43,13 +43,13 @@ const EXIT_CODES: &str = "Exit status: 0 done, 2 wrong command line, 4 verificat
 enum Command {
     /// Run a case
     Run(run::Arguments),
-    /// Go on with a run that was stopped
+    /// Resume a stopped run
     Resume(resume::Arguments),
     /// Check a case and print it with every default and derived value
     Check(check::Arguments),
-    /// Run a case for many values of its keys, on all cores
+    /// Run a case for several values of its keys, on all cores
     Sweep(sweep::Arguments),
-    /// Compute a paper's claims
+    /// Compute the claims of a paper
     Reproduce(reproduce::Arguments),
     /// Read an aggregate from another program's file and describe it
     Import(import::Arguments),
@@ -57,7 +57,7 @@ enum Command {
     Inspect(inspect::Arguments),
     /// List, show and evaluate the equations
     Eq(eq::Arguments),
-    /// Check the golden vectors, or mint them anew
+    /// Check or regenerate the golden vectors
     #[cfg(feature = "verify")]
     Golden(golden::Arguments),
     /// List the keys of a case file
@@ -66,17 +66,17 @@ enum Command {
     Completions(completions::Arguments),
 }
 
-/// How the user wants to be spoken to.
+/// The user's choice of output.
 #[derive(Clone, Copy, Debug)]
-pub struct Manner {
+pub struct OutputMode {
     /// JSON on standard output.
     pub json: bool,
     /// No messages.
     pub quiet: bool,
 }
 
-impl Manner {
-    /// A message to the user.
+impl OutputMode {
+    /// Prints a message to the user.
     pub fn say(self, message: impl AsRef<str>) {
         if !self.quiet {
             eprintln!("{}", message.as_ref());
@@ -89,7 +89,7 @@ pub fn command(papers: Papers) -> clap::Command {
     CommandLine::command().mut_subcommand("reproduce", |command| reproduce::known(command, papers))
 }
 
-/// Runs the program for some papers: parses the command line, does what it says, and tells how it ended.
+/// Runs the program for these papers: parses the command line, executes the command, and returns the exit status.
 pub fn main(papers: Papers) -> ExitCode {
     let matches = command(papers).get_matches();
     let command_line = CommandLine::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
@@ -97,8 +97,8 @@ pub fn main(papers: Papers) -> ExitCode {
         eprintln!("broken invariant: {panic}");
         std::process::exit(70);
     }));
-    let manner = Manner { json: command_line.json, quiet: command_line.quiet };
-    // The main thread works too: handing every step over to another one and waiting for it would cost more than a small step.
+    let manner = OutputMode { json: command_line.json, quiet: command_line.quiet };
+    // The main thread works too: handing every step over to another thread and waiting for it would cost more than a small step.
     let threads = command_line.threads.map_or(0, usize::from);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).use_current_thread();
     pool.build_global().expect("the thread pool is set up once, before it is used");
@@ -125,7 +125,7 @@ pub fn main(papers: Papers) -> ExitCode {
     }
 }
 
-/// Writes to standard output; a reader that has gone away is no failure of ours.
+/// Writes to standard output; a closed pipe is not an error.
 pub fn print(text: &str) -> Result<(), Error> {
     use std::io::Write;
     match std::io::stdout().write_all(text.as_bytes()) {

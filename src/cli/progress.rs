@@ -1,17 +1,17 @@
-//! What a user sees while a run goes.
+//! Progress of a run, shown to the user.
 
-use super::Manner;
-use crate::run::Glance;
+use super::OutputMode;
+use crate::run::RunProgress;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::IsTerminal;
 use std::time::{Duration, Instant};
 
-/// How often a line is written where there is no terminal.
+/// Interval between progress lines if there is no terminal.
 const PAUSE: Duration = Duration::from_secs(5);
 
 /// A bar on a terminal, a line every few seconds elsewhere.
 pub struct Progress {
-    manner: Manner,
+    manner: OutputMode,
     bar: Option<ProgressBar>,
     stage: String,
     begun: (Instant, u64),
@@ -19,8 +19,8 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// Nothing is shown before the first glance.
-    pub fn new(manner: Manner) -> Self {
+    /// Nothing is shown before the first report.
+    pub fn new(manner: OutputMode) -> Self {
         let bar = (!manner.quiet && std::io::stderr().is_terminal()).then(|| {
             let style = if std::env::var_os("NO_COLOR").is_some() { "{bar:24}" } else { "{bar:24.cyan}" };
             let template = format!("{{prefix:12}} {style} {{pos}}/{{len}} {{eta}} left, {{msg}}");
@@ -30,37 +30,37 @@ impl Progress {
         Self { manner, bar, stage: String::new(), begun: (Instant::now(), 0), written: None }
     }
 
-    /// Shows how a run is doing.
-    pub fn show(&mut self, glance: Glance) {
+    /// Shows the progress of a run.
+    pub fn show(&mut self, state: RunProgress) {
         if self.manner.quiet {
             return;
         }
-        if glance.stage != self.stage {
-            self.stage = glance.stage.into();
-            self.begun = (Instant::now(), glance.step);
+        if state.stage != self.stage {
+            self.stage = state.stage.into();
+            self.begun = (Instant::now(), state.step);
             if let Some(bar) = &self.bar {
                 bar.reset();
             }
         }
         let (since, first) = self.begun;
-        let taken = (glance.step - first) as f64;
+        let taken = (state.step - first) as f64;
         let each = since.elapsed().as_secs_f64() / taken.max(1.0);
-        let cost = 1e9 * each / glance.particles as f64;
+        let cost = 1e9 * each / state.particles as f64;
         let message =
-            format!("{cost:.0} ns/particle-step, ledger {:.1e}, overlap {:.3}", glance.residual, glance.overlap);
+            format!("{cost:.0} ns/particle-step, energy error {:.1e}, overlap {:.3}", state.residual, state.overlap);
         if let Some(bar) = &self.bar {
             bar.set_prefix(self.stage.clone());
-            bar.set_length(glance.steps);
-            bar.set_position(glance.step);
+            bar.set_length(state.steps);
+            bar.set_position(state.step);
             bar.set_message(message);
         } else if taken > 0.0 && self.written.is_none_or(|at| at.elapsed() >= PAUSE) {
             self.written = Some(Instant::now());
-            let left = each * (glance.steps - glance.step) as f64;
-            eprintln!("{} {}/{}, at most {left:.0} s left, {message}", glance.stage, glance.step, glance.steps);
+            let left = each * (state.steps - state.step) as f64;
+            eprintln!("{} {}/{}, at most {left:.0} s left, {message}", state.stage, state.step, state.steps);
         }
     }
 
-    /// Takes the bar away.
+    /// Removes the bar.
     pub fn finish(&self) {
         if let Some(bar) = &self.bar {
             bar.finish_and_clear();

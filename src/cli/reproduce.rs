@@ -1,6 +1,6 @@
-//! `veridem reproduce`: a paper's claims beside what comes out.
+//! `veridem reproduce`: the claims of a paper beside the measured values.
 
-use super::{Manner, print};
+use super::{OutputMode, print};
 use crate::error::{AtPath, Error};
 use crate::figures::Report;
 use crate::interrupt::Interrupt;
@@ -16,19 +16,19 @@ use std::time::Instant;
 pub struct Arguments {
     /// The paper
     paper: String,
-    /// Compute the paper's sizes: hours instead of ten minutes; chapters made of runs resume where they were
-    /// stopped, others begin again
+    /// Compute the paper's sizes: hours instead of ten minutes; chapters that consist of runs resume where they were
+    /// stopped, others start again
     #[arg(long)]
     full: bool,
-    /// Only one chapter
+    /// Compute only one chapter
     #[arg(long, value_name = "CHAPTER")]
     only: Option<String>,
-    /// Where table and figures go; by default `run/reproduce-` and the paper
+    /// Folder for table and figures; by default `run/reproduce-` and the name of the paper
     #[arg(long)]
     out: Option<PathBuf>,
 }
 
-/// Tells the command which papers and chapters there are.
+/// Adds the names of the papers and chapters to the command.
 pub fn known(command: clap::Command, papers: Papers) -> clap::Command {
     let paper = |paper: &&dyn AnyPaper| PossibleValue::new(paper.name()).help(paper.reference());
     let names: Vec<PossibleValue> = papers.0.iter().map(paper).collect();
@@ -45,7 +45,7 @@ pub fn known(command: clap::Command, papers: Papers) -> clap::Command {
         .mut_arg("only", |argument| argument.value_parser(PossibleValuesParser::new(chapters)))
 }
 
-/// The chapters of a paper that are asked for.
+/// The requested chapters of a paper.
 fn chosen(paper: &dyn AnyPaper, only: Option<&str>) -> Result<Vec<&'static Chapter>, Error> {
     let chapters = paper.chapters().iter().filter(|chapter| only.is_none_or(|only| chapter.name == only));
     let chapters: Vec<&Chapter> = chapters.collect();
@@ -59,7 +59,7 @@ fn chosen(paper: &dyn AnyPaper, only: Option<&str>) -> Result<Vec<&'static Chapt
 }
 
 /// Computes the claims and writes table, figures and report.
-pub fn run(arguments: &Arguments, papers: Papers, manner: Manner) -> Result<(), Error> {
+pub fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
     let paper = papers.find(&arguments.paper).expect("the command line knows the papers");
     let chapters = chosen(paper, arguments.only.as_deref())?;
     let extent = if arguments.full { Extent::Full } else { Extent::Reduced };

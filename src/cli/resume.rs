@@ -1,12 +1,12 @@
-//! `veridem resume`: goes on with a run that was stopped, as if it had not been.
+//! `veridem resume`: resumes a stopped run, as if it had never been stopped.
 
-use super::Manner;
+use super::OutputMode;
 use super::progress::Progress;
 use super::run::{Limits, conclude};
 use crate::error::Error;
 use crate::output::{Manifest, RunFolder, Status};
 use crate::papers::Papers;
-use crate::run::Glance;
+use crate::run::RunProgress;
 use std::path::PathBuf;
 
 /// The arguments.
@@ -18,8 +18,8 @@ pub struct Arguments {
     limits: Limits,
 }
 
-/// Goes on from the latest checkpoint.
-pub fn run(arguments: &Arguments, papers: Papers, manner: Manner) -> Result<(), Error> {
+/// Resumes from the latest checkpoint.
+pub fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
     let interrupt = arguments.limits.interrupt()?;
     let folder = RunFolder::open(&arguments.run)?;
     let job = papers.read(&folder.case())?;
@@ -28,10 +28,12 @@ pub fn run(arguments: &Arguments, papers: Papers, manner: Manner) -> Result<(), 
         return Err(Error::Usage(format!("{}: has finished; there is nothing to resume", arguments.run.display())));
     }
     if !manifest.is_ours() {
-        manner.say("warning: the run was begun by another build of this program; it may not go on with the same bits");
+        manner.say(
+            "warning: the run was started by another build of this program; it may not continue with the same bits",
+        );
     }
     let mut progress = Progress::new(manner);
-    let mut show = |glance: Glance| progress.show(glance);
+    let mut show = |state: RunProgress| progress.show(state);
     let findings = job.resume(&folder, manifest, &interrupt, &mut show);
     progress.finish();
     conclude(&folder, &findings?, manner)

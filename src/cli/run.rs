@@ -1,7 +1,7 @@
-//! `veridem run`: a case from its file to its run folder.
+//! `veridem run`: runs a case into a run folder.
 
 use super::progress::Progress;
-use super::{Manner, print};
+use super::{OutputMode, print};
 use crate::error::Error;
 use crate::interrupt::Interrupt;
 use crate::output::{Finding, RunFolder};
@@ -14,20 +14,20 @@ use std::time::Duration;
 pub struct Arguments {
     /// The case file
     case: PathBuf,
-    /// Name of the run; that of the case file by default
+    /// Name of the run; by default the name of the case file
     #[arg(long)]
     name: Option<String>,
-    /// Folder that run folders are made in
+    /// Folder in which run folders are created
     #[arg(long, value_name = "FOLDER", default_value = "run")]
     out: PathBuf,
-    /// Replace a run folder of that name
+    /// Replace an existing run folder of that name
     #[arg(long)]
     force: bool,
     #[command(flatten)]
     limits: Limits,
 }
 
-/// When to stop a run before its end.
+/// Limits at which a run is stopped before its end.
 #[derive(clap::Args)]
 pub struct Limits {
     /// Stop after this many seconds; the run can be resumed
@@ -39,7 +39,7 @@ pub struct Limits {
 }
 
 impl Limits {
-    /// The limits, and the signals, that stop this process.
+    /// The limits and the signals that stop this process.
     pub fn interrupt(&self) -> Result<Interrupt, Error> {
         let time = self.max_time.map(Duration::try_from_secs_f64).transpose();
         let time = time.map_err(|error| Error::Usage(format!("--max-time: {error}")))?;
@@ -48,20 +48,20 @@ impl Limits {
 }
 
 /// Runs the case.
-pub fn run(arguments: &Arguments, papers: Papers, manner: Manner) -> Result<(), Error> {
+pub fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
     let interrupt = arguments.limits.interrupt()?;
     let stem = || arguments.case.file_stem().unwrap_or_default().to_string_lossy().to_string();
     let root = arguments.out.join(arguments.name.clone().unwrap_or_else(stem));
     let job = papers.read(&arguments.case)?;
     let mut progress = Progress::new(manner);
-    let ended = job.launch(&root, arguments.force, &interrupt, &mut |glance| progress.show(glance));
+    let ended = job.launch(&root, arguments.force, &interrupt, &mut |state| progress.show(state));
     progress.finish();
     let (folder, findings) = ended?;
     conclude(&folder, &findings, manner)
 }
 
-/// Tells what came out.
-pub fn conclude(folder: &RunFolder, findings: &[Finding], manner: Manner) -> Result<(), Error> {
+/// Reports the findings.
+pub fn conclude(folder: &RunFolder, findings: &[Finding], manner: OutputMode) -> Result<(), Error> {
     manner.say(format!("finished: {}", folder.report().display()));
     if manner.json {
         let result = serde_json::json!({ "run": folder.root(), "results": findings });

@@ -1,6 +1,6 @@
-//! `veridem schema`: every key of a case file, from the declarations that also read it.
+//! `veridem schema`: every key of a case file, from the declarations by which it is read.
 
-use super::{Manner, print};
+use super::{OutputMode, print};
 use crate::case::section::Key;
 use crate::error::Error;
 use crate::papers::Papers;
@@ -10,7 +10,7 @@ use crate::papers::Papers;
 pub struct Arguments {}
 
 /// Lists the keys.
-pub fn run(_: &Arguments, papers: Papers, manner: Manner) -> Result<(), Error> {
+pub fn run(_: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
     let keys = papers.keys();
     if manner.json {
         let json = serde_json::to_string_pretty(&keys).expect("keys are plain data");
@@ -30,7 +30,7 @@ fn list(keys: &[Key], depth: usize, text: &mut String) {
             None if keys.is_empty() => " ...".into(),
             _ => String::new(),
         };
-        let must = if default.is_none() && keys.is_empty() { " Must be given." } else { "" };
+        let must = if default.is_none() && keys.is_empty() { " Required." } else { "" };
         text.push_str(&format!("{indent}# {about}{expects}{must}\n{indent}{key}:{written}\n"));
         list(keys, depth + 1, text);
     }

@@ -1,6 +1,6 @@
 //! `veridem sweep`: one case for many values of its keys, one core and one run folder for each combination.
 
-use super::{Manner, print};
+use super::{OutputMode, print};
 use crate::case::units::decimal;
 use crate::case::unmarked;
 use crate::error::{AtPath, Error};
@@ -8,7 +8,7 @@ use crate::interrupt::Interrupt;
 use crate::output::{Finding, Manifest, RunFolder, write_atomically};
 use crate::papers::Papers;
 use crate::run::sweep::{Point, carry_out, distinct};
-use crate::run::{Glance, Reader};
+use crate::run::{Reader, RunProgress};
 use indicatif::{HumanDuration, ProgressBar, ProgressStyle};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
@@ -19,25 +19,25 @@ use std::time::{Duration, Instant};
 pub struct Arguments {
     /// The case file
     case: PathBuf,
-    /// What is varied: `seed=1,2,5`, `seed=1..8`, `output.series=1 ps,10 ps`, `limits.overlap=0.2..0.8:4`
+    /// Keys and their values: `seed=1,2,5`, `seed=1..8`, `output.series=1 ps,10 ps`, `limits.overlap=0.2..0.8:4`
     #[arg(required = true, value_name = "KEY=VALUES")]
     keys: Vec<String>,
-    /// Folder that the run folders and summary.csv are made in; by default `run/` and the name of the case file
+    /// Folder for the run folders and summary.csv; by default `run/` and the name of the case file
     #[arg(long, value_name = "FOLDER")]
     out: Option<PathBuf>,
 }
 
-/// A key and the values it takes.
+/// A key and its values.
 struct Axis {
     key: String,
     values: Vec<String>,
 }
 
-/// How long the first run is tried to estimate how long all will take.
+/// Duration of the trial from which the total time is estimated.
 const TRIAL: Duration = Duration::from_secs(3);
 
-/// Runs every combination that has not been run yet and writes the summary.
-pub fn run(arguments: &Arguments, papers: Papers, manner: Manner) -> Result<(), Error> {
+/// Runs every combination that has not finished yet and writes the summary.
+pub fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
     let read = |file: &Path, text: &str| papers.parse(file, text);
     let text = papers.read(&arguments.case)?.text;
     let axes = axes(&arguments.keys)?;
@@ -59,7 +59,7 @@ pub fn run(arguments: &Arguments, papers: Papers, manner: Manner) -> Result<(), 
     carry_out(&points, &out, &interrupt, &read, &|point, outcome| {
         let failed = outcome.is_err();
         let outcome = match outcome {
-            // What was tried may have come to its end by that.
+            // The trial may have finished the run.
             Ok(done) if done || tried == Some(&point.name) => "finished".into(),
             Ok(_) => "had finished before".into(),
             Err(error) => error.to_string(),
@@ -83,18 +83,18 @@ pub fn run(arguments: &Arguments, papers: Papers, manner: Manner) -> Result<(), 
     }
 }
 
-/// Runs the first combination that has not been begun for a moment, on one core, and says how long all will take, and which
-/// combination it was. Nothing of it is lost: it is gone on with later.
+/// Runs the first new combination for a moment, on one core, and returns an estimate of the total time, and the name of the
+/// combination. Nothing is lost: the run is resumed later.
 fn estimate<'a>(points: &'a [Point], out: &Path, read: Reader) -> Result<(String, Option<&'a Point>), Error> {
     let workers = rayon::current_num_threads();
     let new: Vec<&Point> = points.iter().filter(|point| !out.join(&point.name).exists()).collect();
-    let Some(&point) = new.first() else { return Ok((format!("{} runs, all begun before", points.len()), None)) };
+    let Some(&point) = new.first() else { return Ok((format!("{} runs, all started before", points.len()), None)) };
     let (mut stage, mut since, mut pace) = (String::new(), Instant::now(), None);
-    let mut show = |glance: Glance| {
-        if stage != glance.stage {
-            (stage, since, pace) = (glance.stage.into(), Instant::now(), None);
-        } else if glance.step > 0 {
-            pace = Some((since.elapsed().div_f64(glance.step as f64), glance.steps));
+    let mut show = |state: RunProgress| {
+        if stage != state.stage {
+            (stage, since, pace) = (state.stage.into(), Instant::now(), None);
+        } else if state.step > 0 {
+            pace = Some((since.elapsed().div_f64(state.step as f64), state.steps));
         }
     };
     let begun = Instant::now();
@@ -115,13 +115,13 @@ fn estimate<'a>(points: &'a [Point], out: &Path, read: Reader) -> Result<(String
     Ok((format!("{count} runs, {} of them new: about {time} on {workers} cores{what}", new.len()), Some(point)))
 }
 
-/// What is varied, each key once.
+/// The axes of the sweep, each key once.
 fn axes(arguments: &[String]) -> Result<Vec<Axis>, Error> {
     let mut axes: Vec<Axis> = Vec::new();
     for argument in arguments {
         let axis = axis(argument)?;
         if axes.iter().any(|other| other.key == axis.key) {
-            return Err(Error::Usage(format!("`{argument}`: the key `{}` is there twice", axis.key)));
+            return Err(Error::Usage(format!("`{argument}`: the key `{}` is given twice", axis.key)));
         }
         axes.push(axis);
     }
@@ -138,8 +138,9 @@ fn axis(argument: &str) -> Result<Axis, Error> {
     let (range, unit) = rest.split_once(' ').map_or((rest, String::new()), |(range, unit)| (range, format!(" {unit}")));
     let values: Vec<String> = match range.split_once(':') {
         None => {
-            let whole =
-                |text: &str| text.parse::<i64>().map_err(|_| wrong("a range without `:COUNT` goes over whole numbers"));
+            let whole = |text: &str| {
+                text.parse::<i64>().map_err(|_| wrong("a range without `:COUNT` must have whole numbers as limits"))
+            };
             (whole(first)?..=whole(range)?).map(|n| format!("{n}{unit}")).collect()
         }
         Some((last, count)) => {
@@ -152,12 +153,12 @@ fn axis(argument: &str) -> Result<Axis, Error> {
         }
     };
     if values.is_empty() {
-        return Err(wrong("expected a range that goes upwards"));
+        return Err(wrong("expected an increasing range"));
     }
     Ok(Axis { key: key.into(), values })
 }
 
-/// All combinations, each with its case; what is wrong with any of them is found before the first is run.
+/// All combinations, each with its case; errors in any of them are found before the first is run.
 fn points(file: &Path, text: &str, axes: &[Axis], read: Reader) -> Result<Vec<Point>, Error> {
     let base = serde_yaml::from_str(unmarked(text)).expect("the case has been read before");
     let count = axes.iter().map(|axis| axis.values.len()).product();
@@ -176,7 +177,7 @@ fn points(file: &Path, text: &str, axes: &[Axis], read: Reader) -> Result<Vec<Po
     Ok(points)
 }
 
-/// What has become of a combination.
+/// The outcome of a combination.
 struct Row<'a> {
     point: &'a Point,
     folder: PathBuf,
@@ -197,7 +198,7 @@ fn rows<'a>(points: &'a [Point], out: &Path) -> Result<Vec<Row<'a>>, Error> {
     points.iter().map(row).collect()
 }
 
-/// One row a combination: its values, its status, its findings.
+/// One row per combination: its values, its status, its findings.
 fn table(axes: &[Axis], rows: &[Row]) -> String {
     let mut names: Vec<(&str, &str)> = Vec::new();
     for finding in rows.iter().flat_map(|row| &row.findings) {

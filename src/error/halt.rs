@@ -1,19 +1,19 @@
-//! A simulation that left its domain.
+//! A simulation that left its domain of validity.
 
 use std::fmt;
 
-/// Why and when a simulation cannot go on.
+/// When and why a simulation halted.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Halt {
     /// The step that failed.
     pub step: u64,
     /// Simulated time, ns.
     pub time: f64,
-    /// What went wrong.
+    /// The reason.
     pub reason: Reason,
 }
 
-/// What went wrong.
+/// The reason of a halt.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Reason {
     /// A position or velocity is not a finite number.
@@ -21,7 +21,7 @@ pub enum Reason {
         /// Id of the sphere.
         particle: u32,
     },
-    /// Two spheres overlap by more than was allowed.
+    /// The overlap of two spheres exceeds the limit.
     Overlap {
         /// Ids of the spheres.
         pair: (u32, u32),
@@ -30,7 +30,7 @@ pub enum Reason {
         /// The largest fraction allowed.
         limit: f64,
     },
-    /// A sphere is too deep in a surface.
+    /// The overlap of a sphere with a surface exceeds the limit.
     Sunk {
         /// Id of the sphere.
         particle: u32,
@@ -41,19 +41,19 @@ pub enum Reason {
     },
     /// The time step is above the stability limit.
     TimeStep {
-        /// The step asked for, ns.
+        /// The time step, ns.
         dt: f64,
         /// The limit, ns.
         limit: f64,
         /// Id of the sphere that sets it.
         particle: u32,
     },
-    /// Two spheres that a neck joins belong to one rigid body or wall.
+    /// Two spheres joined by a neck belong to the same rigid body or wall.
     Neck {
         /// Ids of the spheres.
         pair: (u32, u32),
     },
-    /// A sphere is so large, or has so many neighbours, that a block of the pair loop cannot hold them.
+    /// The neighbours of a sphere do not fit into one block of the pair loop.
     TooManyNeighbours {
         /// Id of the sphere.
         particle: u32,
@@ -64,18 +64,20 @@ impl fmt::Display for Halt {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "step {} (t = {} ns): ", self.step, self.time)?;
         match &self.reason {
-            Reason::NotFinite { particle } => write!(f, "particle {particle} has no finite position or velocity"),
+            Reason::NotFinite { particle } => {
+                write!(f, "the position or velocity of particle {particle} is not finite")
+            }
             Reason::Overlap { pair: (i, j), ratio, limit } => {
                 write!(f, "particles {i} and {j} overlap by {ratio:.3} of the sum of their radii (limit {limit})")
             }
             Reason::Sunk { particle, ratio, limit } => {
-                write!(f, "particle {particle} is in a surface by {ratio:.3} of its radius (limit {limit})")
+                write!(f, "particle {particle} overlaps a surface by {ratio:.3} of its radius (limit {limit})")
             }
             Reason::TimeStep { dt, limit, particle } => {
                 write!(f, "time step {dt} ns is not below the stability limit {limit} ns of particle {particle}")
             }
             Reason::Neck { pair: (i, j) } => {
-                write!(f, "particles {i} and {j} are joined by a neck, but belong to one rigid body or wall")
+                write!(f, "particles {i} and {j} are joined by a neck but belong to the same rigid body or wall")
             }
             Reason::TooManyNeighbours { particle } => write!(f, "particle {particle} has too many neighbours"),
         }

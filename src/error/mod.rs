@@ -1,4 +1,4 @@
-//! What can go wrong on the way from the user to the engine and back, and how the process ends then.
+//! Errors, and the exit status of the process for each.
 //!
 //! A wrong input is a [`Problem`]; a simulation that left its domain is a [`Halt`]; a broken invariant is a panic.
 
@@ -10,14 +10,14 @@ use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Something in the user's input that cannot be used.
+/// An error in the user's input.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Problem {
     /// The file, as the user named it.
     pub file: PathBuf,
-    /// The line, counted from 1, where it can be told.
+    /// The line, counted from 1, if known.
     pub line: Option<usize>,
-    /// The key, with the sections it lies in; empty for the file as a whole.
+    /// The key with its enclosing sections; empty for the file as a whole.
     pub key: String,
     /// What was found and what was expected.
     pub what: String,
@@ -27,38 +27,37 @@ impl fmt::Display for Problem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if !self.file.as_os_str().is_empty() {
             write!(f, "{}:", self.file.display())?;
-        }
-        if let Some(line) = self.line {
-            write!(f, "{line}:")?;
+            self.line.map_or(Ok(()), |line| write!(f, "{line}:"))?;
+            f.write_str(" ")?;
         }
         if !self.key.is_empty() {
-            write!(f, " {}:", self.key)?;
+            write!(f, "{}: ", self.key)?;
         }
-        write!(f, " {}", self.what)
+        f.write_str(&self.what)
     }
 }
 
-/// Why a command did not succeed.
+/// The reason why a command failed.
 #[derive(Debug)]
 pub enum Error {
     /// The input is wrong; nothing was written.
     Input(Vec<Problem>),
     /// An input file cannot be opened.
     NoInput(PathBuf, io::Error),
-    /// The command line asks for something that cannot be done.
+    /// The command line is invalid.
     Usage(String),
     /// The simulation left its domain.
     Halted(Halt, Option<PathBuf>),
     /// A verification failed.
     Verification(String),
-    /// A file could not be written, or its reading broke off.
+    /// Writing a file failed, or reading one after it was opened.
     Io(PathBuf, io::Error),
-    /// A run was stopped, and goes on from its checkpoint; or several were, that the same command goes on with.
+    /// A run was stopped and can be resumed from its checkpoint; without a path: several runs, which the same command resumes.
     Stopped(Option<PathBuf>),
 }
 
 impl Error {
-    /// The status that the process ends with.
+    /// The exit status of the process.
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::Usage(_) => 2,
@@ -71,12 +70,12 @@ impl Error {
         }
     }
 
-    /// One problem with the value of a key of the case, found when the file is no longer at hand.
+    /// A problem with the value of a key of the case, found when the file is no longer open.
     pub fn of_key(key: impl Into<String>, what: impl Into<String>) -> Self {
         Self::Input(vec![Problem { file: PathBuf::new(), line: None, key: key.into(), what: what.into() }])
     }
 
-    /// One problem with a file as a whole.
+    /// A problem with a file as a whole.
     pub fn input(file: &Path, what: impl Into<String>) -> Self {
         Self::Input(vec![Problem { file: file.into(), line: None, key: String::new(), what: what.into() }])
     }
@@ -94,8 +93,8 @@ impl fmt::Display for Error {
             Self::Halted(halt, None) => write!(f, "halted at {halt}"),
             Self::Halted(halt, Some(state)) => write!(f, "halted at {halt}; the state is in {}", state.display()),
             Self::Io(path, cause) => write!(f, "{}: {cause}", path.display()),
-            Self::Stopped(Some(run)) => write!(f, "stopped; go on with `veridem resume {}`", run.display()),
-            Self::Stopped(None) => f.write_str("stopped; the same command goes on"),
+            Self::Stopped(Some(run)) => write!(f, "stopped; resume with `veridem resume {}`", run.display()),
+            Self::Stopped(None) => f.write_str("stopped; the same command resumes it"),
         }
     }
 }
@@ -108,9 +107,9 @@ impl From<Halt> for Error {
     }
 }
 
-/// Names the path in an I/O failure.
+/// Adds the path to an I/O error.
 pub trait AtPath<T> {
-    /// The path that the failure is about.
+    /// Adds the path of the file concerned.
     fn at(self, path: &Path) -> Result<T, Error>;
 }
 

@@ -1,11 +1,11 @@
-//! The graphs that a report shows.
+//! The graphs of a report.
 
 use crate::output::Column;
 
 /// A graph of a report: one column of the series against another.
 #[derive(Clone, Copy, Debug)]
 pub struct Graph {
-    /// Its name, of the figure's file too.
+    /// Its name, also of the file of the figure.
     pub name: &'static str,
     /// The stages that it shows; none for all together.
     pub stages: &'static [&'static str],
@@ -13,6 +13,6 @@ pub struct Graph {
     pub x: Column,
     /// The vertical axis.
     pub y: Column,
-    /// Words of events that are marked where they happened in the last of the stages.
+    /// Words of the events that are marked on the curve of the last stage.
     pub marks: &'static [&'static str],
 }

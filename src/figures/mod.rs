@@ -1,4 +1,4 @@
-//! Pictures: curves, snapshots, and the page that shows them beside a table of results.
+//! Figures: curves, snapshots, and the report page with a table of results.
 
 mod graph;
 #[cfg(feature = "cli")]
@@ -18,7 +18,7 @@ pub use plot::{Axis, Curve, Mark, Plot};
 pub use report::report;
 pub use snapshot::{picture, snapshot};
 
-/// The colours of curves and bodies, told apart by readers with any colour vision (Okabe and Ito, with an olive for their yellow).
+/// The colours of curves and bodies, distinguishable with any colour vision (Okabe and Ito, with olive in place of their yellow).
 pub(crate) const COLOURS: [(u8, u8, u8); 8] = [
     (0, 114, 178),
     (213, 94, 0),

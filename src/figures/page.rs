@@ -1,4 +1,4 @@
-//! One page with everything a reader looks at first: a table of results and the figures.
+//! The report page: a table of results and the figures.
 
 use std::fmt::Write;
 
@@ -22,7 +22,7 @@ impl Report {
         Self { html }
     }
 
-    /// A headline.
+    /// A heading.
     pub fn heading(&mut self, text: &str) {
         let _ = writeln!(self.html, "<h2>{}</h2>", escaped(text));
     }
@@ -46,9 +46,9 @@ impl Report {
         self.html.push_str("</table>\n");
     }
 
-    /// A picture, drawn into the page so that the page can be moved alone.
+    /// A figure, embedded so that the page is self-contained.
     pub fn figure(&mut self, svg: &str, caption: &str) {
-        // An image keeps the names inside one picture apart from those of the next.
+        // An image element separates the identifiers of one figure from those of the next.
         let source = svg.replace('%', "%25").replace('#', "%23").replace('"', "'").replace('\n', " ");
         let _ = writeln!(
             self.html,

@@ -6,9 +6,9 @@ use plotters::prelude::*;
 /// An axis of a plot.
 #[derive(Clone, Debug)]
 pub struct Axis {
-    /// What it shows, with unit.
+    /// Its label, with unit.
     pub label: String,
-    /// Whether it is logarithmic; values that are not positive are then left out.
+    /// Whether it is logarithmic; values that are not positive are then omitted.
     pub log: bool,
 }
 
@@ -22,12 +22,12 @@ impl Axis {
         Self { label: label.into(), log: true }
     }
 
-    /// Where a value stands on the axis.
+    /// The position of a value on the axis.
     fn place(&self, value: f64) -> f64 {
         if self.log { libm::log10(value) } else { value }
     }
 
-    /// What is written at a place of the axis.
+    /// The label of a tick.
     fn tick(&self, place: f64) -> String {
         let value = if self.log { libm::exp10(place) } else { place };
         if value == 0.0 {
@@ -36,23 +36,23 @@ impl Axis {
         let digits = (2.0 - libm::log10(value.abs()).floor()).clamp(0.0, 12.0) as usize;
         let text = format!("{value:.digits$}");
         let short = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
-        // What should be zero may be rounding.
+        // A tick at zero may be off by rounding.
         if short == "-0" { "0" } else { short }.into()
     }
 }
 
-/// How a curve is drawn.
+/// The style of a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mark {
     /// Points joined by a line.
     Line,
     /// Filled dots joined by a thin line.
     Dots,
-    /// Filled dots by themselves: what happened where.
+    /// Filled dots only, for events.
     Points,
     /// A thin grey line: a target, a theory.
     Guide,
-    /// A closed line around a shaded area, in the colour of the next curve.
+    /// A shaded area within a closed line, in the colour of the next curve.
     Band,
 }
 
@@ -63,7 +63,7 @@ pub struct Curve {
     pub label: String,
     /// Its points.
     pub points: Vec<(f64, f64)>,
-    /// How it is drawn.
+    /// Its style.
     pub mark: Mark,
 }
 
@@ -81,13 +81,13 @@ impl Curve {
     }
 }
 
-/// Width of a plot without names, pixels.
+/// Width of a plot without its legend, pixels.
 const PLOT: i32 = 640;
 
 /// A plot.
 #[derive(Clone, Debug)]
 pub struct Plot {
-    /// Its headline.
+    /// Its title.
     pub title: String,
     /// The horizontal axis.
     pub x: Axis,
@@ -107,7 +107,7 @@ impl Plot {
 
     fn draw(&self, out: &mut String) -> Result<(), Box<dyn std::error::Error + '_>> {
         let placed: Vec<Vec<(f64, f64)>> = self.curves.iter().map(|curve| self.placed(curve)).collect();
-        // Names stand beside the plot, where they hide nothing.
+        // The legend stands beside the plot, where it hides nothing.
         let longest = self.curves.iter().map(|curve| curve.label.chars().count() as u32).max().unwrap_or(0);
         let legend = if longest > 0 { 40 + 7 * longest } else { 0 };
         let root = SVGBackend::with_string(out, (PLOT as u32 + legend, 420)).into_drawing_area();

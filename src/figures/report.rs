@@ -1,4 +1,4 @@
-//! The report of a run: its findings, graphs of what it has recorded, and its pictures.
+//! The report of a run: its findings, graphs of its record, and its pictures.
 
 use super::{Axis, Curve, Graph, Mark, Plot, Report};
 use crate::error::{AtPath, Error};
@@ -9,16 +9,16 @@ use std::collections::BTreeMap;
 /// The graph of every run.
 const LEDGER: Graph = Graph { name: "ledger", stages: &[], x: TIME, y: RELATIVE_RESIDUAL, marks: &[] };
 
-/// More events of a kind would hide the curve.
+/// Largest number of marked events of a kind; more would hide the curve.
 const MOST_MARKS: usize = 200;
-/// What the energies of all causes are drawn together as.
+/// Name of the graph of the energies of all causes.
 const ENERGIES: &str = "energies";
 
-/// Makes figures and report of a finished run from what it has recorded.
+/// Creates figures and report of a finished run from its record.
 ///
 /// # Errors
 ///
-/// If the records cannot be read, or figures and report not be written.
+/// If the record cannot be read, or figures and report cannot be written.
 pub fn report(title: &str, graphs: &[Graph], folder: &RunFolder, findings: &[Finding]) -> Result<(), Error> {
     let mut page = Report::new(title);
     let rows: Vec<[String; 4]> =
@@ -59,7 +59,7 @@ fn draw(folder: &RunFolder, page: &mut Report, name: &str, plot: Plot) -> Result
     Ok(())
 }
 
-/// Snapshots made during the run, in the order of their names.
+/// Snapshots taken during the run, in the order of their names.
 fn pictures(folder: &RunFolder, graphs: &[Graph]) -> Result<BTreeMap<String, String>, Error> {
     let mut found = BTreeMap::new();
     for entry in std::fs::read_dir(folder.figures()).at(&folder.figures())? {
@@ -72,19 +72,19 @@ fn pictures(folder: &RunFolder, graphs: &[Graph]) -> Result<BTreeMap<String, Str
     Ok(found)
 }
 
-/// Whether the name of a stage is that of a kind of stages, or the same with a number.
+/// Whether the name of a stage is `kind`, with or without a number.
 fn is_a(name: &str, kind: &str) -> bool {
     name.strip_prefix(kind).is_some_and(|rest| rest.is_empty() || rest.starts_with(' '))
 }
 
-/// Where the events with a word were on the curve of a stage.
+/// Positions of the events with a word on the curve of a stage.
 fn marked(series: &Series, events: &[Event], stage: &str, word: &str, x: Column, y: Column) -> Vec<(f64, f64)> {
     let [x, y] = [x, y].map(|column| series.curve(stage, TIME, column));
     let these = events.iter().filter(|event| event.stage == stage && event.event.contains(word));
     these.filter_map(|event| Some((between(&x, event.time_ns)?, between(&y, event.time_ns)?))).collect()
 }
 
-/// How the energies of all causes, and all that was lost, have changed since the beginning, aJ against time; without what is too little to be seen.
+/// Changes of the energies of all causes, and of the dissipated energy, since the beginning, aJ against time; negligible ones are omitted.
 fn energies(series: &Series) -> Vec<Curve> {
     let change = |column: &str| -> Vec<(f64, f64)> {
         let points = series.curve_of("", &TIME.to_string(), column);
@@ -101,7 +101,7 @@ fn energies(series: &Series) -> Vec<Curve> {
     seen.map(|(name, points)| Curve::new(name, Mark::Line, points)).collect()
 }
 
-/// All that was lost, aJ against time: the account of every stage begins with nothing.
+/// The dissipated energy, aJ against time, summed over stages, each of which starts from zero.
 fn lost(series: &Series) -> Vec<(f64, f64)> {
     let causes = series.columns.iter().filter(|column| columns::is_lost(column));
     let mut before = 0.0;

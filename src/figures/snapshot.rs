@@ -1,4 +1,4 @@
-//! A picture of the spheres, a solid cut open at the middle, coloured by the body they belonged to at the beginning.
+//! A snapshot of the spheres, coloured by their initial body; a solid is cut open in the middle.
 
 use super::COLOURS;
 use crate::error::Error;
@@ -9,10 +9,10 @@ use std::fmt::Write;
 
 /// Width of the picture, pixels.
 const WIDTH: f64 = 640.0;
-/// Resolution at which hidden spheres are found, pixels per pixel of the picture.
+/// Resolution for the detection of hidden spheres, pixels per pixel of the picture.
 const RESOLUTION: f64 = 0.5;
 
-/// Draws the particles as they are now into the figures of a run, with one of the axes pointing upwards.
+/// Draws the particles in their present state into the figures of a run, with the given axis pointing upwards.
 ///
 /// # Errors
 ///
@@ -33,8 +33,8 @@ pub fn picture(folder: &RunFolder, name: &str, system: &System, upwards: usize) 
     write_atomically(&path, snapshot(system, [-0.1 * height, 1.2 * height]).as_bytes())
 }
 
-/// The spheres seen along z, x to the right, y up, or, where they lean on surfaces, along y with z up; of a solid, which goes on along z, the half behind the middle plane. The frame follows `heights`, the
-/// lowest and the highest place to be shown, so that the pictures of one run can be compared.
+/// The spheres seen along z, with x to the right and y upwards, or, in contact with surfaces, along y with z upwards; of a solid, which is periodic along z, the half behind the middle plane. The
+/// frame is given by `heights`, the lowest and the highest coordinate shown, so that the pictures of a run can be compared.
 pub fn snapshot(system: &System, heights: [f64; 2]) -> String {
     let scale = WIDTH / system.domain.sides[0];
     let height = (heights[1] - heights[0]) * scale;
@@ -45,7 +45,7 @@ pub fn snapshot(system: &System, heights: [f64; 2]) -> String {
     let mut order: Vec<(f64, usize)> =
         (0..p.len()).map(|i| (system.domain.folded(p.x[i]).dot(towards), i)).filter(|&(z, _)| z <= middle).collect();
     order.sort_by(|a, b| a.0.total_cmp(&b.0).then(p.id[a.1].cmp(&p.id[b.1])));
-    // A sphere that is cut by the side of the box is drawn at both.
+    // A sphere that crosses a side of the box is drawn at both sides.
     let mut discs = Vec::new();
     for &(_, i) in &order {
         let (x, y) = (system.domain.folded(p.x[i]).0[0] * scale, (heights[1] - p.x[i].0[up]) * scale);
@@ -80,7 +80,7 @@ pub fn snapshot(system: &System, heights: [f64; 2]) -> String {
     svg
 }
 
-/// A surface as a shadow; of a plane, what lies behind it as far as the picture goes.
+/// A surface, shaded; for a plane, the half-space behind it within the picture.
 fn silhouette(svg: &mut String, surface: &Surface, place: impl Fn(Vec3<f64>) -> [f64; 2]) {
     let mut polygon = |corners: &[Vec3<f64>]| {
         let points: Vec<String> =
@@ -126,7 +126,7 @@ fn gradient(svg: &mut String, name: usize, (r, g, b): (u8, u8, u8), light: f64) 
     );
 }
 
-/// The discs of which any pixel is left uncovered by those after them, in order: far fewer than all.
+/// The discs that are at least partly visible, in order: far fewer than all.
 fn visible(discs: &[Disc], height: f64) -> impl Iterator<Item = &Disc> {
     let (columns, rows) = ((WIDTH * RESOLUTION) as usize, (height * RESOLUTION).max(1.0) as usize);
     let mut owner = vec![usize::MAX; columns * rows];

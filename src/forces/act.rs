@@ -7,20 +7,20 @@ use num_traits::Zero;
 
 /// One number of eight pairs.
 pub type Row = Lanes<LANES>;
-/// What a row of pairs takes from its spheres: differences of position and velocity, two numbers that mean nothing, angular
+/// The gathered input of a row of pairs: differences of position and velocity, two unused numbers, angular
 /// velocity and radius of `i` and of `j`.
-pub type Seen = [Row; 16];
-/// What it gives back: force on `i`, torque on `i`, torque on `j`.
-pub type Given = [Row; 9];
+pub type RowInput = [Row; 16];
+/// The output of a row: force on `i`, torque on `i`, torque on `j`.
+pub type RowOutput = [Row; 9];
 
-/// Evaluates a row, advances its springs by `dt`, and enters what it lost and did. Of pairs that are all `JOINED` the compiler leaves out what only contacts do.
+/// Evaluates a row, advances its springs by `dt`, and enters its losses and its work. For rows of `JOINED` pairs the compiler omits the terms of contacts.
 #[inline(always)]
 pub fn act<M: PairModel, const JOINED: bool>(
     model: &M,
     coefficients: &M::Coefficients<Row>,
     memory: &mut M::Memory<Row>,
-    seen: &Seen,
-    given: &mut Given,
+    input: &RowInput,
+    output: &mut RowOutput,
     sums: &mut Sums<M>,
     allowed: f64,
     dt: f64,
@@ -29,15 +29,15 @@ pub fn act<M: PairModel, const JOINED: bool>(
         let mut near = false;
         for lane in 0..LANES {
             let constants = Flat::from_fn(|k| coefficients.at(k).0[lane]);
-            near |= model.is_near(&contact(seen, lane), &constants);
+            near |= model.is_near(&contact(input, lane), &constants);
         }
-        // Springs of a contact that has just ended let go of what they held: the law says what becomes of it.
+        // The springs of a contact that has just ended release their energy: the law accounts for it.
         if !near && !holds::<M>(memory) {
-            return apart(model, seen, given, sums, allowed);
+            return apart(model, input, output, sums, allowed);
         }
     }
     for lane in 0..LANES {
-        let contact = contact(seen, lane);
+        let contact = contact(input, lane);
         let constants = Flat::from_fn(|k| coefficients.at(k).0[lane]);
         let constants = if JOINED { model.joined(constants) } else { constants };
         let springs = Flat::from_fn(|k| memory.at(k).0[lane]);
@@ -48,14 +48,14 @@ pub fn act<M: PairModel, const JOINED: bool>(
         let wrench = outcome.wrench;
         let (a, b) = (wrench.torque_i.0, wrench.torque_j.0);
         for k in 0..3 {
-            given[k + 3].0[lane] = a[k];
-            given[k + 6].0[lane] = b[k];
+            output[k + 3].0[lane] = a[k];
+            output[k + 6].0[lane] = b[k];
         }
         sums.power.0[lane] += wrench.power(&contact);
         for k in 0..M::Losses::<f64>::LEN {
             sums.losses.at_mut(k).0[lane] += *outcome.losses.at(k);
         }
-        push(wrench.force, &contact, lane, seen, given, sums, allowed);
+        push(wrench.force, &contact, lane, input, output, sums, allowed);
     }
 }
 
@@ -65,15 +65,15 @@ fn holds<M: PairModel>(memory: &M::Memory<Row>) -> bool {
     (0..M::Memory::<f64>::LEN).any(|k| memory.at(k).0.iter().any(|&number| number != 0.0))
 }
 
-/// A row of pairs that might have been near: central forces are all that acts.
+/// A row of near pairs none of which is in range of contact: only central forces act.
 #[inline(always)]
-fn apart<M: PairModel>(model: &M, seen: &Seen, given: &mut Given, sums: &mut Sums<M>, allowed: f64) {
-    given[3..].fill(Row::zero());
+fn apart<M: PairModel>(model: &M, input: &RowInput, output: &mut RowOutput, sums: &mut Sums<M>, allowed: f64) {
+    output[3..].fill(Row::zero());
     for lane in 0..LANES {
-        let contact = contact(seen, lane);
+        let contact = contact(input, lane);
         let force = model.far(&contact);
         sums.power.0[lane] += force.dot(contact.v);
-        push(force, &contact, lane, seen, given, sums, allowed);
+        push(force, &contact, lane, input, output, sums, allowed);
     }
 }
 
@@ -97,10 +97,10 @@ pub fn far<M: PairModel>(
     }
 }
 
-/// What the two spheres of a lane see of each other.
+/// The contact kinematics of the two spheres of a lane.
 #[inline(always)]
-fn contact(seen: &Seen, lane: usize) -> Contact<f64> {
-    let number = |k: usize| seen[k].0[lane];
+fn contact(input: &RowInput, lane: usize) -> Contact<f64> {
+    let number = |k: usize| input[k].0[lane];
     let vector = |k: usize| Vec3([number(k), number(k + 1), number(k + 2)]);
     Contact::new(vector(0), vector(3), vector(8), vector(12), number(11), number(15))
 }
@@ -111,14 +111,14 @@ fn push<M: PairModel>(
     force: Vec3<f64>,
     contact: &Contact<f64>,
     lane: usize,
-    seen: &Seen,
-    given: &mut Given,
+    input: &RowInput,
+    output: &mut RowOutput,
     sums: &mut Sums<M>,
     allowed: f64,
 ) {
     for k in 0..3 {
-        given[k].0[lane] = force.0[k];
-        sums.virial[k].0[lane] -= seen[k].0[lane] * force.0[k];
+        output[k].0[lane] = force.0[k];
+        sums.virial[k].0[lane] -= input[k].0[lane] * force.0[k];
     }
     let clearance = contact.gap + allowed * (contact.r_i + contact.r_j);
     let least = sums.clearance.0[lane];

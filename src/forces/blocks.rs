@@ -1,13 +1,13 @@
-//! The neighbour list cut into blocks that one core works on alone.
+//! The neighbour list, divided into blocks, each of which is processed by one core.
 //!
 //! A block owns a run of particles and the pairs whose first sphere is among them; the other spheres of those pairs are its
-//! halo. Positions are copied in, forces are summed inside the block in a fixed order, and what the halo received is handed to
+//! halo. Positions are gathered, forces are summed inside the block in a fixed order, and the forces on the halo are scattered to
 //! the owners afterwards, again in a fixed order. The cut depends on the particles alone, so the sums, and with them every
 //! bit of the trajectory, do not depend on how many threads share the work.
 
 use super::Load;
 use super::layout::{CAPACITY, LANES, bond, no_loads};
-use super::pairs::{FarPairs, Pairs, Places, seat};
+use super::pairs::{FarPairs, Pairs, Places, row_and_lane};
 use crate::error::Reason;
 use crate::geometry::Neighbour;
 use crate::spec::{PairModel, Vec3};
@@ -15,6 +15,19 @@ use crate::system::Springs;
 use crate::system::{Domain, Image, Particles};
 use rayon::prelude::*;
 use std::ops::Range;
+
+/// A pair that may touch: places of its spheres within the block, its row and lane.
+#[derive(Clone, Copy, Debug)]
+pub struct Touchable {
+    /// First sphere.
+    pub i: u16,
+    /// Second sphere.
+    pub j: u16,
+    /// Its row.
+    pub row: usize,
+    /// Its lane.
+    pub lane: usize,
+}
 
 /// Some particles, their pairs, and the spheres around them.
 pub struct Block<M: PairModel> {
@@ -24,16 +37,18 @@ pub struct Block<M: PairModel> {
     pub halo: Vec<(u32, Image)>,
     /// Its pairs.
     pub pairs: Pairs<M>,
-    /// Those of them that cannot touch.
+    /// Those of them that may touch before neighbours are listed anew, and that no neck joins, where friction stops what turns.
+    pub touchable: Vec<Touchable>,
+    /// The pairs that cannot touch.
     pub far: FarPairs,
-    /// What other blocks' halos hold for it: its particle (counted within the block), the block, the place within that block.
+    /// The copies of its particles in the halos of other blocks: particle (counted within the block), block, index within that block.
     pub incoming: Vec<(u32, u32, u32)>,
     /// The loads on its spheres in the last step, own and halo.
     pub loads: Box<[Load; CAPACITY]>,
 }
 
 impl<M: PairModel> Block<M> {
-    /// How many spheres there are in it, its own and its halo.
+    /// Number of spheres in it, its own and its halo.
     #[expect(clippy::len_without_is_empty, reason = "none is empty")]
     pub fn len(&self) -> usize {
         self.own.len() + self.halo.len()
@@ -52,24 +67,41 @@ impl<M: PairModel> Block<M> {
 
     /// Its pairs, but for the far ones, one by one: places within the block, row and lane.
     pub fn each_pair(&self) -> impl Iterator<Item = (u16, u16, usize, usize)> {
-        self.pairs.seats().map(|(row, lane)| (self.pairs.i[row][lane], self.pairs.j[row][lane], row, lane))
+        self.pairs.rows_and_lanes().map(|(row, lane)| (self.pairs.i[row][lane], self.pairs.j[row][lane], row, lane))
+    }
+
+    /// The pairs that may touch before neighbours are listed anew, but for those that necks join.
+    fn each_touchable(
+        &self,
+        particles: &Particles,
+        (x, domain, skin): (&[Vec3<f64>], &Domain, f64),
+        necks: &[(u32, u32)],
+    ) -> impl Iterator<Item = Touchable> {
+        let may_touch = move |&(i, j, ..): &(u16, u16, usize, usize)| {
+            let ((p, a), (q, b)) = (self.member(i), self.member(j));
+            let gap = (x[p] + domain.shift(a) - (x[q] + domain.shift(b))).norm()
+                - (particles.radius[p] + particles.radius[q]);
+            let (first, second, _) = bond(particles, p, q, [0; 3]);
+            gap <= skin && necks.binary_search(&(first, second)).is_err()
+        };
+        self.each_pair().filter(may_touch).map(|(i, j, row, lane)| Touchable { i, j, row, lane })
     }
 
     /// The far pairs one by one: places within the block.
     pub fn each_far(&self) -> impl Iterator<Item = (u16, u16)> {
         (0..self.far.len).map(|k| {
-            let (row, lane) = seat(k, self.far.len);
+            let (row, lane) = row_and_lane(k, self.far.len);
             (self.far.i[row][lane], self.far.j[row][lane])
         })
     }
 }
 
-/// Two spheres are laid among the near ones from this gap downwards, in sums of radii.
+/// Largest gap at which a pair is listed as near, in sums of radii.
 const NEAR: f64 = 0.01;
 
 /// Cuts the pairs, sorted by first sphere, into blocks; springs are found again in `springs`. `x` and `domain` are those that the
-/// pairs were found with, `skin` is how much closer two spheres may come before they are found anew. Only the first
-/// `moving` particles have pairs; `shares` is what moment of inertia each particle contributes to a contact.
+/// pairs were found with, `skin` is the distance by which two spheres may approach before the next rebuild. Only the first
+/// `moving` particles have pairs.
 pub fn partition<M: PairModel>(
     model: &M,
     particles: &Particles,
@@ -77,7 +109,7 @@ pub fn partition<M: PairModel>(
     pairs: &[Neighbour],
     necks: &[(u32, u32)],
     springs: &Springs,
-    (moving, shares): (usize, &[f64]),
+    moving: usize,
 ) -> Result<Vec<Block<M>>, Reason> {
     let n = moving;
     let mut first = vec![0usize; n + 1];
@@ -115,9 +147,14 @@ pub fn partition<M: PairModel>(
             }
             near.extend(joined.split_off(joined.len() / LANES * LANES));
             let places = Places { particles, own: &own, halo: &halo };
-            let far = FarPairs::lay(&places, &far);
-            let pairs = Pairs::lay(model, &places, [&joined, &near, &others], necks, springs, shares);
-            Block { own, halo, pairs, far, incoming: Vec::new(), loads: no_loads() }
+            let far = FarPairs::arrange(&places, &far);
+            let pairs = Pairs::arrange(model, &places, [&joined, &near, &others], necks, springs);
+            let touchable = Vec::new();
+            let mut block = Block { own, halo, pairs, touchable, far, incoming: Vec::new(), loads: no_loads() };
+            if M::FRICTION_STOPS {
+                block.touchable = block.each_touchable(particles, (x, domain, skin), necks).collect();
+            }
+            block
         })
         .collect();
     hand_out(n, &mut blocks);
@@ -126,7 +163,7 @@ pub fn partition<M: PairModel>(
 
 type Cut = (Range<usize>, Vec<(u32, Image)>);
 
-/// Halves a run of particles until each part fits a block with its halo.
+/// Bisects a run of particles until each part fits into a block with its halo.
 fn cut_to_fit(
     own: Range<usize>,
     particles: &Particles,
@@ -160,7 +197,7 @@ pub fn places<M: PairModel>(blocks: &[Block<M>]) -> impl Iterator<Item = (usize,
     })
 }
 
-/// Tells every block what the halos of the others hold for it.
+/// Sets for every block the copies of its particles in the halos of other blocks.
 fn hand_out<M: PairModel>(n: usize, blocks: &mut [Block<M>]) {
     let mut owner = vec![0u32; n];
     for (number, block) in blocks.iter().enumerate() {

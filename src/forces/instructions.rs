@@ -1,4 +1,4 @@
-//! Which vector instructions may be used. The bits of the results do not depend on the choice.
+//! The vector instructions in use. The bits of the results do not depend on them.
 
 use super::transpose::Square;
 
@@ -50,10 +50,10 @@ impl Instructions {
     }
 }
 
-/// Work on several things side by side, which is compiled for every instruction set.
-pub trait SideBySide {
-    /// What comes out.
+/// Vectorised work, which is compiled for every instruction set.
+pub trait Vectorised {
+    /// The result.
     type Outcome;
-    /// Does it; `across` turns rows to columns, and columns to rows. To be inlined.
+    /// Does the work; `across` transposes rows and columns. To be inlined.
     fn run(self, across: impl Fn(Square) -> Square) -> Self::Outcome;
 }

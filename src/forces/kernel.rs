@@ -1,8 +1,8 @@
 //! The pair loop: the contact model, eight pairs at a time.
 
-use super::act::{Given, Row, Seen, Sums};
+use super::act::{Row, RowInput, RowOutput, Sums};
 use super::blocks::Block;
-use super::instructions::{Instructions, Set, SideBySide};
+use super::instructions::{Instructions, Set, Vectorised};
 use super::layout::{CAPACITY, LANES};
 use super::pairs::{FarPairs, Pairs};
 use super::{Totals, transpose};
@@ -11,24 +11,24 @@ use crate::spec::{PairModel, Vec3};
 use crate::system::{Domain, Particles};
 use num_traits::Zero;
 
-/// Rows that are gathered before they are evaluated: what is stored number by number is then ready to be read row by row.
+/// Number of rows that are gathered before they are evaluated, so that stores of single numbers have completed before rows are loaded.
 const BATCH: usize = 8;
 
-/// Force (pN) and torque (pN nm) on a sphere, end to end; two numbers more make it one vector, and mean nothing.
+/// Force (pN) and torque (pN nm) on a sphere, padded by two unused numbers to one vector.
 pub type Load = Lanes<LANES>;
 
-/// The spheres of a block, side by side; aligned, so that a sphere does not straddle more lines of the cache than it must.
+/// The gathered spheres of a block, contiguous and aligned to cache lines.
 #[repr(align(64))]
-struct Bench {
+struct GatheredSpheres {
     /// Position and velocity.
     motion: [[f64; LANES]; CAPACITY],
     /// Angular velocity and radius.
     spin: [[f64; 4]; CAPACITY],
-    /// How many spheres there are.
+    /// Number of spheres.
     len: usize,
 }
 
-impl Default for Bench {
+impl Default for GatheredSpheres {
     fn default() -> Self {
         let (mut motion, mut spin) = ([[0.0; LANES]; CAPACITY], [[0.0; 4]; CAPACITY]);
         // The partner of lanes without a pair: far from everything, even across the squares of a distance.
@@ -38,8 +38,8 @@ impl Default for Bench {
     }
 }
 
-impl Bench {
-    fn lay_out<M: PairModel>(&mut self, block: &Block<M>, particles: &Particles, domain: &Domain) {
+impl GatheredSpheres {
+    fn load<M: PairModel>(&mut self, block: &Block<M>, particles: &Particles, domain: &Domain) {
         self.len = block.own.len() + block.halo.len();
         let mut places = self.motion.iter_mut().zip(self.spin.iter_mut());
         let own = block.own.clone().map(|p| (p, Vec3::zero()));
@@ -52,7 +52,7 @@ impl Bench {
         }
     }
 
-    /// Power that forces deliver to the spheres.
+    /// Power of the forces on the spheres.
     fn power(&self, loads: &[Load; CAPACITY]) -> f64 {
         let mut power = [0.0; 3];
         for (motion, load) in self.motion[..self.len].iter().zip(loads) {
@@ -64,8 +64,8 @@ impl Bench {
     }
 }
 
-/// Evaluates all pairs of a block, advances their springs by `dt`, and leaves the loads on its spheres (own, then halo) in it. Far pairs
-/// go on doing what they did, unless they are to be evaluated anew.
+/// Evaluates all pairs of a block, advances their springs by `dt`, and stores the loads on its spheres (own, then halo) in it. The forces of far pairs
+/// are held constant unless they are to be evaluated anew.
 pub fn evaluate<M: PairModel>(
     model: &M,
     instructions: Instructions,
@@ -75,24 +75,24 @@ pub fn evaluate<M: PairModel>(
     (max_overlap, dt): (f64, f64),
 ) -> Totals<M::Losses<f64>> {
     thread_local! {
-        static BENCH: std::cell::RefCell<Box<Bench>> = std::cell::RefCell::default();
+        static GATHERED: std::cell::RefCell<Box<GatheredSpheres>> = std::cell::RefCell::default();
     }
-    BENCH.with_borrow_mut(|bench| {
-        bench.lay_out(block, particles, domain);
+    GATHERED.with_borrow_mut(|spheres_of_block| {
+        spheres_of_block.load(block, particles, domain);
         let Block { pairs, far, loads, .. } = block;
         if far_anew {
-            dispatch_far(model, instructions, far, bench);
+            dispatch_far(model, instructions, far, spheres_of_block);
         }
-        let spheres = ..bench.len;
+        let spheres = ..spheres_of_block.len;
         let mut totals = Totals { virial: far.virial, ..Totals::default() };
         match &far.loads {
             Some(held) => {
                 loads[spheres].copy_from_slice(&held[spheres]);
-                totals.power = bench.power(held);
+                totals.power = spheres_of_block.power(held);
             }
             None => loads[spheres].fill(Load::zero()),
         }
-        totals.and(dispatch(model, instructions, pairs, bench, loads, max_overlap, dt))
+        totals.and(dispatch(model, instructions, pairs, spheres_of_block, loads, max_overlap, dt))
     })
 }
 
@@ -100,7 +100,7 @@ fn dispatch<M: PairModel>(
     model: &M,
     instructions: Instructions,
     pairs: &mut Pairs<M>,
-    bench: &Bench,
+    spheres_of_block: &GatheredSpheres,
     loads: &mut [Load; CAPACITY],
     max_overlap: f64,
     dt: f64,
@@ -109,33 +109,38 @@ fn dispatch<M: PairModel>(
     #[expect(unsafe_code, reason = "`Instructions` exist only where the processor has them")]
     match instructions.set() {
         Set::Baseline => {}
-        Set::Avx2 => return unsafe { avx2::rows(model, pairs, bench, loads, max_overlap, dt) },
-        Set::Avx512 => return unsafe { avx512::rows(model, pairs, bench, loads, max_overlap, dt) },
+        Set::Avx2 => return unsafe { avx2::rows(model, pairs, spheres_of_block, loads, max_overlap, dt) },
+        Set::Avx512 => return unsafe { avx512::rows(model, pairs, spheres_of_block, loads, max_overlap, dt) },
     }
-    baseline::rows(model, pairs, bench, loads, max_overlap, dt)
+    baseline::rows(model, pairs, spheres_of_block, loads, max_overlap, dt)
 }
 
-fn dispatch_far<M: PairModel>(model: &M, instructions: Instructions, pairs: &mut FarPairs, bench: &Bench) {
+fn dispatch_far<M: PairModel>(
+    model: &M,
+    instructions: Instructions,
+    pairs: &mut FarPairs,
+    spheres_of_block: &GatheredSpheres,
+) {
     #[cfg(target_arch = "x86_64")]
     #[expect(unsafe_code, reason = "`Instructions` exist only where the processor has them")]
     match instructions.set() {
         Set::Baseline => {}
-        Set::Avx2 => return unsafe { avx2::far(model, pairs, bench) },
-        Set::Avx512 => return unsafe { avx512::far(model, pairs, bench) },
+        Set::Avx2 => return unsafe { avx2::far(model, pairs, spheres_of_block) },
+        Set::Avx512 => return unsafe { avx512::far(model, pairs, spheres_of_block) },
     }
-    baseline::far(model, pairs, bench);
+    baseline::far(model, pairs, spheres_of_block);
 }
 
-/// Does work side by side with the given instructions.
-pub fn side_by_side<W: SideBySide>(instructions: Instructions, work: W) -> W::Outcome {
+/// Does vectorised work with the given instructions.
+pub fn vectorised<W: Vectorised>(instructions: Instructions, work: W) -> W::Outcome {
     #[cfg(target_arch = "x86_64")]
     #[expect(unsafe_code, reason = "`Instructions` exist only where the processor has them")]
     match instructions.set() {
         Set::Baseline => {}
-        Set::Avx2 => return unsafe { avx2::side_by_side(work) },
-        Set::Avx512 => return unsafe { avx512::side_by_side(work) },
+        Set::Avx2 => return unsafe { avx2::vectorised(work) },
+        Set::Avx512 => return unsafe { avx512::vectorised(work) },
     }
-    baseline::side_by_side(work)
+    baseline::vectorised(work)
 }
 
 /// The pair loop for one instruction set. Its three parts are kept apart, or the compiler mixes the narrow moves of the first and the
@@ -147,21 +152,21 @@ macro_rules! pair_loop {
 
             $(#[target_feature(enable = $features)])?
             #[inline(never)]
-            fn gather(bench: &Bench, i: &[u16; LANES], j: &[u16; LANES], seen: &mut Seen) {
+            fn gather(spheres_of_block: &GatheredSpheres, i: &[u16; LANES], j: &[u16; LANES], input: &mut RowInput) {
                 let mut motion = [[0.0; LANES]; LANES];
                 let mut spin = [[0.0; LANES]; LANES];
                 for lane in 0..LANES {
                     let (i, j) = (usize::from(i[lane]) % CAPACITY, usize::from(j[lane]) % CAPACITY);
                     for k in 0..LANES {
-                        motion[lane][k] = bench.motion[i][k] - bench.motion[j][k];
+                        motion[lane][k] = spheres_of_block.motion[i][k] - spheres_of_block.motion[j][k];
                     }
-                    spin[lane][..4].copy_from_slice(&bench.spin[i]);
-                    spin[lane][4..].copy_from_slice(&bench.spin[j]);
+                    spin[lane][..4].copy_from_slice(&spheres_of_block.spin[i]);
+                    spin[lane][4..].copy_from_slice(&spheres_of_block.spin[j]);
                 }
                 let (motion, spin) = (transpose::$name(motion), transpose::$name(spin));
                 for k in 0..LANES {
-                    seen[k] = Lanes(motion[k]);
-                    seen[k + LANES] = Lanes(spin[k]);
+                    input[k] = Lanes(motion[k]);
+                    input[k + LANES] = Lanes(spin[k]);
                 }
             }
 
@@ -171,25 +176,25 @@ macro_rules! pair_loop {
                 model: &M,
                 coefficients: &M::Coefficients<Row>,
                 memory: &mut M::Memory<Row>,
-                seen: &Seen,
-                given: &mut Given,
+                input: &RowInput,
+                output: &mut RowOutput,
                 sums: &mut Sums<M>,
                 allowed: f64,
                 dt: f64,
             ) {
-                super::super::act::act::<M, JOINED>(model, coefficients, memory, seen, given, sums, allowed, dt);
+                super::super::act::act::<M, JOINED>(model, coefficients, memory, input, output, sums, allowed, dt);
             }
 
             /// Adds forces and torques to the loads on the spheres, one after the other.
             $(#[target_feature(enable = $features)])?
             #[inline(never)]
-            fn scatter(loads: &mut [Load; CAPACITY], i: &[u16; LANES], j: &[u16; LANES], given: &Given) {
+            fn scatter(loads: &mut [Load; CAPACITY], i: &[u16; LANES], j: &[u16; LANES], output: &RowOutput) {
                 let (mut on_i, mut on_j) = ([[0.0; LANES]; LANES], [[0.0; LANES]; LANES]);
                 for k in 0..3 {
-                    on_i[k] = given[k].0;
-                    on_i[k + 3] = given[k + 3].0;
-                    on_j[k] = (-given[k]).0;
-                    on_j[k + 3] = given[k + 6].0;
+                    on_i[k] = output[k].0;
+                    on_i[k + 3] = output[k + 3].0;
+                    on_j[k] = (-output[k]).0;
+                    on_j[k + 3] = output[k + 6].0;
                 }
                 let (on_i, on_j) = (transpose::$name(on_i), transpose::$name(on_j));
                 for lane in 0..LANES {
@@ -204,12 +209,12 @@ macro_rules! pair_loop {
 
             $(#[target_feature(enable = $features)])?
             #[inline(never)]
-            fn gather_far(bench: &Bench, i: &[u16; LANES], j: &[u16; LANES], apart: &mut [Row; 3]) {
+            fn gather_far(spheres_of_block: &GatheredSpheres, i: &[u16; LANES], j: &[u16; LANES], apart: &mut [Row; 3]) {
                 let mut motion = [[0.0; 4]; LANES];
                 for lane in 0..LANES {
                     let (i, j) = (usize::from(i[lane]) % CAPACITY, usize::from(j[lane]) % CAPACITY);
                     for k in 0..4 {
-                        motion[lane][k] = bench.motion[i][k] - bench.motion[j][k];
+                        motion[lane][k] = spheres_of_block.motion[i][k] - spheres_of_block.motion[j][k];
                     }
                 }
                 let motion = transpose::narrow::$name(motion);
@@ -247,16 +252,16 @@ macro_rules! pair_loop {
             }
 
             $(#[target_feature(enable = $features)])?
-            pub fn far<M: PairModel>(model: &M, pairs: &mut FarPairs, bench: &Bench) {
+            pub fn far<M: PairModel>(model: &M, pairs: &mut FarPairs, spheres_of_block: &GatheredSpheres) {
                 let Some(loads) = &mut pairs.loads else { return };
-                loads[..bench.len].fill(Load::zero());
+                loads[..spheres_of_block.len].fill(Load::zero());
                 let mut virial = [Row::zero(); 3];
                 let mut apart = [[Row::zero(); 3]; BATCH];
                 let mut force = [[Row::zero(); 3]; BATCH];
                 for start in (0..pairs.i.len()).step_by(BATCH) {
                     let rows = start..(start + BATCH).min(pairs.i.len());
                     for (row, apart) in rows.clone().zip(&mut apart) {
-                        gather_far(bench, &pairs.i[row], &pairs.j[row], apart);
+                        gather_far(spheres_of_block, &pairs.i[row], &pairs.j[row], apart);
                     }
                     for ((row, apart), force) in rows.clone().zip(&apart).zip(&mut force) {
                         act_far(model, apart, &pairs.radii[pairs.kind[row] as usize], force, &mut virial);
@@ -272,34 +277,34 @@ macro_rules! pair_loop {
             pub fn rows<M: PairModel>(
                 model: &M,
                 pairs: &mut Pairs<M>,
-                bench: &Bench,
+                spheres_of_block: &GatheredSpheres,
                 loads: &mut [Load; CAPACITY],
                 allowed: f64,
                 dt: f64,
             ) -> Totals<M::Losses<f64>> {
                 let mut sums = Sums::default();
                 let joined = pairs.joined();
-                let mut seen = [[Row::zero(); 16]; BATCH];
-                let mut given = [[Row::zero(); 9]; BATCH];
+                let mut input = [[Row::zero(); 16]; BATCH];
+                let mut output = [[Row::zero(); 9]; BATCH];
                 for start in (0..pairs.i.len()).step_by(BATCH) {
                     let rows = start..(start + BATCH).min(pairs.i.len());
-                    for (row, seen) in rows.clone().zip(&mut seen) {
-                        gather(bench, &pairs.i[row], &pairs.j[row], seen);
+                    for (row, input) in rows.clone().zip(&mut input) {
+                        gather(spheres_of_block, &pairs.i[row], &pairs.j[row], input);
                     }
-                    for ((row, seen), given) in rows.clone().zip(&seen).zip(&mut given) {
+                    for ((row, input), output) in rows.clone().zip(&input).zip(&mut output) {
                         let constants = &pairs.coefficients[pairs.kind[row] as usize];
                         let act = if row < joined { act::<M, true> } else { act::<M, false> };
-                        act(model, constants, &mut pairs.memory[row], seen, given, &mut sums, allowed, dt);
+                        act(model, constants, &mut pairs.memory[row], input, output, &mut sums, allowed, dt);
                     }
-                    for (row, given) in rows.zip(&given) {
-                        scatter(loads, &pairs.i[row], &pairs.j[row], given);
+                    for (row, output) in rows.zip(&output) {
+                        scatter(loads, &pairs.i[row], &pairs.j[row], output);
                     }
                 }
                 sums.total()
             }
 
             $(#[target_feature(enable = $features)])?
-            pub fn side_by_side<W: SideBySide>(work: W) -> W::Outcome {
+            pub fn vectorised<W: Vectorised>(work: W) -> W::Outcome {
                 work.run(|rows| transpose::$name(rows))
             }
         }

@@ -12,12 +12,12 @@ mod surfaces;
 mod totals;
 mod transpose;
 
-pub use blocks::{Block, partition, places};
-pub use instructions::{Instructions, SideBySide};
-pub use kernel::{Load, evaluate, side_by_side};
+pub use blocks::{Block, Touchable, partition, places};
+pub use instructions::{Instructions, Vectorised};
+pub use kernel::{Load, evaluate, vectorised};
 pub use layout::{CAPACITY, LANES, bond};
 pub use order::spatial_order;
 pub use pairs::{FarPairs, Pairs};
-pub use surfaces::{Leaning, each_touch, lean};
+pub use surfaces::{SurfaceTotals, each_touch, surface_forces};
 pub use totals::Totals;
 pub use transpose::Square;

@@ -3,14 +3,13 @@
 use super::Load;
 use super::layout::{CAPACITY, LANES, NOWHERE, bond, no_loads};
 use crate::geometry::Neighbour;
-use crate::spec::mechanics::reduced_mass::effective_mass;
 use crate::spec::numbers::Lanes;
 use crate::spec::{Flat, PairModel};
 use crate::system::{Bond, Springs};
 use crate::system::{Image, Particles};
 use std::ops::Range;
 
-/// Pairs that are evaluated in full, eight to a row: those that a neck joins, as many as fill their rows, those that were near when they were listed,
+/// Pairs that are evaluated in full, eight to a row: complete rows of pairs joined by necks, pairs that were near when they were listed,
 /// then the others. In each part every lane has a stretch of the list of its own, so that neighbouring lanes load different spheres. Spheres are counted
 /// within the block: its own first, then the halo. The sphere with the lower id is `i`.
 pub struct Pairs<M: PairModel> {
@@ -18,7 +17,7 @@ pub struct Pairs<M: PairModel> {
     pub i: Vec<[u16; LANES]>,
     /// Second spheres.
     pub j: Vec<[u16; LANES]>,
-    /// Which constants each row has: those of one material and size are all alike.
+    /// Index of the constants of each row: pairs of one material and size share theirs.
     pub kind: Vec<u32>,
     /// Constants.
     pub coefficients: Vec<M::Coefficients<Lanes<LANES>>>,
@@ -28,14 +27,14 @@ pub struct Pairs<M: PairModel> {
     parts: [usize; 3],
 }
 
-/// Pairs that cannot touch before neighbours are listed anew, laid out alike: they have no springs, and only attract or repel each other
-/// along the line of centres. What they do changes little from step to step, and is kept.
+/// Pairs that cannot touch before the next rebuild of the neighbour list, in the same layout: they have no springs, and only central forces.
+/// These forces change little from step to step and can be held constant.
 pub struct FarPairs {
     /// First spheres.
     pub i: Vec<[u16; LANES]>,
     /// Second spheres.
     pub j: Vec<[u16; LANES]>,
-    /// Which radii each row has.
+    /// Index of the radii of each row.
     pub kind: Vec<u32>,
     /// Radii of first and second spheres.
     pub radii: Vec<[Lanes<LANES>; 2]>,
@@ -48,7 +47,7 @@ pub struct FarPairs {
 }
 
 /// Where the pair `k` of `of` is: row and lane.
-pub fn seat(k: usize, of: usize) -> (usize, usize) {
+pub fn row_and_lane(k: usize, of: usize) -> (usize, usize) {
     let rows = of.div_ceil(LANES);
     (k % rows, k / rows)
 }
@@ -64,7 +63,7 @@ fn lanes(numbers: &[f64]) -> Lanes<LANES> {
     Lanes(std::array::from_fn(|lane| *numbers.get(lane).unwrap_or(&numbers[0])))
 }
 
-/// Who is where in a block.
+/// The spheres of a block.
 pub struct Places<'a> {
     /// The spheres of the whole system.
     pub particles: &'a Particles,
@@ -74,7 +73,7 @@ pub struct Places<'a> {
     pub halo: &'a [(u32, Image)],
 }
 
-/// A pair in a block: its lasting name, its spheres' places in the block and in the system.
+/// A pair in a block: its persistent key, and the indices of its spheres in the block and in the system.
 #[derive(Clone, Copy)]
 struct Placed {
     bond: Bond,
@@ -106,19 +105,24 @@ impl Places<'_> {
     }
 }
 
-/// Reduced moment of inertia of two spheres that contribute the given moments. Nothing turns the spheres of a wall: theirs is infinite.
-fn reduced_moment(particles: &Particles, shares: &[f64], p: usize, q: usize) -> f64 {
-    let moment = |p: usize| (particles.wall[p] == 0).then(|| shares[p]);
-    match (moment(p), moment(q)) {
-        (Some(of_p), Some(of_q)) => effective_mass(of_p, of_q),
-        (only, other) => only.or(other).unwrap_or(f64::INFINITY),
-    }
-}
-
 impl<M: PairModel> Pairs<M> {
     /// The constants of a row.
     pub fn constants(&self, row: usize) -> &M::Coefficients<Lanes<LANES>> {
         &self.coefficients[self.kind[row] as usize]
+    }
+
+    /// Changes the constants of a pair whose row has its own.
+    pub fn change_constants(
+        &mut self,
+        row: usize,
+        lane: usize,
+        change: impl FnOnce(M::Coefficients<f64>) -> M::Coefficients<f64>,
+    ) {
+        let constants = &mut self.coefficients[self.kind[row] as usize];
+        let changed = change(Flat::from_fn(|k| constants.at(k).0[lane]));
+        for k in 0..M::Coefficients::<f64>::LEN {
+            constants.at_mut(k).0[lane] = *changed.at(k);
+        }
     }
 
     /// The springs of a pair.
@@ -126,28 +130,27 @@ impl<M: PairModel> Pairs<M> {
         Flat::from_fn(|k| self.memory[row].at(k).0[lane])
     }
 
-    /// How many rows, the first ones, are of pairs joined by necks.
+    /// Number of leading rows of pairs joined by necks.
     pub fn joined(&self) -> usize {
         self.parts[0] / LANES
     }
 
     /// Rows and lanes of the pairs, in order.
-    pub fn seats(&self) -> impl Iterator<Item = (usize, usize)> + use<M> {
+    pub fn rows_and_lanes(&self) -> impl Iterator<Item = (usize, usize)> + use<M> {
         let parts = self.parts;
         (0..parts.len()).flat_map(move |part| {
             let before: usize = parts[..part].iter().map(|pairs| pairs.div_ceil(LANES)).sum();
-            (0..parts[part]).map(move |k| seat(k, parts[part])).map(move |(row, lane)| (before + row, lane))
+            (0..parts[part]).map(move |k| row_and_lane(k, parts[part])).map(move |(row, lane)| (before + row, lane))
         })
     }
 
     /// Lays out joined pairs, near pairs, and others that may come near.
-    pub fn lay(
+    pub fn arrange(
         model: &M,
         places: &Places,
         parts: [&[Neighbour]; 3],
         necks: &[(u32, u32)],
         springs: &Springs,
-        shares: &[f64],
     ) -> Self {
         let mut laid = Self {
             i: Vec::new(),
@@ -161,10 +164,7 @@ impl<M: PairModel> Pairs<M> {
             let (mut i, mut j) = ([NOWHERE; LANES], [0; LANES]);
             let (mut coefficients, mut memory) = (Vec::with_capacity(LANES), Vec::with_capacity(LANES));
             let (r, m) = (&places.particles.radius, &places.particles.mass);
-            let of = |Placed { p, q, .. }| {
-                let constants = model.coefficients(r[p], r[q], m[p], m[q]);
-                model.turning(constants, reduced_moment(places.particles, shares, p, q))
-            };
+            let of = |Placed { p, q, .. }| model.coefficients(r[p], r[q], m[p], m[q]);
             for (lane, pair) in row.iter().map(|pair| places.of(pair)).enumerate() {
                 (i[lane], j[lane]) = (pair.i, pair.j);
                 let constants = of(pair);
@@ -180,7 +180,8 @@ impl<M: PairModel> Pairs<M> {
                 Flat::from_fn(|k| Lanes(std::array::from_fn(|lane| *coefficients[lane].at(k))));
             let same =
                 |last: &M::Coefficients<_>| (0..M::Coefficients::<f64>::LEN).all(|k| last.at(k) == constants.at(k));
-            if !laid.coefficients.last().is_some_and(same) {
+            // What friction may stop is a matter of each pair, and changes.
+            if M::FRICTION_STOPS || !laid.coefficients.last().is_some_and(same) {
                 laid.coefficients.push(constants);
             }
             laid.kind.push(laid.coefficients.len() as u32 - 1);
@@ -194,7 +195,7 @@ impl<M: PairModel> Pairs<M> {
 
 impl FarPairs {
     /// Lays out far pairs.
-    pub fn lay(places: &Places, pairs: &[Neighbour]) -> Self {
+    pub fn arrange(places: &Places, pairs: &[Neighbour]) -> Self {
         let mut laid = Self {
             i: Vec::new(),
             j: Vec::new(),
@@ -223,8 +224,8 @@ impl FarPairs {
         laid
     }
 
-    /// What they do to the first so many spheres, as numbers to be written down.
-    pub fn kept(&self, spheres: usize) -> impl Iterator<Item = f64> + '_ {
+    /// The held loads on the first spheres, as numbers to be saved.
+    pub fn held_loads(&self, spheres: usize) -> impl Iterator<Item = f64> + '_ {
         let loads = self
             .loads
             .iter()
@@ -232,8 +233,8 @@ impl FarPairs {
         self.virial.into_iter().chain(loads)
     }
 
-    /// The way back.
-    pub fn keep(&mut self, spheres: usize, numbers: &mut impl Iterator<Item = f64>) {
+    /// Restores the held loads.
+    pub fn restore_loads(&mut self, spheres: usize, numbers: &mut impl Iterator<Item = f64>) {
         let mut next = || numbers.next().unwrap_or(f64::NAN);
         self.virial = std::array::from_fn(|_| next());
         for load in self.loads.iter_mut().flat_map(|loads| loads[..spheres].iter_mut()) {

@@ -1,39 +1,39 @@
-//! What surfaces do to the spheres that lean on them.
+//! The forces of surfaces on the spheres in contact with them.
 
 use super::{Block, Load};
-use crate::geometry::triangles::Seen;
+use crate::geometry::triangles::DistanceMinimum;
 use crate::spec::numbers::Lanes;
 use crate::spec::{Flat, Outcome, PairModel, Touch, Vec3};
-use crate::system::{Forces, Grips, Particles, Surface};
+use crate::system::{ContactTable, Forces, Particles, Surface};
 
-/// A contact whose place has moved by more than this part of the radius in one step is another one.
+/// Displacement of a contact point in one step, in radii, above which the contact is a new one.
 const JUMP: f64 = 0.1;
 
-/// Places are looked for up to this gap, in radii: farther than a contact parts in one step.
+/// Largest gap of the contact search, in radii: larger than the displacement in one step.
 const JUST: f64 = 0.01;
 
-/// What happened at one surface in one step.
-pub struct Leaning<M: PairModel> {
+/// The contributions of one surface in one step.
+pub struct SurfaceTotals<M: PairModel> {
     /// Forces on the spheres.
     pub force: Forces,
-    /// Power that the surface delivers to the spheres.
+    /// Power of the surface on the spheres.
     pub power: f64,
     /// Energy lost, by cause.
     pub losses: M::Losses<f64>,
-    /// Contacts and their springs: id of the sphere, place on the surface before it moved.
+    /// Contacts and their springs: id of the sphere, contact point in the frame of the surface.
     pub contacts: Vec<(u32, Vec3<f64>, M::Memory<f64>)>,
     /// The deepest sphere and its overlap over its radius.
     pub deepest: (u32, f64),
 }
 
-impl<M: PairModel> Default for Leaning<M> {
+impl<M: PairModel> Default for SurfaceTotals<M> {
     fn default() -> Self {
         let losses = Flat::from_fn(|_| 0.0);
         Self { force: Forces::zero(), power: 0.0, losses, contacts: Vec::new(), deepest: (0, f64::NEG_INFINITY) }
     }
 }
 
-impl<M: PairModel> Leaning<M> {
+impl<M: PairModel> SurfaceTotals<M> {
     /// Both together.
     pub fn and(mut self, other: Self) -> Self {
         self.contacts.extend(other.contacts);
@@ -47,51 +47,51 @@ impl<M: PairModel> Leaning<M> {
     }
 
     /// The contacts as the surface keeps them.
-    pub fn keep(mut self, grips: &mut Grips) {
+    pub fn store_contacts(mut self, contacts: &mut ContactTable) {
         self.contacts.sort_by_key(|contact| contact.0);
-        grips.places.clear();
-        grips.springs.clear();
+        contacts.places.clear();
+        contacts.springs.clear();
         for (sphere, place, springs) in self.contacts {
-            grips.places.push((sphere, place));
-            grips.springs.extend((0..M::Memory::<f64>::LEN).map(|k| *springs.at(k)));
+            contacts.places.push((sphere, place));
+            contacts.springs.extend((0..M::Memory::<f64>::LEN).map(|k| *springs.at(k)));
         }
     }
 }
 
 /// Evaluates a surface and the free spheres that a block owns, advances the springs of their contacts by `dt`, and adds to the
 /// loads of the block.
-pub fn lean<M: PairModel>(
+pub fn surface_forces<M: PairModel>(
     model: &M,
     surface: &Surface,
     particles: &Particles,
     block: &mut Block<M>,
     dt: f64,
-) -> Leaning<M> {
-    let mut leaning = Leaning::default();
+) -> SurfaceTotals<M> {
+    let mut totals = SurfaceTotals::default();
     let mut seen = Vec::new();
     for (place, p) in block.own.clone().enumerate() {
         each_touch(model, surface, particles, p, &mut seen, |at, touch, springs, nearest| {
             let (id, load) = (particles.id[p], &mut block.loads[place]);
-            *load = *load + leaning.enter(model, surface, (id, at, nearest), touch, springs, dt);
+            *load = *load + totals.enter(model, surface, (id, at, nearest), touch, springs, dt);
         });
     }
-    leaning
+    totals
 }
 
-impl<M: PairModel> Leaning<M> {
-    /// A sphere at one place of the surface: what acts on it.
+impl<M: PairModel> SurfaceTotals<M> {
+    /// The forces on a sphere at one contact point of the surface.
     fn enter(
         &mut self,
         model: &M,
         surface: &Surface,
-        (sphere, at, nearest): (u32, &Seen, bool),
+        (sphere, at, nearest): (u32, &DistanceMinimum, bool),
         touch: &Touch<f64>,
         springs: Option<M::Memory<f64>>,
         dt: f64,
     ) -> Load {
         let material = surface.material;
         let (mut force, mut torque) = (Vec3::zero(), Vec3::zero());
-        // A contact that has just ended is evaluated once more: its springs let go of what they held.
+        // A contact that has just ended is evaluated once more: its springs release their energy.
         if touch.gap < 0.0 || springs.is_some() {
             let springs = springs.unwrap_or(Flat::from_fn(|_| 0.0));
             let Outcome { wrench, memory, losses } = model.surface_contact(material, touch, springs, dt);
@@ -118,14 +118,14 @@ impl<M: PairModel> Leaning<M> {
 }
 
 /// Shows every place where a surface acts on a free sphere, with the springs of the contact there if it is not new, the nearest place first; then
-/// the places that the sphere has left since the last step, out of contact and at rest, with springs that have not let go yet.
+/// the contact points that the sphere has left since the last step, out of contact and at rest, whose springs have not been released yet.
 pub fn each_touch<M: PairModel>(
     model: &M,
     surface: &Surface,
     particles: &Particles,
     p: usize,
-    seen: &mut Vec<Seen>,
-    mut show: impl FnMut(&Seen, &Touch<f64>, Option<M::Memory<f64>>, bool),
+    seen: &mut Vec<DistanceMinimum>,
+    mut show: impl FnMut(&DistanceMinimum, &Touch<f64>, Option<M::Memory<f64>>, bool),
 ) {
     if particles.wall[p] > 0 {
         return;
@@ -133,21 +133,21 @@ pub fn each_touch<M: PairModel>(
     let Particles { x, v, w, radius, id, .. } = particles;
     seen.clear();
     let just = (1.0 + JUST) * radius[p];
-    surface.see(x[p], model.surface_range(surface.material, radius[p]).max(just), just, seen);
-    let mut grips = surface.grips.of(id[p]);
+    surface.distance_minima(x[p], model.surface_range(surface.material, radius[p]).max(just), just, seen);
+    let mut contacts = surface.contacts.of(id[p]);
     for (k, at) in seen.iter().enumerate() {
         let (gap, v) = (at.distance - radius[p], v[p] - surface.velocity);
         let touch = Touch { n: at.n, gap, v, omega: w[p], r: radius[p] };
-        let springs = grips.take(at.place, JUMP * radius[p]);
+        let springs = contacts.take(at.place, JUMP * radius[p]);
         let springs = springs.map(|springs| Flat::from_fn(|k| springs[k]));
         show(at, &touch, springs, k == 0);
     }
-    for (place, springs) in grips.rest() {
+    for (place, springs) in contacts.rest() {
         let from = x[p] - surface.way - place;
         let distance = from.norm();
         let n = if distance > 0.0 { from * (1.0 / distance) } else { Vec3([0.0, 0.0, 1.0]) };
         let touch =
             Touch { n, gap: (distance - radius[p]).max(0.0), v: Vec3::zero(), omega: Vec3::zero(), r: radius[p] };
-        show(&Seen { n, distance, place }, &touch, Some(Flat::from_fn(|k| springs[k])), false);
+        show(&DistanceMinimum { n, distance, place }, &touch, Some(Flat::from_fn(|k| springs[k])), false);
     }
 }

@@ -1,11 +1,11 @@
-//! What all pairs of a step come to.
+//! Sums over all pairs of a step.
 
 use crate::spec::Flat;
 
 /// Sums over pairs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Totals<L> {
-    /// Power that the pairs deliver to the spheres.
+    /// Power of the pairs on the spheres.
     pub power: f64,
     /// Energy lost in this step, by cause.
     pub losses: L,

@@ -1,4 +1,4 @@
-//! Rows to columns, eight by eight: how what belongs to one sphere becomes one number of eight pairs, and back.
+//! Transposition of eight by eight numbers: from the data of one sphere to one quantity of eight pairs, and back.
 //!
 //! Numbers are only moved here, so every instruction set gives the same bits. The compiler does not find these moves by itself.
 

@@ -1,4 +1,4 @@
-//! Which spheres hang together: union-find.
+//! Clusters of connected spheres: union-find.
 
 /// Groups of things that are linked, directly or through others.
 pub struct Clusters {

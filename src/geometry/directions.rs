@@ -36,7 +36,7 @@ pub fn frame(axis: Vec3<f64>, angle: f64) -> [Vec3<f64>; 3] {
     [axis, across * c + third * s, third * c - across * s]
 }
 
-/// So many directions, spread evenly along a spiral.
+/// A number of directions, distributed evenly along a spiral.
 pub fn spread(number: usize) -> Vec<Vec3<f64>> {
     let golden = f64::pi() * (3.0 - 5f64.sqrt());
     let point = |k: usize| {

@@ -1,4 +1,4 @@
-//! Who is near whom: cell grids, one for each octave of radii.
+//! Neighbour search: cell grids, one for each octave of radii.
 //!
 //! A sphere is entered in the grid of its octave and looks for partners there and in the grids of larger octaves only. The
 //! cells of a grid fit its own spheres, so a few large spheres cost the many small ones nothing.

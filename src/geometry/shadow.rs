@@ -1,15 +1,15 @@
-//! The shadow of spheres: the area of a union of discs, exact by Green's theorem.
+//! The projected area of spheres: the area of a union of discs, exact by Green's theorem.
 
 use crate::geometry::Sphere;
 use crate::geometry::directions::{Covered, frame, spread};
 use crate::spec::{Real, Vec3};
 
-/// Mean area (nm^2) of the shadows in so many directions, spread evenly.
+/// Mean projected area (nm^2) over a number of evenly distributed directions.
 pub fn mean_projected_area(spheres: &[Sphere], directions: usize) -> f64 {
     spread(directions).into_iter().map(|along| projected_area(spheres, along)).sum::<f64>() / directions as f64
 }
 
-/// Area (nm^2) of the shadow of spheres along a unit vector.
+/// Projected area (nm^2) of spheres along a unit vector.
 pub fn projected_area(spheres: &[Sphere], along: Vec3<f64>) -> f64 {
     let [_, e, f] = frame(along, 0.0);
     let discs: Vec<Disc> =

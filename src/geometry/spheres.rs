@@ -1,4 +1,4 @@
-//! Sets of spheres: their mass, centre, gyration radius, and the pairs that are near each other.
+//! Sets of spheres: mass, centre of mass, radius of gyration, and pairs of neighbours.
 
 use super::neighbours;
 use crate::spec::Vec3;
@@ -29,9 +29,9 @@ impl Particles {
     }
 }
 
-/// Whether the spheres' own extent counts in the gyration radius.
+/// Whether the size of the spheres counts in the radius of gyration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Extent {
+pub enum SphereExtent {
     /// Only the centres count, as in the fractal law.
     Centres,
     /// Each sphere adds its squared radius, so that one alone has its radius as gyration radius (Filippov, Zurita & Rosner 2000).
@@ -55,14 +55,14 @@ pub fn centre_of_mass(spheres: &[Sphere]) -> Vec3<f64> {
 }
 
 /// Square of [`gyration_radius`], nm^2.
-pub fn square_gyration_radius(spheres: &[Sphere], extent: Extent) -> f64 {
+pub fn square_gyration_radius(spheres: &[Sphere], extent: SphereExtent) -> f64 {
     let centre = centre_of_mass(spheres);
     let total: f64 = spheres.iter().map(mass).sum();
     let mut sum = [0.0; 3];
     for s in spheres {
         let own = match extent {
-            Extent::Centres => 0.0,
-            Extent::Radii => own_gyration(s.radius, mass(s), total),
+            SphereExtent::Centres => 0.0,
+            SphereExtent::Radii => own_gyration(s.radius, mass(s), total),
         };
         for (sum, term) in sum.iter_mut().zip(gyration_term(s.centre - centre, mass(s), total).0) {
             *sum += term;
@@ -73,7 +73,7 @@ pub fn square_gyration_radius(spheres: &[Sphere], extent: Extent) -> f64 {
 }
 
 /// Root mean square distance from the centre of mass, weighted by mass, nm.
-pub fn gyration_radius(spheres: &[Sphere], extent: Extent) -> f64 {
+pub fn gyration_radius(spheres: &[Sphere], extent: SphereExtent) -> f64 {
     square_gyration_radius(spheres, extent).sqrt()
 }
 

@@ -51,7 +51,7 @@ pub struct Vector {
 impl Vector {
     /// The arguments, laid end to end.
     pub fn numbers(&self, document: &Document) -> Result<Vec<f64>, String> {
-        lay(&document.arguments, &self.inputs, |value| value.as_f64())
+        flatten(&document.arguments, &self.inputs, |value| value.as_f64())
     }
     /// The results, laid end to end; none where an independent source has no value.
     fn outputs(&self, document: &Document) -> Result<Vec<Option<Reference>>, String> {
@@ -59,7 +59,7 @@ impl Vector {
         let mut out = vec![];
         for quantity in &document.results {
             match self.out.contains_key(&quantity.name) || self.source.is_none() {
-                true => out.extend(lay(std::slice::from_ref(quantity), &self.out, decimal)?.into_iter().map(Some)),
+                true => out.extend(flatten(std::slice::from_ref(quantity), &self.out, decimal)?.into_iter().map(Some)),
                 false => out.extend(std::iter::repeat_n(None, quantity.size)),
             }
         }
@@ -83,7 +83,7 @@ fn exact(equation: &Equation, numbers: &[f64]) -> Vec<Reference> {
     (equation.eval.reference)(&numbers.iter().map(|x| Reference::exact(*x)).collect::<Vec<_>>())
 }
 
-fn lay<T>(
+fn flatten<T>(
     quantities: &[Quantity],
     named: &Map<String, Value>,
     read: impl Fn(&Value) -> Option<T>,
@@ -169,7 +169,7 @@ fn check_vector(equation: &Equation, document: &Document, vector: &Vector) -> Re
     }
 }
 
-/// Mints the vectors of an equation anew and writes them; independent ones are kept. Returns what changed and by how much.
+/// Regenerates the vectors of an equation and writes them; independent ones are kept. Returns the changes.
 pub fn regenerate(golden: &Path, equation: &Equation, document: &Document) -> std::io::Result<Vec<String>> {
     let old = read(golden, equation).map(|file| file.vectors).unwrap_or_default();
     let minted = samples(equation, document, SAMPLED);

@@ -2,11 +2,13 @@
 
 pub mod aggregate;
 mod bodies;
+mod builder;
 pub mod film;
 pub mod lattice;
 pub mod packing;
 pub mod stl;
 
+pub use builder::Builder;
 pub use lattice::hcp;
 pub use packing::{Sizes, random_packing};
 

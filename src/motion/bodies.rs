@@ -1,8 +1,8 @@
 //! Rigid bodies: the loads on their spheres summed, one step taken, and the spheres that are in touch moved along.
 
 use super::push::Push;
-use super::{Moved, Step};
-use crate::forces::{Block, LANES, places, side_by_side};
+use super::{MotionTotals, Step};
+use crate::forces::{Block, LANES, places, vectorised};
 use crate::spec::mechanics::body::aggregate_drag;
 use crate::spec::mechanics::kick_and_drift::drift;
 use crate::spec::mechanics::rotation::to_space;
@@ -14,7 +14,7 @@ use std::ops::Range;
 
 /// Where in the blocks the loads on the members of bodies are, body by body.
 #[derive(Default)]
-pub struct Grips {
+pub struct LoadTable {
     /// How many particles are by themselves; they come first.
     pub single: usize,
     /// Where the moving members of each body begin, counted from the first member of any body.
@@ -28,29 +28,29 @@ pub struct Grips {
 /// Bodies that one thread advances at a time: the sums over them do not depend on how many threads there are.
 const CHUNK: usize = 128;
 
-impl Grips {
+impl LoadTable {
     /// Finds the loads on members, which follow the particles by themselves in the order of their bodies, the first `moving` particles in all.
     pub fn find<M: PairModel>(particles: &Particles, moving: usize, bodies: usize, blocks: &[Block<M>]) -> Self {
         let single = particles.body[..moving].partition_point(|&body| body == 0);
-        let mut grips = Self { single, members: vec![0; bodies + 1], loads: vec![0; bodies + 1], at: Vec::new() };
+        let mut load_table = Self { single, members: vec![0; bodies + 1], loads: vec![0; bodies + 1], at: Vec::new() };
         for (p, block, place) in places(blocks).filter(|place| place.0 >= single) {
-            grips.at.push(((p - single) as u32, block, place));
-            grips.loads[particles.body[p] as usize] += 1;
+            load_table.at.push(((p - single) as u32, block, place));
+            load_table.loads[particles.body[p] as usize] += 1;
         }
-        grips.at.sort_unstable();
+        load_table.at.sort_unstable();
         for p in single..moving {
-            grips.members[particles.body[p] as usize] += 1;
+            load_table.members[particles.body[p] as usize] += 1;
         }
         for b in 0..bodies {
-            grips.members[b + 1] += grips.members[b];
-            grips.loads[b + 1] += grips.loads[b];
+            load_table.members[b + 1] += load_table.members[b];
+            load_table.loads[b + 1] += load_table.loads[b];
         }
-        grips
+        load_table
     }
 }
 
 /// Some bodies, and their members that move every step.
-struct Crew<'a> {
+struct BodyGroup<'a> {
     bodies: &'a mut [Body],
     listed: &'a [Pose],
     x: &'a mut [Vec3<f64>],
@@ -58,59 +58,61 @@ struct Crew<'a> {
     w: &'a mut [Vec3<f64>],
 }
 
-/// Advances all bodies by one step and moves those of their members along that are in `moving`; also returns what the sum of branch
-/// vector times force must be corrected by, for forces inside a body have no part in the stress of the whole.
+/// Advances all bodies by one step, together with their members in `moving`; also returns the correction by which the sum of branch
+/// vector times force must be reduced, because forces inside a body do not contribute to the stress of the whole.
 pub fn advance_bodies<M: PairModel>(
     (bodies, listed): (&mut [Body], &[Pose]),
     particles: &mut Particles,
     moving: Range<usize>,
-    (grips, blocks): (&Grips, &[Block<M>]),
+    (load_table, blocks): (&LoadTable, &[Block<M>]),
     step: &Step,
-) -> (Moved, [f64; 3]) {
+) -> (MotionTotals, [f64; 3]) {
     let arms = &particles.arm[moving.clone()];
     let (mut x, mut v, mut w) =
         (&mut particles.x[moving.clone()], &mut particles.v[moving.clone()], &mut particles.w[moving]);
-    let mut crews = Vec::with_capacity(bodies.len().div_ceil(CHUNK));
+    let mut groups = Vec::with_capacity(bodies.len().div_ceil(CHUNK));
     for (number, (bodies, listed)) in bodies.chunks_mut(CHUNK).zip(listed.chunks(CHUNK)).enumerate() {
         let first = number * CHUNK;
-        let count = grips.members[first + bodies.len()] - grips.members[first];
+        let count = load_table.members[first + bodies.len()] - load_table.members[first];
         let (own_x, own_v, own_w);
         ((own_x, x), (own_v, v), (own_w, w)) = (x.split_at_mut(count), v.split_at_mut(count), w.split_at_mut(count));
-        crews.push((first, Crew { bodies, listed, x: own_x, v: own_v, w: own_w }));
+        groups.push((first, BodyGroup { bodies, listed, x: own_x, v: own_v, w: own_w }));
     }
-    let moved: Vec<(Moved, [f64; 3])> = crews
+    let moved: Vec<(MotionTotals, [f64; 3])> = groups
         .into_par_iter()
         .with_max_len(1)
         .map(|(first, mut crew)| {
-            let mut sums = (Moved::default(), [0.0; 3]);
+            let mut sums = (MotionTotals::default(), [0.0; 3]);
             for begin in (0..crew.bodies.len()).step_by(LANES) {
                 let group = begin..(begin + LANES).min(crew.bodies.len());
-                crew.advance(group, first, arms, (grips, blocks), step, &mut sums);
+                crew.advance(group, first, arms, (load_table, blocks), step, &mut sums);
             }
             sums
         })
         .collect();
-    let both = |a: (Moved, [f64; 3]), b: (Moved, [f64; 3])| (a.0.and(b.0), std::array::from_fn(|k| a.1[k] + b.1[k]));
-    moved.into_iter().fold((Moved::default(), [0.0; 3]), both)
+    let both = |a: (MotionTotals, [f64; 3]), b: (MotionTotals, [f64; 3])| {
+        (a.0.and(b.0), std::array::from_fn(|k| a.1[k] + b.1[k]))
+    };
+    moved.into_iter().fold((MotionTotals::default(), [0.0; 3]), both)
 }
 
-impl Crew<'_> {
+impl BodyGroup<'_> {
     /// Advances up to as many bodies as are computed side by side.
     fn advance<M: PairModel>(
         &mut self,
         group: Range<usize>,
         first: usize,
         arms: &[Vec3<f64>],
-        (grips, blocks): (&Grips, &[Block<M>]),
+        (load_table, blocks): (&LoadTable, &[Block<M>]),
         step: &Step,
-        (moved, virial): &mut (Moved, [f64; 3]),
+        (moved, virial): &mut (MotionTotals, [f64; 3]),
     ) {
-        let begin = grips.members[first];
+        let begin = load_table.members[first];
         let mut push = Push::new(step.dt);
         for (lane, k) in group.clone().enumerate() {
             let body = &self.bodies[k];
             let (mut force, mut torque) = (Vec3::zero(), Vec3::zero());
-            for &(p, block, place) in &grips.at[grips.loads[first + k]..grips.loads[first + k + 1]] {
+            for &(p, block, place) in &load_table.at[load_table.loads[first + k]..load_table.loads[first + k + 1]] {
                 let [fx, fy, fz, tx, ty, tz, ..] = blocks[block as usize].loads[place as usize].0;
                 let (pull, r) = (Vec3([fx, fy, fz]), self.x[p as usize - begin] - body.pose.x);
                 force = force + pull;
@@ -126,7 +128,7 @@ impl Crew<'_> {
             }
             push.put(lane, body, &self.listed[k], force, torque);
         }
-        let [kinetic, scheme, away] = side_by_side(step.instructions, &mut push);
+        let [kinetic, scheme, away] = vectorised(step.instructions, &mut push);
         for (lane, k) in group.enumerate() {
             let (body, before) = (&mut self.bodies[k], &self.listed[k]);
             let (omega, turned) = match (body.wall as usize).checked_sub(1) {
@@ -149,7 +151,7 @@ impl Crew<'_> {
                 moved.least[a] = moved.least[a].min(displacement - turned);
                 moved.most[a] = moved.most[a].max(displacement + turned);
             }
-            for p in grips.members[first + k]..grips.members[first + k + 1] {
+            for p in load_table.members[first + k]..load_table.members[first + k + 1] {
                 let place = p - begin;
                 (self.x[place], self.v[place]) = body.member(omega, arms[p]);
                 self.w[place] = omega;

@@ -1,4 +1,4 @@
-//! A box that gives way to the stress inside it until none is left.
+//! Relaxation of a box: its sides follow the stress until it vanishes.
 //!
 //! Each side moves as the homogeneous deformation it imposes would: with the inertia of the spheres it carries along,
 //! damped critically for the modulus of the material, so that the box is never slower than the sound that crosses it.
@@ -6,7 +6,7 @@
 use crate::spec::mechanics::box_relaxation::{box_inertia, box_strain_rate, growth};
 use crate::system::Domain;
 
-/// How the sides of the box move.
+/// The parameters of the relaxation of the box.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BoxRelaxation {
     /// Diagonal stress to reach, MPa, positive in tension.

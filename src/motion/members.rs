@@ -1,4 +1,4 @@
-//! The spheres of rigid bodies: where they are and how they move.
+//! The spheres of rigid bodies: their positions and velocities.
 
 use crate::spec::Vec3;
 use crate::spec::mechanics::body::{member_velocity, spin};
@@ -7,7 +7,7 @@ use crate::spec::mechanics::rotation::to_space;
 use crate::system::{Body, Particles, System};
 use rayon::prelude::*;
 
-/// So many particles, or more, are worth another thread.
+/// Smallest number of particles for which another thread pays.
 const LEAST: usize = 4096;
 
 impl Body {

@@ -10,8 +10,8 @@ mod surfaces;
 pub mod verlet;
 mod walls;
 
-pub use bodies::{Grips, advance_bodies};
+pub use bodies::{LoadTable, advance_bodies};
 pub use box_relaxation::BoxRelaxation;
-pub use spheres::{Moved, Spheres, Step, advance, gathered, inertia};
+pub use spheres::{MotionTotals, Spheres, Step, advance, gathered, inertia};
 pub use verlet::Integrator;
 pub use walls::{WallWork, drive, kinetic_energy};

@@ -1,6 +1,6 @@
-//! Rigid bodies pushed by the loads on them, several side by side.
+//! Integration of rigid bodies under their loads, several in one vector.
 
-use crate::forces::{LANES, SideBySide, Square};
+use crate::forces::{LANES, Square, Vectorised};
 use crate::spec::mechanics::body::spin;
 use crate::spec::mechanics::kick_and_drift::{drift, kick};
 use crate::spec::mechanics::kinetic_energy::translational_energy;
@@ -13,7 +13,7 @@ use num_traits::One;
 
 type Row = Lanes<LANES>;
 
-/// Bodies and what pushes them: four rows of numbers for each.
+/// Bodies and their loads: four rows of numbers for each.
 pub struct Push {
     /// Place, velocity, scalar part of the orientation, mass.
     state: Square,
@@ -65,10 +65,10 @@ impl Push {
     }
 }
 
-impl SideBySide for &mut Push {
+impl Vectorised for &mut Push {
     type Outcome = [Row; 3];
 
-    /// Kicks the bodies by the loads on them, then lets them go on freely for a step. Returns their kinetic energies, what the scheme
+    /// Kicks the bodies by the loads on them, then drifts and rotates them freely for a step. Returns their kinetic energies, what the scheme
     /// added to them, and how far points of them may have turned away since neighbours were listed.
     #[inline(always)]
     fn run(self, across: impl Fn(Square) -> Square) -> [Row; 3] {
@@ -88,7 +88,7 @@ impl SideBySide for &mut Push {
         let (q_0_next, q_next, l_next) = free_rotation(q_0, q, kicked, moments, dt);
         let (omega, turning) = spin(q_0_next, q_next, l_next, moments);
         let kinetic = translational_energy(mass, after) + turning;
-        // The step of free rotation is not exact either: what it adds to the energy is the scheme's.
+        // The step of free rotation is not exact either: its energy error belongs to the scheme.
         let scheme = translational_energy(mass, after - v) + energy(kicked - l) + (turning - energy(kicked));
         let away = largest_displacement(q_0_next, q_next, p_0, Vec3([p_x, p_y, p_z]), extent);
 

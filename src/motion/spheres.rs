@@ -58,7 +58,7 @@ impl<'a> Spheres<'a> {
     }
 }
 
-/// What all spheres share in a step.
+/// The parameters of a step, common to all spheres.
 pub struct Step<'a> {
     /// Time step, ns.
     pub dt: f64,
@@ -70,13 +70,13 @@ pub struct Step<'a> {
     pub growth: [f64; 3],
     /// Factors by which it will have grown since the neighbour list was built.
     pub stretch: [f64; 3],
-    /// Vector instructions for what is computed side by side.
+    /// Vector instructions in use.
     pub instructions: Instructions,
 }
 
-/// What happened to the spheres of a block in one step.
+/// Sums over the spheres of a block in one step.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Moved {
+pub struct MotionTotals {
     /// Kinetic energy after the step, zJ.
     pub kinetic: f64,
     /// Diagonal of the sum of `m v v` after the step, zJ.
@@ -91,7 +91,7 @@ pub struct Moved {
     pub most: [f64; 3],
 }
 
-impl Default for Moved {
+impl Default for MotionTotals {
     fn default() -> Self {
         Self {
             kinetic: 0.0,
@@ -104,7 +104,7 @@ impl Default for Moved {
     }
 }
 
-impl Moved {
+impl MotionTotals {
     /// Both together.
     pub fn and(self, other: Self) -> Self {
         Self {
@@ -117,7 +117,7 @@ impl Moved {
         }
     }
 
-    /// Enters the momentum that a mass carries along.
+    /// Adds the momentum flux of a mass.
     pub fn add_momentum_flux(&mut self, m: f64, v: Vec3<f64>) {
         for (sum, flux) in self.momentum_flux.iter_mut().zip(momentum_flux(m, v).0) {
             *sum += flux;
@@ -140,7 +140,7 @@ impl Moved {
     }
 }
 
-/// The loads on the first spheres of a block: its own, and what other blocks hold for them.
+/// The loads on the first spheres of a block: its own, and those from the halos of other blocks.
 pub fn gathered<M: PairModel>(blocks: &[Block<M>], number: usize, count: usize) -> Cow<'_, [Load]> {
     let block = &blocks[number];
     let own = &block.loads[..count];
@@ -156,10 +156,10 @@ pub fn gathered<M: PairModel>(blocks: &[Block<M>], number: usize, count: usize) 
 }
 
 /// Moves the first spheres of a block by one step of Eq. 1.
-pub fn advance<M: PairModel>(blocks: &[Block<M>], number: usize, spheres: Spheres, step: &Step) -> Moved {
+pub fn advance<M: PairModel>(blocks: &[Block<M>], number: usize, spheres: Spheres, step: &Step) -> MotionTotals {
     let Step { dt, damping, .. } = *step;
     let loads = gathered(blocks, number, spheres.x.len());
-    let mut moved = Moved::default();
+    let mut moved = MotionTotals::default();
     for (p, load) in loads.iter().enumerate() {
         let (m, x, v, w) = (spheres.mass[p], spheres.x[p], spheres.v[p], spheres.w[p]);
         let (x, v, w) = if spheres.wall[p] == 0 {

@@ -1,4 +1,4 @@
-//! Springs that draw centres of mass.
+//! Springs that pull centres of mass.
 
 use crate::spec::Vec3;
 use crate::spec::mechanics::drive::steering;
@@ -15,7 +15,7 @@ impl Steering {
         new
     }
 
-    /// The places of its spheres.
+    /// The indices of its spheres.
     pub fn places<'a>(&'a self, particles: &'a Particles) -> impl Iterator<Item = usize> + 'a {
         (0..particles.len()).filter(|&p| self.spheres.contains(&particles.id[p]))
     }
@@ -29,17 +29,17 @@ impl Steering {
         (moment * (1.0 / mass), mass)
     }
 
-    /// How long its spheres would take to swing once if nothing else touched them, ns: what it takes to set them in motion is over then.
+    /// Period of oscillation of its spheres on the spring, ns, after which the initial acceleration has ended.
     pub fn swing(&self, particles: &Particles) -> f64 {
         period(self.centre(particles).1, self.stiffness)
     }
 
-    /// How far the other end has been drawn, nm.
+    /// Displacement of the far end of the spring, nm.
     pub fn drawn(&self) -> Vec3<f64> {
         self.velocity * self.age
     }
 
-    /// Sees the centre of mass, pulls, and goes on for a step; returns the work done on the way since the step before, zJ.
+    /// Evaluates the spring and advances it by a step; returns its work since the step before, zJ.
     pub fn pull(&mut self, centre: Vec3<f64>, dt: f64) -> f64 {
         let (force, travel) = (self.force, self.travel);
         self.travel = centre - self.origin;

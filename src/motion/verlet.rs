@@ -1,12 +1,12 @@
 //! Velocity Verlet for free spheres: half a kick and the way, then, with the forces there, the other half.
 
-use super::{Moved, inertia};
+use super::{MotionTotals, inertia};
 use crate::spec::Vec3;
 use crate::spec::mechanics::kinetic_energy::kinetic_energy;
 use crate::spec::mechanics::verlet::{verlet_begin, verlet_end};
 use crate::system::Particles;
 
-/// How velocities go with positions.
+/// The time integration: velocities staggered by half a step, or synchronous with the positions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Integrator {
     /// Half a step behind them: [`half_step`](crate::spec::mechanics::verlet::half_step), the symplectic Euler method with its velocities so understood. The
@@ -18,8 +18,8 @@ pub enum Integrator {
 }
 
 /// Moves spheres to their next positions, with the loads where they were and the velocities there; leaves the velocities in the middle of the step.
-pub fn begin(particles: &mut Particles, loads: &[[f64; 6]], listed: &[Vec3<f64>], dt: f64) -> Moved {
-    let mut moved = Moved::default();
+pub fn begin(particles: &mut Particles, loads: &[[f64; 6]], listed: &[Vec3<f64>], dt: f64) -> MotionTotals {
+    let mut moved = MotionTotals::default();
     for p in 0..particles.len() {
         let (force, torque) = split(&loads[p]);
         let (x, v, w, m, i) = state(particles, p);
@@ -32,8 +32,8 @@ pub fn begin(particles: &mut Particles, loads: &[[f64; 6]], listed: &[Vec3<f64>]
 }
 
 /// Ends the step with the loads at the new positions.
-pub fn end(particles: &mut Particles, loads: &[[f64; 6]], dt: f64) -> Moved {
-    let mut moved = Moved::default();
+pub fn end(particles: &mut Particles, loads: &[[f64; 6]], dt: f64) -> MotionTotals {
+    let mut moved = MotionTotals::default();
     for p in 0..particles.len() {
         let (force, torque) = split(&loads[p]);
         let (_, half, w, m, i) = state(particles, p);

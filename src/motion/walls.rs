@@ -1,4 +1,4 @@
-//! Rigid walls: what their drive and their neighbours do to them.
+//! Rigid walls under their drives and the forces of their neighbours.
 
 use crate::spec::Vec3;
 use crate::spec::mechanics::drive::tip;
@@ -21,7 +21,7 @@ pub struct WallWork {
 }
 
 impl Wall {
-    /// The velocity along an axis that moves by a time table, m/s.
+    /// The velocity along an axis with a prescribed schedule, m/s.
     pub fn timed(&self, axis: usize) -> Option<f64> {
         match self.motion[axis] {
             Motion::Return { speed, turn } => Some(tip(speed, turn, self.age).0),

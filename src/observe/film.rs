@@ -3,7 +3,7 @@
 mod pores;
 
 use crate::geometry::neighbours;
-use crate::initial::film::{Film, FilmSphere};
+use crate::initial::film::{DepositedFilm, FilmSphere};
 use crate::spec::Vec3;
 use crate::spec::mechanics::solids::{cap_volume, sphere_volume};
 use crate::system::Domain;
@@ -13,7 +13,7 @@ const BULK: [f64; 2] = [0.2, 0.8];
 /// Layers of the profile.
 const LAYERS: usize = 20;
 
-/// What a film is like.
+/// The structure of a film.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Structure {
     /// Height of the highest point, nm.
@@ -24,17 +24,17 @@ pub struct Structure {
     pub porosity: f64,
     /// Solid part of equal layers, from the floor to the highest point.
     pub profile: Vec<f64>,
-    /// Contacts between spheres of one aggregate, of a sphere on average.
+    /// Mean coordination number within an aggregate.
     pub contacts_within: f64,
-    /// Contacts with other aggregates, of an aggregate on average.
+    /// Mean number of contacts of an aggregate with others.
     pub contacts_between: f64,
-    /// Diameters (nm) of the largest empty balls that hold a random point of the bulk: 10, 50 and 90 % of the points have smaller ones.
+    /// Pore diameter (nm), 10th, 50th and 90th percentile: the diameter of the largest empty sphere that contains a random point of the bulk.
     pub pores: [f64; 3],
 }
 
 impl Structure {
     /// Measures a film, in which spheres touch if their gap is less than `touch` (nm); the same `seed` gives the same pores.
-    pub fn of(film: &Film, touch: f64, seed: u64) -> Self {
+    pub fn of(film: &DepositedFilm, touch: f64, seed: u64) -> Self {
         let bulk = bulk(film);
         let solid = |low, high| solid_between(film, low, high);
         let layer = film.thickness / LAYERS as f64;
@@ -55,7 +55,7 @@ fn radius(sphere: &FilmSphere) -> f64 {
     0.5 * sphere.diameter
 }
 
-fn bulk(film: &Film) -> [f64; 2] {
+fn bulk(film: &DepositedFilm) -> [f64; 2] {
     let mut heights: Vec<(f64, f64)> = film.spheres.iter().map(|s| (s.centre.0[2], sphere_volume(radius(s)))).collect();
     heights.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
     let total: f64 = heights.iter().map(|s| s.1).sum();
@@ -70,7 +70,7 @@ fn bulk(film: &Film) -> [f64; 2] {
 }
 
 /// The solid part between two heights.
-fn solid_between(film: &Film, low: f64, high: f64) -> f64 {
+fn solid_between(film: &DepositedFilm, low: f64, high: f64) -> f64 {
     let volume: f64 = film.spheres.iter().map(|s| below(s, high) - below(s, low)).sum();
     volume / (film.sides[0] * film.sides[1] * (high - low))
 }
@@ -83,7 +83,7 @@ fn below(sphere: &FilmSphere, height: f64) -> f64 {
 }
 
 /// Numbers of contacts within aggregates and between them.
-fn contacts(film: &Film, touch: f64) -> [usize; 2] {
+fn contacts(film: &DepositedFilm, touch: f64) -> [usize; 2] {
     let centres: Vec<Vec3<f64>> = film.spheres.iter().map(|s| s.centre).collect();
     let radii: Vec<f64> = film.spheres.iter().map(radius).collect();
     let column = Domain { sides: [film.sides[0], film.sides[1], film.thickness], periodic: [true, true, false] };

@@ -1,11 +1,11 @@
-//! The force on a tip, as a cantilever reads it.
+//! The force on a tip, filtered by a cantilever.
 
 use crate::spec::soot::def_filter::filter_step;
 use serde::{Deserialize, Serialize};
 
 /// A maximum counts as a peak if the reading falls by this part of its highest value on both sides before it rises above it.
 const PROMINENT: f64 = 0.1;
-/// What holds tip and sample together has parted when the reading is below this part of its highest value for good.
+/// Tip and sample have separated once the reading stays below this fraction of its largest value.
 const PARTED: f64 = 0.05;
 
 /// A force curve under way. Units: pN, nm, ns.
@@ -30,29 +30,29 @@ impl ForceCurve {
         self.force = force;
     }
 
-    /// What the cantilever reads now.
+    /// The present reading of the cantilever.
     pub fn reading(&self) -> f64 {
         self.reading
     }
 
-    /// Keeps the reading at a displacement of the tip.
+    /// Records the reading at a displacement of the tip.
     pub fn look(&mut self, displacement: f64) {
         self.points.push((displacement, self.reading));
     }
 
-    /// The curve, displacement and reading, since the tip has turned round: what came before is the approach.
+    /// The curve, displacement and reading, since the reversal of the tip: what came before is the approach.
     pub fn retraction(&self) -> &[(f64, f64)] {
         let depth = |point: &(f64, f64)| point.0;
         let lowest = self.points.iter().map(depth).fold(f64::INFINITY, f64::min);
         &self.points[self.points.iter().position(|point| depth(point) == lowest).unwrap_or(0)..]
     }
 
-    /// The largest reading as the tip is drawn back.
+    /// The largest reading during the retraction.
     pub fn highest(&self) -> f64 {
         self.retraction().iter().map(|point| point.1).fold(0.0, f64::max)
     }
 
-    /// The peaks as the tip is drawn back, displacement and reading: the teeth of the saw.
+    /// The peaks during the retraction, displacement and reading.
     pub fn peaks(&self) -> Vec<(f64, f64)> {
         let (points, least) = (self.retraction(), PROMINENT * self.highest());
         let reading = |k: usize| points[k].1;
@@ -73,7 +73,7 @@ impl ForceCurve {
         (0..points.len()).filter(is_peak).map(|k| points[k]).collect()
     }
 
-    /// The displacement at which tip and sample parted; none while they hold together.
+    /// The displacement at which tip and sample separated; none while they are attached.
     pub fn rupture(&self) -> Option<f64> {
         let points = self.retraction();
         let last = points.iter().rposition(|point| point.1.abs() > PARTED * self.highest())?;

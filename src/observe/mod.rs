@@ -1,4 +1,4 @@
-//! What is measured: stress, strain, elasticity, packing, clusters, the motion of bodies, and the fate of a junction.
+//! Measurements: stress, strain, elasticity, packing, clusters, and the motion of bodies.
 
 pub mod film;
 pub mod force_curve;
@@ -42,7 +42,7 @@ pub fn links<M: PairModel>(simulation: &Simulation<M>) -> Vec<Link> {
     simulation.pairs().map(link).collect()
 }
 
-/// Where the second wall is: the first of its spheres stands for all, they move as one.
+/// Position of the second wall, represented by the first of its spheres.
 pub fn upper_wall(system: &System) -> Vec3<f64> {
     let p = &system.particles;
     let first = (0..p.len()).filter(|&i| p.wall[i] == 2).min_by_key(|&i| p.id[i]);

@@ -1,4 +1,4 @@
-//! The shape of an aggregate: coordination and convexity.
+//! The shape of an aggregate: coordination number and convexity.
 
 use crate::geometry::Sphere;
 use crate::geometry::directions::spread;
@@ -27,7 +27,7 @@ pub struct Bounded {
 /// Points on each of unequal spheres.
 const POINTS: usize = 400;
 
-/// Volume of the spheres over that of their convex hull: by Steiner's formula if they are equal. Unequal spheres are replaced
+/// Volume of the spheres relative to the volume of their convex hull: by Steiner's formula if they are equal. Unequal spheres are replaced
 /// by one polyhedron of many corners, scaled: inscribed in them it gives a lower bound of the hull, around them an upper one.
 pub fn convexity(spheres: &[Sphere]) -> Bounded {
     let own: f64 = spheres.iter().map(|s| sphere_volume(s.radius)).sum();

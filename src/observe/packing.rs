@@ -1,4 +1,4 @@
-//! How densely spheres are packed.
+//! Packing: volume fraction and coordination number.
 
 use super::Link;
 use crate::spec::mechanics::packing;

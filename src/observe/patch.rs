@@ -1,4 +1,4 @@
-//! Tests between two walls: strain and stress of what lies between them, and the elastic constants.
+//! Tests between two walls: strain and stress of the sample between them, and the elastic constants.
 
 use super::strain::displacement_gradient;
 use super::stress::{Slab, stress};
@@ -8,18 +8,18 @@ use crate::spec::{Tensor, Vec3};
 use crate::system::System;
 use serde::{Deserialize, Serialize};
 
-/// Watches the deformable part of a sample between two walls.
+/// Observes the deformable part of a sample between two walls.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Gauge {
     slab: Slab,
     upper: Vec3<f64>,
-    /// Places of all spheres at the beginning, in the order of ids.
+    /// Initial positions of all spheres, in the order of ids.
     before: Vec<Vec3<f64>>,
     /// Stress at the beginning.
     rest: Tensor<f64>,
 }
 
-/// What a gauge shows.
+/// A reading of a gauge.
 #[derive(Clone, Copy, Debug)]
 pub struct Reading {
     /// Displacement of the upper wall over the height between the walls.
@@ -65,7 +65,7 @@ impl Gauge {
     }
 }
 
-/// What a confined compression tells.
+/// The elastic constants from a confined compression.
 #[derive(Clone, Copy, Debug)]
 pub struct Elasticity {
     /// Young's modulus, MPa.

@@ -1,10 +1,10 @@
-//! The rigid motion that is nearest to what a cloud of points did.
+//! The rigid motion closest to the motion of a set of points.
 
 use crate::geometry::jacobi::eigenvectors;
 use crate::spec::Vec3;
 use crate::spec::mechanics::rotation::to_space;
 
-/// A rotation about a centre and where the centre went.
+/// A rotation about a centre and the displacement of the centre.
 #[derive(Clone, Copy, Debug)]
 pub struct RigidMotion {
     /// Centre of mass before.

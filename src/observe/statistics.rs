@@ -1,9 +1,9 @@
-//! What a few runs say about all of them.
+//! Confidence intervals of means of a few runs.
 
 /// Part of the means that lie in their confidence interval.
 const CONFIDENCE: f64 = 0.95;
 
-/// The mean of a sample, and half the width of the 95 % confidence interval of the mean of all that it was drawn from.
+/// The mean of a sample, and half the width of the 95 % confidence interval of the population mean.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mean {
     /// The mean.

@@ -1,9 +1,9 @@
-//! The homogeneous deformation that is nearest to what a sample did.
+//! The homogeneous deformation closest to the deformation of a sample.
 
 use crate::geometry::jacobi::eigenvectors;
 use crate::spec::{Tensor, Vec3};
 
-/// A sample whose thickness, squared, is less than this part of that of its width does not span space.
+/// Smallest squared ratio of thickness to width of a sample that spans space.
 const FLAT: f64 = 1e-13;
 
 /// Gradient of the displacement, rows first, from `u = u_0 + gradient x` by least squares over all points; none when the points do not

@@ -1,6 +1,6 @@
-//! What moves between two sliding bodies.
+//! The third body between two sliding bodies.
 //!
-//! Over a window of sliding, every sphere is given to the one of three rigid motions that comes nearest to what it did: that of the lower
+//! Over a window of sliding, every sphere is assigned to the closest of three rigid motions: that of the lower
 //! body, that of the upper body, or a third one, which is fitted to its own members until nothing changes. The *third body* is
 //! the largest cluster of spheres of the third motion. No velocity threshold is needed: the surface of a rolling particle is as fast as the
 //! body it touches, but it does not stay so.
@@ -84,7 +84,7 @@ impl Motions {
     }
 }
 
-/// `distance` is how far a sphere's motion is from those of both bodies; the first guess keeps `clear` of them.
+/// `distance` measures the difference of a sphere's motion from the motions of both bodies; the first guess keeps `clear` of them.
 fn third_body(
     system: &System,
     links: &[Link],

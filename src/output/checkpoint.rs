@@ -1,4 +1,4 @@
-//! Complete states on disk: a line that says what it is, a checksum, and the state.
+//! Complete states on disk: a heading, a checksum, and the state.
 
 use super::files::{read, write_atomically};
 use crate::error::{AtPath, Error};
@@ -6,16 +6,16 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::path::{Path, PathBuf};
 
-/// What a kept state is.
+/// The kind of a saved state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kept {
-    /// A point that a run can be resumed from.
+pub enum SavedKind {
+    /// A checkpoint, from which a run can be resumed.
     Checkpoint,
     /// An equilibrated sample.
     Sample,
 }
 
-impl Kept {
+impl SavedKind {
     fn heading(self) -> &'static [u8] {
         match self {
             Self::Checkpoint => b"veridem checkpoint 1\n",
@@ -25,14 +25,14 @@ impl Kept {
 }
 
 /// Writes a state.
-pub fn keep<T: Serialize>(path: &Path, what: Kept, state: &T) -> Result<(), Error> {
+pub fn save_state<T: Serialize>(path: &Path, what: SavedKind, state: &T) -> Result<(), Error> {
     let body = postcard::to_allocvec(state).expect("a state is plain data");
     let checksum = crc32fast::hash(&body).to_le_bytes();
     write_atomically(path, &[what.heading(), &checksum, &body].concat())
 }
 
-/// Reads a state back.
-pub fn kept<T: DeserializeOwned>(path: &Path, what: Kept) -> Result<T, Error> {
+/// Reads a state.
+pub fn load_state<T: DeserializeOwned>(path: &Path, what: SavedKind) -> Result<T, Error> {
     let bytes = read(path)?;
     let rest = bytes.strip_prefix(what.heading());
     let (checksum, body) = rest.and_then(|rest| rest.split_at_checked(4)).ok_or_else(|| {
@@ -45,7 +45,7 @@ pub fn kept<T: DeserializeOwned>(path: &Path, what: Kept) -> Result<T, Error> {
     postcard::from_bytes(body).map_err(|_| Error::input(path, "was written by another version"))
 }
 
-/// The checkpoints of a run: the last two that were due, and the one it was stopped at.
+/// The checkpoints of a run: the last two regular ones, and the one at which it was stopped.
 pub struct Checkpoints {
     folder: PathBuf,
 }
@@ -54,7 +54,7 @@ const EXTENSION: &str = "checkpoint";
 const STOPPED: &str = "stopped";
 
 impl Checkpoints {
-    /// Those in `folder`.
+    /// The checkpoints in `folder`.
     pub fn new(folder: PathBuf) -> Self {
         Self { folder }
     }
@@ -63,12 +63,12 @@ impl Checkpoints {
         self.folder.join(name).with_extension(EXTENSION)
     }
 
-    /// Whether there is none to resume from.
+    /// Whether there is no checkpoint.
     pub fn is_empty(&self) -> Result<bool, Error> {
         Ok(self.due()?.is_empty() && !self.path(STOPPED).exists())
     }
 
-    /// Those that were due, the oldest first.
+    /// The regular checkpoints, oldest first.
     fn due(&self) -> Result<Vec<PathBuf>, Error> {
         let mut found = Vec::new();
         for entry in std::fs::read_dir(&self.folder).at(&self.folder)? {
@@ -81,9 +81,9 @@ impl Checkpoints {
         Ok(found)
     }
 
-    /// Keeps the state after so many steps; forgets all but the last two, and where the run was stopped before.
-    pub fn keep<T: Serialize>(&self, steps: u64, state: &T) -> Result<(), Error> {
-        keep(&self.path(&format!("{steps:012}")), Kept::Checkpoint, state)?;
+    /// Saves the state after a number of steps; removes all but the last two, and the checkpoint of an earlier stop.
+    pub fn save<T: Serialize>(&self, steps: u64, state: &T) -> Result<(), Error> {
+        save_state(&self.path(&format!("{steps:012}")), SavedKind::Checkpoint, state)?;
         let due = self.due()?;
         for path in &due[..due.len().saturating_sub(2)] {
             std::fs::remove_file(path).at(path)?;
@@ -91,23 +91,23 @@ impl Checkpoints {
         self.forget_stopped()
     }
 
-    /// Forgets where the run was stopped: it has gone on beyond that.
+    /// Removes the checkpoint of a stop, which the resumed run has passed.
     pub fn forget_stopped(&self) -> Result<(), Error> {
         let stopped = self.path(STOPPED);
         if stopped.exists() { std::fs::remove_file(&stopped).at(&stopped) } else { Ok(()) }
     }
 
-    /// Keeps the state that a run is stopped in.
+    /// Saves the state in which a run is stopped.
     pub fn keep_stopped<T: Serialize>(&self, state: &T) -> Result<(), Error> {
-        keep(&self.path(STOPPED), Kept::Checkpoint, state)
+        save_state(&self.path(STOPPED), SavedKind::Checkpoint, state)
     }
 
-    /// The latest state that can be read; the complaint about the latest if none can.
+    /// The latest readable state; the error of the latest if none is readable.
     pub fn latest<T: DeserializeOwned>(&self) -> Result<T, Error> {
         let candidates = [self.path(STOPPED)].into_iter().filter(|path| path.exists());
         let mut complaint = None;
         for path in candidates.chain(self.due()?.into_iter().rev()) {
-            match kept(&path, Kept::Checkpoint) {
+            match load_state(&path, SavedKind::Checkpoint) {
                 Ok(state) => return Ok(state),
                 Err(error) => complaint = complaint.or(Some(error)),
             }
@@ -125,17 +125,17 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("state");
         let state = vec![0.1, -0.0, f64::MIN_POSITIVE / 3.0, f64::INFINITY];
-        keep(&path, Kept::Sample, &state).unwrap();
-        assert_eq!(kept::<Vec<f64>>(&path, Kept::Sample).unwrap(), state);
+        save_state(&path, SavedKind::Sample, &state).unwrap();
+        assert_eq!(load_state::<Vec<f64>>(&path, SavedKind::Sample).unwrap(), state);
         assert_eq!(
-            kept::<Vec<f64>>(&path, Kept::Checkpoint).unwrap_err().to_string(),
+            load_state::<Vec<f64>>(&path, SavedKind::Checkpoint).unwrap_err().to_string(),
             format!("{}: does not begin with `veridem checkpoint 1`", path.display())
         );
         let mut bytes = std::fs::read(&path).unwrap();
         *bytes.last_mut().unwrap() ^= 1;
         std::fs::write(&path, bytes).unwrap();
         assert_eq!(
-            kept::<Vec<f64>>(&path, Kept::Sample).unwrap_err().to_string(),
+            load_state::<Vec<f64>>(&path, SavedKind::Sample).unwrap_err().to_string(),
             format!("{}: is damaged: its checksum does not match", path.display())
         );
     }
@@ -145,7 +145,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let checkpoints = Checkpoints::new(folder.path().into());
         for step in [10u64, 200, 3000] {
-            checkpoints.keep(step, &step).unwrap();
+            checkpoints.save(step, &step).unwrap();
         }
         assert_eq!(checkpoints.due().unwrap().len(), 2);
         assert_eq!(checkpoints.latest::<u64>().unwrap(), 3000);
@@ -153,7 +153,7 @@ mod tests {
         assert_eq!(checkpoints.latest::<u64>().unwrap(), 200);
         checkpoints.keep_stopped(&2500u64).unwrap();
         assert_eq!(checkpoints.latest::<u64>().unwrap(), 2500);
-        checkpoints.keep(4000, &4000u64).unwrap();
+        checkpoints.save(4000, &4000u64).unwrap();
         assert_eq!(checkpoints.latest::<u64>().unwrap(), 4000);
     }
 }

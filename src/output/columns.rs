@@ -1,4 +1,4 @@
-//! The columns of the time series: each is a constant that its writer, its plots and its readers share.
+//! The columns of the time series: constants shared by their writers, plots and readers.
 
 use std::fmt;
 
@@ -28,58 +28,58 @@ impl fmt::Display for Column {
     }
 }
 
-/// The stage.
+/// Name of the stage.
 pub const STAGE: Column = Column::pure("stage");
-/// Steps of the stage.
+/// Number of steps of the stage.
 pub const STEP: Column = Column::pure("step");
 /// Simulated time.
 pub const TIME: Column = Column::new("time", "ns");
-/// Kinetic energy of what moves freely.
+/// Kinetic energy of all free spheres and bodies.
 pub const KINETIC: Column = Column::new("kinetic energy", "zJ");
-/// Energy lost to the global damping.
+/// Energy dissipated by the global damping.
 pub const LOST_TO_DRAG: Column = Column::new("lost to drag", "zJ");
-/// Energy lost with broken necks.
+/// Energy stored in necks when they broke.
 pub const LOST_TO_BREAKING: Column = Column::new("lost to breaking", "zJ");
-/// Work of walls of prescribed velocity.
+/// Work done by walls of prescribed velocity.
 pub const WORK_OF_WALLS: Column = Column::new("work of walls", "zJ");
-/// Work of loads.
+/// Work done by loads.
 pub const WORK_OF_LOADS: Column = Column::new("work of loads", "zJ");
-/// Work of the sides of the box.
+/// Work done by the deformation of the box.
 pub const WORK_OF_BOX: Column = Column::new("work of box", "zJ");
-/// Energy that the discrete account does not explain.
+/// Residual of the discrete energy balance.
 pub const DISCRETE_RESIDUAL: Column = Column::new("discrete residual", "zJ");
-/// Energy that the physical account does not explain.
+/// Residual of the physical energy balance.
 pub const PHYSICAL_RESIDUAL: Column = Column::new("physical residual", "zJ");
-/// The physical residual over the energy that moved between accounts.
+/// The physical residual relative to the energy that was converted.
 pub const RELATIVE_RESIDUAL: Column = Column::pure("relative residual");
-/// Largest overlap over the sum of the radii.
+/// Largest overlap, relative to the sum of the radii.
 pub const LARGEST_OVERLAP: Column = Column::pure("largest overlap");
-/// Diagonal of the stress of the whole box.
+/// Normal stresses of the whole box.
 pub const STRESS: [Column; 3] =
     [Column::new("stress xx", "MPa"), Column::new("stress yy", "MPa"), Column::new("stress zz", "MPa")];
-/// Sides of the box.
+/// Side lengths of the box.
 pub const SIDES: [Column; 3] = [Column::new("side x", "nm"), Column::new("side y", "nm"), Column::new("side z", "nm")];
-/// Energy of contacts with surfaces and of their attraction.
+/// Energy stored in contacts with surfaces, and of the attraction by surfaces.
 pub const AT_SURFACES: Column = Column::new("energy at surfaces", "zJ");
-/// Energy lost at surfaces.
+/// Energy dissipated at surfaces.
 pub const LOST_AT_SURFACES: Column = Column::new("lost at surfaces", "zJ");
 
-/// Header of the energy that pairs store, by cause.
+/// Header of the energy stored in pairs, by cause.
 pub fn stored(cause: &str) -> String {
     format!("{cause} energy [zJ]")
 }
 
-/// The cause of a header that [`stored`] made; the kinetic energy is one too.
+/// The cause in a header made by [`stored`]; the kinetic energy counts as one.
 pub fn cause_of_stored(header: &str) -> Option<&str> {
     header.strip_suffix(" energy [zJ]")
 }
 
-/// Header of the energy that pairs lose, by cause.
+/// Header of the energy dissipated by pairs, by cause.
 pub fn lost(cause: &str) -> String {
     format!("lost to {cause} [zJ]")
 }
 
-/// Whether a column holds energy that was lost.
+/// Whether a column holds dissipated energy.
 pub fn is_lost(header: &str) -> bool {
     header.starts_with("lost ")
 }

@@ -1,4 +1,4 @@
-//! Files that are either complete or absent, and files that grow by whole lines.
+//! Files that are either complete or absent, and files that grow by complete lines.
 
 use crate::error::{AtPath, Error};
 use sha2::{Digest, Sha256};
@@ -6,7 +6,7 @@ use std::fs::{File, OpenOptions};
 use std::io::{ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
 
-/// Writes a file under a temporary name, waits until it is on the disk, and renames it: a reader sees all of it or nothing.
+/// Writes a file under a temporary name, syncs and renames it: a reader sees the complete file or none.
 pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), Error> {
     let mut temporary = path.as_os_str().to_owned();
     temporary.push(".part");
@@ -16,7 +16,7 @@ pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), Error> {
         file.sync_all()
     });
     if written.is_err() {
-        // What is left of it is worthless, and its room may be what is missing.
+        // The remainder is useless, and the disk may be full.
         std::fs::remove_file(&temporary).ok();
     }
     written.at(path)?;
@@ -42,7 +42,7 @@ pub fn sha256_file(path: &Path) -> Result<String, Error> {
     }
 }
 
-/// A file that only grows, and whose length at any checkpoint is known.
+/// A file that only grows, with a known length at every checkpoint.
 pub struct Appending {
     path: PathBuf,
     file: File,
@@ -56,18 +56,18 @@ impl Appending {
         Ok(Self { path, file, length: 0 })
     }
 
-    /// Takes a file up again at a length it once had; what was written later is cut off.
+    /// Reopens a file at an earlier length; what was written later is truncated.
     pub fn resume(path: PathBuf, length: u64) -> Result<Self, Error> {
         let file = OpenOptions::new().append(true).open(&path).at(&path)?;
         let found = file.metadata().at(&path)?.len();
         if found < length {
-            return Err(Error::input(&path, format!("has {found} bytes, but the checkpoint knows of {length}")));
+            return Err(Error::input(&path, format!("has {found} bytes, but had {length} at the checkpoint")));
         }
         file.set_len(length).at(&path)?;
         Ok(Self { path, file, length })
     }
 
-    /// Appends a line; nothing is held back.
+    /// Appends a line without buffering.
     pub fn line(&mut self, text: &str) -> Result<(), Error> {
         let line = format!("{text}\n");
         self.file.write_all(line.as_bytes()).at(&self.path)?;
@@ -75,7 +75,7 @@ impl Appending {
         Ok(())
     }
 
-    /// Bytes so far.
+    /// The length in bytes.
     pub fn length(&self) -> u64 {
         self.length
     }

@@ -1,4 +1,4 @@
-//! Where the parts of a run are.
+//! The layout of a run folder.
 
 use super::Checkpoints;
 use crate::error::{AtPath, Error};
@@ -11,7 +11,7 @@ pub struct RunFolder {
 }
 
 impl RunFolder {
-    /// Makes a new folder; one that exists is only replaced when forced, and only if it is a run folder.
+    /// Creates a new folder; an existing one is replaced only if forced, and only if it is a run folder.
     pub fn create(root: &Path, force: bool) -> Result<Self, Error> {
         let folder = Self { root: root.into() };
         if root.exists() {
@@ -31,7 +31,7 @@ impl RunFolder {
         Ok(folder)
     }
 
-    /// Removes a folder that holds no more than a run which was killed before its manifest was there; says whether there is none now.
+    /// Removes a folder left by a run that was killed before its manifest was written; returns whether the folder is gone.
     pub fn clear(root: &Path) -> Result<bool, Error> {
         let folder = Self { root: root.into() };
         if !root.exists() {
@@ -55,7 +55,7 @@ impl RunFolder {
         Ok(true)
     }
 
-    /// A folder that a run has left.
+    /// The folder of an existing run.
     pub fn open(root: &Path) -> Result<Self, Error> {
         let folder = Self { root: root.into() };
         std::fs::metadata(folder.case()).map_err(|cause| Error::NoInput(folder.case(), cause))?;
@@ -74,7 +74,7 @@ impl RunFolder {
     pub fn resolved(&self) -> PathBuf {
         self.root.join("case.resolved.yaml")
     }
-    /// Where the run comes from.
+    /// The provenance of the run.
     pub fn manifest(&self) -> PathBuf {
         self.root.join("manifest.json")
     }
@@ -82,7 +82,7 @@ impl RunFolder {
     pub fn series(&self) -> PathBuf {
         self.root.join("series.csv")
     }
-    /// What happened, one JSON object a line.
+    /// The events, one JSON object per line.
     pub fn events(&self) -> PathBuf {
         self.root.join("events.jsonl")
     }
@@ -90,7 +90,7 @@ impl RunFolder {
     pub fn results(&self) -> PathBuf {
         self.root.join("results.yaml")
     }
-    /// The states of the particles, in files of their own.
+    /// The frames: states of the particles, one file each.
     pub fn frames(&self) -> PathBuf {
         self.root.join("frames")
     }
@@ -98,23 +98,23 @@ impl RunFolder {
     pub fn figures(&self) -> PathBuf {
         self.root.join("figures")
     }
-    /// What the user looks at first.
+    /// The report, for a first look.
     pub fn report(&self) -> PathBuf {
         self.root.join("report.html")
     }
-    /// The state that a simulation could not leave.
+    /// The state in which the simulation halted.
     pub fn halted(&self) -> PathBuf {
         self.root.join("halted.xyz")
     }
     fn checkpoint_folder(&self) -> PathBuf {
         self.root.join("checkpoints")
     }
-    /// The points from which the run can be resumed.
+    /// The checkpoints.
     pub fn checkpoints(&self) -> Checkpoints {
         Checkpoints::new(self.checkpoint_folder())
     }
 
-    /// The files of a finished run that are the same whenever and wherever it was made, sorted.
+    /// The reproducible files of a finished run, the same on any machine at any time, sorted.
     pub fn outputs(&self) -> Result<Vec<PathBuf>, Error> {
         let mut found = vec![self.case(), self.resolved(), self.series(), self.events(), self.results()];
         for entry in std::fs::read_dir(self.frames()).at(&self.frames())? {

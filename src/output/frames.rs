@@ -36,7 +36,7 @@ pub fn extended_xyz(system: &System, stage: &str) -> String {
 /// The ending of the files of surfaces.
 pub const SURFACES: &str = "obj";
 
-/// All surfaces where they are now, as objects of a Wavefront file. Unit: nm.
+/// All surfaces at their present positions, as objects of a Wavefront file. Unit: nm.
 pub fn wavefront(system: &System) -> String {
     let (mut text, mut count) = (String::new(), 1);
     for surface in &system.surfaces {
@@ -54,7 +54,7 @@ pub fn wavefront(system: &System) -> String {
     text
 }
 
-/// Corners and triangles of a surface before it moved; of a plane, what lies in or below the box.
+/// Vertices and triangles of a surface before it moved; for a plane, the part in or below the box.
 fn outline(surface: &Surface, domain: &Domain) -> (Vec<Vec3<f64>>, Vec<[u32; 3]>) {
     match &surface.shape {
         Shape::Mesh(mesh) => (mesh.vertices().to_vec(), mesh.triangles().to_vec()),
@@ -86,12 +86,12 @@ fn outline(surface: &Surface, domain: &Domain) -> (Vec<Vec3<f64>>, Vec<[u32; 3]>
 mod tests {
     use super::*;
     use crate::papers::soot::tip::tetrahedron;
-    use crate::system::{Course, Particles};
+    use crate::system::{Particles, PrescribedMotion};
 
     #[test]
     fn surfaces_are_drawn_where_they_have_moved_to() {
         let mut system = System::new(Particles::default(), Domain { sides: [2.0; 3], periodic: [false; 3] });
-        let (up, still) = (Vec3([0.0, 0.0, 1.0]), Course::Still);
+        let (up, still) = (Vec3([0.0, 0.0, 1.0]), PrescribedMotion::Still);
         system.surfaces.push(Surface::new("substrate", 0, Shape::Plane { point: Vec3::zero(), normal: up }, still));
         system.surfaces.push(Surface::new("tip", 1, Shape::Mesh(tetrahedron(1.0)), still));
         system.surfaces[1].way = up;

@@ -1,21 +1,21 @@
-//! Where a run comes from: enough to make it again.
+//! The provenance of a run: sufficient to reproduce it.
 
 use super::{RunFolder, sha256_file, write_atomically};
 use crate::error::Error;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// How a run stands.
+/// The status of a run.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Status {
-    /// It is under way, or was killed.
+    /// It is running, or was killed.
     Running,
     /// It was stopped and can be resumed.
     Stopped,
-    /// The simulation left its domain.
+    /// The simulation left its domain of validity.
     Halted,
-    /// A stage did not come to the end that it should.
+    /// A stage failed to reach its end.
     Failed,
     /// A file could not be read or written; it can be resumed.
     Interrupted,
@@ -26,7 +26,7 @@ pub enum Status {
 /// The provenance of a run.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Manifest {
-    /// How the run stands.
+    /// The status.
     pub status: Status,
     /// Version of this program.
     pub version: String,
@@ -38,18 +38,18 @@ pub struct Manifest {
     pub target: String,
     /// Number of threads.
     pub threads: usize,
-    /// Command lines, that of the last resumption last.
+    /// Command lines of the start and of every resumption, in order.
     pub command_lines: Vec<String>,
-    /// Seed of every random stream.
+    /// Seed of all random streams.
     pub seed: u64,
-    /// SHA-256 of the files that went in.
+    /// SHA-256 of the input files.
     pub inputs: BTreeMap<String, String>,
-    /// SHA-256 of the files that came out.
+    /// SHA-256 of the output files.
     pub outputs: BTreeMap<String, String>,
 }
 
 impl Manifest {
-    /// The manifest of a run that begins in this process.
+    /// The manifest of a run started by this process.
     pub fn begin(seed: u64, inputs: BTreeMap<String, String>) -> Self {
         Self {
             status: Status::Running,
@@ -65,19 +65,19 @@ impl Manifest {
         }
     }
 
-    /// Reads that of a run folder.
+    /// Reads the manifest of a run folder.
     pub fn read(folder: &RunFolder) -> Result<Self, Error> {
         let path = folder.manifest();
         let bytes = super::read(&path)?;
         serde_json::from_slice(&bytes).map_err(|error| Error::input(&path, error.to_string()))
     }
 
-    /// Whether this build of the program began the run.
+    /// Whether the run was started by this build of the program.
     pub fn is_ours(&self) -> bool {
         (&*self.version, &*self.commit) == (env!("CARGO_PKG_VERSION"), env!("VERIDEM_COMMIT"))
     }
 
-    /// Takes the run up again in this process.
+    /// Updates the manifest for a resumption by this process.
     pub fn resume(&mut self) {
         self.status = Status::Running;
         self.threads = rayon::current_num_threads();
@@ -90,7 +90,7 @@ impl Manifest {
         write_atomically(&folder.manifest(), (text + "\n").as_bytes())
     }
 
-    /// Ends the run with a status; a finished one lists what it has made.
+    /// Ends the run with a status; the manifest of a finished run lists its output files.
     pub fn end(&mut self, folder: &RunFolder, status: Status) -> Result<(), Error> {
         if status == Status::Finished {
             for path in folder.outputs()? {

@@ -1,4 +1,4 @@
-//! The run folder: what a run leaves behind, and how it is written so that nothing half-written is ever mistaken for a result.
+//! The run folder: the output of a run, written so that an incomplete file is never mistaken for a result.
 
 mod checkpoint;
 pub mod columns;
@@ -9,7 +9,7 @@ mod manifest;
 mod reading;
 mod series;
 
-pub use checkpoint::{Checkpoints, Kept, keep, kept};
+pub use checkpoint::{Checkpoints, SavedKind, load_state, save_state};
 pub use columns::Column;
 pub use files::{Appending, read, sha256_file, write_atomically};
 pub use folder::RunFolder;

@@ -1,22 +1,22 @@
-//! A run folder read back: its time series and its events.
+//! Reading of a run folder: its time series and its events.
 
 use super::{Column, RunFolder, read};
 use crate::error::Error;
 use serde::Deserialize;
 
-/// Something that happened in a run.
+/// An event of a run.
 #[derive(Deserialize)]
 pub struct Event {
     /// The stage.
     pub stage: String,
-    /// When, ns.
+    /// The time, ns.
     pub time_ns: f64,
-    /// What.
+    /// Its description.
     pub event: String,
 }
 
 impl Event {
-    /// All that a run has written down.
+    /// All events of a run.
     pub fn all(folder: &RunFolder) -> Result<Vec<Self>, Error> {
         let path = folder.events();
         let lines = read(&path)?;
@@ -25,7 +25,7 @@ impl Event {
     }
 }
 
-/// The time series of a run, read back.
+/// The time series of a run, as read.
 pub struct Series {
     /// The columns' names.
     pub columns: Vec<String>,
@@ -34,7 +34,7 @@ pub struct Series {
 }
 
 impl Series {
-    /// Reads that of a run folder.
+    /// Reads the series of a run folder.
     pub fn read(folder: &RunFolder) -> Result<Self, Error> {
         let path = folder.series();
         let broken = |error: csv::Error| Error::input(&path, error.to_string());
@@ -52,12 +52,12 @@ impl Series {
         stages
     }
 
-    /// The points of one column against another in one stage, or in all for an empty name.
+    /// The points of one column against another in one stage, or in all stages for an empty name.
     pub fn curve(&self, stage: &str, x: Column, y: Column) -> Vec<(f64, f64)> {
         self.curve_of(stage, &x.to_string(), &y.to_string())
     }
 
-    /// The same by the headers.
+    /// The same, with columns given by their headers.
     pub fn curve_of(&self, stage: &str, x: &str, y: &str) -> Vec<(f64, f64)> {
         let place = |header: &str| self.columns.iter().position(|column| column == header);
         let (Some(x), Some(y)) = (place(x), place(y)) else { return Vec::new() };
@@ -66,7 +66,7 @@ impl Series {
     }
 }
 
-/// A curve at a place, between its points.
+/// The value of a curve by interpolation between its points.
 pub fn between(curve: &[(f64, f64)], x: f64) -> Option<f64> {
     let mut ends = curve.windows(2).map(|ends| (ends[0], ends[1]));
     let ((a, f), (b, g)) = ends.find(|(p, q)| p.0 <= x && x <= q.0 && p.0 < q.0)?;

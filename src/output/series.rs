@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 /// A cell of the time series.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cell {
-    /// A measured number, written so that it can be read back exactly.
+    /// A measured number, written with enough digits to be read back exactly.
     Number(f64),
     /// A count.
     Count(u64),
@@ -29,16 +29,16 @@ pub fn row(cells: &[Cell]) -> String {
     cells.iter().map(text).collect::<Vec<_>>().join(",")
 }
 
-/// A quantity that a run was made for.
+/// A final quantity of a run.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Finding {
-    /// What it is.
+    /// Its name.
     pub name: String,
-    /// How much, or which.
+    /// Its value.
     pub value: String,
-    /// In which unit; empty for a name or a pure number.
+    /// Its unit; empty for words or a pure number.
     pub unit: String,
-    /// What the case's material is meant to have, or the paper states; empty if nothing.
+    /// The target value of the case's material, or the value stated by the paper; empty if there is none.
     pub target: String,
 }
 
@@ -53,7 +53,7 @@ impl Finding {
         Self { name: name.into(), value: value.into(), unit: String::new(), target: String::new() }
     }
 
-    /// Those of a run; none before it has finished.
+    /// The findings of a run; none before it has finished.
     pub fn of_run(folder: &RunFolder) -> Result<Vec<Self>, Error> {
         let path = folder.results();
         if !path.exists() {

@@ -1,4 +1,4 @@
-//! What the papers add to the engine: each is one room, and one line of a list.
+//! The papers' additions to the engine: one module and one entry of a list per paper.
 
 pub mod soot;
 pub mod titania;
@@ -25,20 +25,20 @@ pub type CaseOf<P> = Case<<P as Paper>::Model, <P as Paper>::Sample, <P as Paper
 ///
 /// # Errors
 ///
-/// Everything that is wrong with the case, by line and key.
+/// All problems of the case, by line and key.
 pub fn parse<P: Paper>(file: &Path, text: &str) -> Result<CaseOf<P>, Error> {
     case::parse(file, text, P::complete, P::check)
 }
 
-/// All that a paper adds to the engine.
+/// A paper's additions to the engine.
 pub trait Paper: Sync {
     /// Its name: the key below `model` in case files, and a word of the command line.
     const NAME: &'static str;
     /// Authors and year.
     const REFERENCE: &'static str;
-    /// The headline of its claims.
+    /// The title of its claims.
     const TITLE: &'static str;
-    /// The graphs of its reports.
+    /// The graphs in its reports.
     const GRAPHS: &'static [Graph] = &[];
     /// The chapters of its claims.
     #[cfg(feature = "cli")]
@@ -51,11 +51,11 @@ pub trait Paper: Sync {
     /// The sections below `experiment`.
     type Experiment: Part;
 
-    /// Fills in what a case leaves open and no key has a default for.
+    /// Completes values of a case that have no default.
     fn complete(_case: &mut CaseOf<Self>) {}
-    /// Finds what is wrong with a case beyond its grammar.
+    /// Finds the problems of a case beyond its grammar.
     fn check(_case: &CaseOf<Self>, _found: &mut Found) {}
-    /// What follows from a checked case, with units.
+    /// The derived values of a checked case, with units.
     fn derived(_case: &CaseOf<Self>) -> Vec<(String, String)> {
         Vec::new()
     }
@@ -88,7 +88,7 @@ pub trait AnyPaper: Sync {
     ///
     /// # Errors
     ///
-    /// Everything that is wrong with it, by line and key.
+    /// All problems of the case, by line and key.
     fn read(&self, file: &Path, text: &str) -> Result<Job, Error>;
 }
 
@@ -126,7 +126,7 @@ impl<P: Paper> AnyPaper for P {
     }
 }
 
-/// A case with every default, and below `derived` what follows from it.
+/// A case with every default, and its derived values below `derived`.
 fn resolved(case: &impl serde::Serialize, derived: Vec<(String, String)>) -> String {
     let mut root = serde_yaml::to_value(case).expect("a case is plain data");
     let mapping = root.as_mapping_mut().expect("a case is a mapping");
@@ -140,7 +140,7 @@ fn resolved(case: &impl serde::Serialize, derived: Vec<(String, String)>) -> Str
 pub struct Papers(pub &'static [&'static dyn AnyPaper]);
 
 impl Papers {
-    /// The paper of a name.
+    /// The paper with this name.
     pub fn find(&self, name: &str) -> Option<&'static dyn AnyPaper> {
         self.0.iter().copied().find(|paper| paper.name() == name)
     }
@@ -149,7 +149,7 @@ impl Papers {
     ///
     /// # Errors
     ///
-    /// If the file cannot be read, and everything that is wrong with the case, by line and key.
+    /// If the file cannot be read; all problems of the case, by line and key.
     pub fn read(&self, file: &Path) -> Result<Job, Error> {
         self.parse(file, &case::read_text(file)?)
     }
@@ -158,7 +158,7 @@ impl Papers {
     ///
     /// # Errors
     ///
-    /// Everything that is wrong with the case, by line and key.
+    /// All problems of the case, by line and key.
     pub fn parse(&self, file: &Path, text: &str) -> Result<Job, Error> {
         let all = self.0.iter().map(|paper| words(*paper)).fold(Words::default(), |mut all, own| {
             all.model.extend(own.model);

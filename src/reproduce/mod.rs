@@ -7,7 +7,7 @@ pub use setting::Setting;
 use crate::error::Error;
 use crate::figures::{Axis, Curve, Plot};
 
-/// How much is computed.
+/// The extent of a computation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Extent {
     /// Smaller samples and fewer of them: about ten minutes on two cores.
@@ -17,42 +17,42 @@ pub enum Extent {
 }
 
 impl Extent {
-    /// The one for each extent.
+    /// The value for this extent.
     pub fn of<T>(self, reduced: T, full: T) -> T {
         if self == Self::Full { full } else { reduced }
     }
 }
 
-/// A claim of a paper beside what came out.
+/// A claim of a paper beside the measured value.
 #[derive(Clone, Debug, serde::Serialize)]
 pub struct Claim {
     /// Its name.
     pub id: &'static str,
-    /// What is claimed.
+    /// The claim.
     pub claim: String,
-    /// The paper's figure.
+    /// The paper's value.
     pub paper: String,
-    /// Ours.
+    /// The measured value.
     pub measured: String,
-    /// Whether they agree.
+    /// The verdict.
     pub verdict: Verdict,
-    /// Whether it follows from the equations alone: the program is wrong if it does not hold.
+    /// Whether it follows from the equations alone, so that the program is wrong if it does not hold.
     #[serde(skip)]
     pub exact: bool,
 }
 
-/// Whether a claim agrees with what came out.
+/// Whether a claim agrees with the measured value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Verdict {
-    /// Within the tolerance that the claim names.
+    /// The values agree within the stated tolerance.
     Holds,
-    /// Not; the findings say what is known about it.
+    /// They differ; the reasons, as far as known, are in the findings.
     Differs,
 }
 
 impl Claim {
-    /// A claim and whether it `holds`.
+    /// A claim, with whether it `holds`.
     pub fn new(
         id: &'static str,
         claim: impl Into<String>,
@@ -69,8 +69,8 @@ impl Claim {
         Self { exact: true, ..self }
     }
 
-    /// A claim that the figure of the `paper`, in its `unit`, is met to within one of its last place: printed figures are rounded or
-    /// cut off.
+    /// A claim that the measured value agrees with the value of the `paper`, in its `unit`, to within one unit of its last digit, since printed values are
+    /// rounded or truncated.
     pub fn number(
         id: &'static str,
         claim: impl Into<String>,
@@ -79,48 +79,48 @@ impl Claim {
         unit: &str,
         places: f64,
     ) -> Self {
-        let figure: f64 = paper.parse().expect("the paper's figure is a number");
+        let figure: f64 = paper.parse().expect("the paper's value is a number");
         let text = |number: &str| format!("{number} {unit}").trim_end().to_string();
         let holds = (value - figure).abs() < libm::exp10(-places);
         Self::new(id, claim, text(paper), text(&format!("{value:.5}")), holds)
     }
 }
 
-/// A picture.
+/// A figure.
 #[derive(Clone, Debug)]
 pub struct Figure {
-    /// Its file name, without ending.
+    /// Its file name, without extension.
     pub name: String,
-    /// What it shows.
+    /// Its caption.
     pub caption: String,
-    /// The picture.
+    /// The figure as SVG.
     pub svg: String,
 }
 
 impl Figure {
-    /// Curves between linear axes, under the name of the file.
+    /// Curves with linear axes, with the file name as name.
     pub fn linear(name: &str, caption: impl Into<String>, [x, y]: [&str; 2], curves: Vec<Curve>) -> Self {
         let svg = Plot { title: name.into(), x: Axis::linear(x), y: Axis::linear(y), curves }.svg();
         Self { name: name.into(), caption: caption.into(), svg }
     }
 }
 
-/// A chapter of the claims of a paper: those about one kind of system.
+/// A chapter of the claims of a paper, about one kind of system.
 pub struct Chapter {
     /// Its name, a word of the command line.
     pub name: &'static str,
-    /// What it is about, with the section of the paper.
+    /// Its subject, with the section of the paper.
     pub about: &'static str,
-    /// Its headline.
+    /// Its title.
     pub title: &'static str,
     /// Computes it.
     pub compute: fn(&Setting) -> Result<Evidence, Error>,
 }
 
-/// The evidence of a chapter: claims beside what was measured, and figures.
+/// The evidence of a chapter: claims with measured values, and figures.
 #[derive(Clone, Debug, Default)]
 pub struct Evidence {
-    /// What was left out against the paper, if anything.
+    /// Reductions compared with the paper, if any.
     pub note: String,
     /// The claims.
     pub claims: Vec<Claim>,

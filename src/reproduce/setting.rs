@@ -1,4 +1,4 @@
-//! How a chapter is computed, and the runs that it keeps.
+//! The setting in which a chapter is computed, and its saved runs.
 
 use super::Extent;
 use crate::error::{AtPath, Error};
@@ -11,31 +11,31 @@ use std::path::PathBuf;
 use std::sync::Mutex;
 use std::time::Instant;
 
-/// How a chapter is computed.
+/// The setting of a chapter.
 pub struct Setting<'a> {
-    /// How much of it.
+    /// Its extent.
     pub extent: Extent,
-    /// Where runs are kept that take long: what has finished is not run again, and what was stopped is gone on with.
+    /// Folder of long runs: finished ones are not repeated, stopped ones are resumed.
     pub runs: PathBuf,
-    /// Reads the cases of those runs.
+    /// Reads the cases of these runs.
     pub read: Reader<'a>,
-    /// Stops it.
+    /// Interrupts the computation.
     pub interrupt: &'a Interrupt,
-    /// Hears how it is going.
+    /// Receives messages about the progress.
     pub tell: &'a (dyn Fn(String) + Sync),
 }
 
-/// What has become of runs.
-pub struct Kept {
-    /// The folders of those that have finished, in order.
+/// The outcome of a set of runs.
+pub struct RunSet {
+    /// The folders of the finished runs, in order.
     pub folders: Vec<Option<RunFolder>>,
-    /// Whether a signal has stopped the others.
+    /// Whether the others were stopped by a signal.
     pub stopped: bool,
 }
 
 impl Setting<'_> {
-    /// Runs, or goes on with, whatever has not finished, one run on each core.
-    pub fn keep(&self, points: &[Point]) -> Result<Kept, Error> {
+    /// Starts or resumes all runs that have not finished, one on each core.
+    pub fn run_all(&self, points: &[Point]) -> Result<RunSet, Error> {
         std::fs::create_dir_all(&self.runs).at(&self.runs)?;
         let (begin, state) = (Instant::now(), Mutex::new((0, 0, None)));
         carry_out(points, &self.runs, self.interrupt, self.read, &|_, outcome| {
@@ -64,9 +64,9 @@ impl Setting<'_> {
         match others.count() {
             0 => {}
             n => (self.tell)(format!(
-                "warning: another build of this program has made {n} of these runs, or a part of them"
+                "warning: {n} of these runs were made, at least in part, by another build of this program"
             )),
         }
-        Ok(Kept { folders, stopped: self.interrupt.is_due() })
+        Ok(RunSet { folders, stopped: self.interrupt.is_due() })
     }
 }

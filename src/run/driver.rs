@@ -1,4 +1,4 @@
-//! The driver: sets up, steps, intervenes, follows, stops. Whatever takes steps does it here.
+//! The driver: set-up, steps, interventions, observation and end of every stage. All steps are taken here.
 
 use super::{Progress, Sink, Step, Study};
 use crate::error::{Error, Halt};
@@ -10,43 +10,43 @@ use crate::system::System;
 use serde::{Deserialize, Serialize};
 
 /// A stage under way.
-pub struct Stage<'a, S: Study> {
-    /// The study that it belongs to.
+pub struct RunningStage<'a, S: Study> {
+    /// Its study.
     pub study: &'a S,
     /// Its number, from zero.
     pub number: usize,
     /// Its name, unique in the run.
     pub name: String,
-    /// What is simulated.
+    /// The simulation.
     pub simulation: Simulation<S::Model>,
-    /// What its observer remembers.
+    /// The state of its observer.
     pub watch: S::Watch,
 }
 
-impl<S: Study> Stage<'_, S> {
-    /// Its last step, at the latest.
+impl<S: Study> RunningStage<'_, S> {
+    /// Its largest number of steps.
     pub fn last_step(&self) -> u64 {
         self.study.steps(self.number, self.simulation.settings().dt)
     }
 }
 
-/// What goes from stage to stage.
+/// The state passed from stage to stage.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
-pub struct Course {
-    /// Steps of all stages together.
+pub struct RunState {
+    /// Total number of steps of all stages.
     pub steps: u64,
     /// The sample, once a stage has needed it.
     pub sample: Option<System>,
-    /// What the stages that have ended amount to.
+    /// The findings of the stages that have ended.
     pub findings: Vec<Finding>,
 }
 
-/// What is left at the end of a run.
+/// The outcome of a run.
 #[derive(Clone, Debug)]
 pub struct Outcome {
-    /// What its stages amount to.
+    /// The findings of its stages.
     pub findings: Vec<Finding>,
-    /// The state at the end.
+    /// The final state.
     pub system: System,
 }
 
@@ -55,12 +55,12 @@ pub struct Driver<'a, S: Study> {
     study: &'a S,
     interrupt: &'a Interrupt,
     names: Vec<String>,
-    /// Steps of this process.
+    /// Number of steps taken by this process.
     taken: u64,
 }
 
 impl<'a, S: Study> Driver<'a, S> {
-    /// A driver that stops when `interrupt` says so.
+    /// A driver that stops when `interrupt` requests it.
     pub fn new(study: &'a S, interrupt: &'a Interrupt) -> Self {
         Self { study, interrupt, names: study.names(), taken: 0 }
     }
@@ -69,19 +69,19 @@ impl<'a, S: Study> Driver<'a, S> {
     ///
     /// # Errors
     ///
-    /// What the study cannot build, a halt, a stage that fails, an interruption, or what the sink cannot do.
+    /// If the study cannot build its system, the simulation halts, a stage fails, the run is interrupted, or the sink fails.
     pub fn run(&mut self, sink: &mut impl Sink<S>) -> Result<Outcome, Error> {
         let initial = self.study.initial(self.interrupt)?;
         self.run_from(initial, sink)
     }
 
-    /// Runs all stages from the state before the first.
+    /// Runs all stages from the initial state.
     ///
     /// # Errors
     ///
     /// As [`run`](Self::run).
     pub fn run_from(&mut self, initial: System, sink: &mut impl Sink<S>) -> Result<Outcome, Error> {
-        self.go_on(0, initial, Course::default(), sink)
+        self.go_on(0, initial, RunState::default(), sink)
     }
 
     /// Runs the rest of a stage, and the stages after it.
@@ -91,34 +91,34 @@ impl<'a, S: Study> Driver<'a, S> {
     /// As [`run`](Self::run).
     pub fn resume(
         &mut self,
-        mut stage: Stage<'a, S>,
-        mut course: Course,
+        mut stage: RunningStage<'a, S>,
+        mut run: RunState,
         sink: &mut impl Sink<S>,
     ) -> Result<Outcome, Error> {
         let next = stage.number + 1;
-        self.advance(&mut stage, &mut course, sink)?;
-        let system = self.end(stage, &mut course, sink)?;
-        self.go_on(next, system, course, sink)
+        self.advance(&mut stage, &mut run, sink)?;
+        let system = self.end(stage, &mut run, sink)?;
+        self.go_on(next, system, run, sink)
     }
 
-    /// A stage that is taken up in the middle.
-    pub fn stage(&self, number: usize, simulation: Simulation<S::Model>, watch: S::Watch) -> Stage<'a, S> {
-        Stage { study: self.study, number, name: self.names[number].clone(), simulation, watch }
+    /// Resumes a stage in the middle.
+    pub fn stage(&self, number: usize, simulation: Simulation<S::Model>, watch: S::Watch) -> RunningStage<'a, S> {
+        RunningStage { study: self.study, number, name: self.names[number].clone(), simulation, watch }
     }
 
     fn go_on(
         &mut self,
         first: usize,
         mut system: System,
-        mut course: Course,
+        mut run: RunState,
         sink: &mut impl Sink<S>,
     ) -> Result<Outcome, Error> {
         for number in first..self.names.len() {
-            let mut stage = self.begin(number, system, &mut course, sink)?;
-            self.advance(&mut stage, &mut course, sink)?;
-            system = self.end(stage, &mut course, sink)?;
+            let mut stage = self.begin(number, system, &mut run, sink)?;
+            self.advance(&mut stage, &mut run, sink)?;
+            system = self.end(stage, &mut run, sink)?;
         }
-        Ok(Outcome { findings: course.findings, system })
+        Ok(Outcome { findings: run.findings, system })
     }
 
     /// Sets a stage up.
@@ -126,44 +126,49 @@ impl<'a, S: Study> Driver<'a, S> {
         &mut self,
         number: usize,
         before: System,
-        course: &mut Course,
+        run: &mut RunState,
         sink: &mut impl Sink<S>,
-    ) -> Result<Stage<'a, S>, Error> {
+    ) -> Result<RunningStage<'a, S>, Error> {
         let clock = before.time;
         let from = if self.study.starts_from_sample(number) {
-            if course.sample.is_none() {
+            if run.sample.is_none() {
                 self.study.keep_sample(&before)?;
             }
-            course.sample.get_or_insert(before).clone()
+            run.sample.get_or_insert(before).clone()
         } else {
             before
         };
         let mut system = self.study.set_up(number, from)?;
-        // Steps are counted stage by stage; time goes on, whatever the stage starts from.
+        // Steps are counted per stage; time continues through all stages, whatever state they start from.
         (system.step, system.time) = (0, clock);
         let settings = self.study.settings(number, &system);
         let simulation = Simulation::new(self.study.model(number), system, settings)?;
         let watch = self.study.watch(number, &simulation);
         let mut stage = self.stage(number, simulation, watch);
-        sink.begin(&mut stage, course)?;
+        sink.begin(&mut stage, run)?;
         Ok(stage)
     }
 
     /// Steps to the end of a stage.
-    fn advance(&mut self, stage: &mut Stage<'a, S>, course: &mut Course, sink: &mut impl Sink<S>) -> Result<(), Error> {
+    fn advance(
+        &mut self,
+        stage: &mut RunningStage<'a, S>,
+        run: &mut RunState,
+        sink: &mut impl Sink<S>,
+    ) -> Result<(), Error> {
         let number = stage.number;
         loop {
             if self.interrupt.stops(self.taken) {
-                return Err(sink.stop(stage, course));
+                return Err(sink.stop(stage, run));
             }
             let events = match self.step(stage) {
                 Ok(events) => events,
                 Err(halt) => return Err(sink.halt(stage, halt)),
             };
             self.taken += 1;
-            course.steps += 1;
+            run.steps += 1;
             let progress = self.study.progress(number, &stage.watch, &stage.simulation);
-            let flow = sink.step(stage, course, &Step { events: &events, last: progress != Progress::Going })?;
+            let flow = sink.step(stage, run, &Step { events: &events, last: progress != Progress::Going })?;
             match progress {
                 Progress::Going if flow.is_continue() => {}
                 Progress::Going | Progress::Done => return Ok(()),
@@ -176,18 +181,23 @@ impl<'a, S: Study> Driver<'a, S> {
         }
     }
 
-    /// One step, and what may happen between two steps.
-    fn step(&self, stage: &mut Stage<'a, S>) -> Result<Vec<String>, Halt> {
+    /// One step, and the interventions between two steps.
+    fn step(&self, stage: &mut RunningStage<'a, S>) -> Result<Vec<String>, Halt> {
         stage.simulation.step()?;
         let mut events = self.study.intervene(stage.number, &mut stage.simulation)?;
         events.extend(self.study.follow(stage.number, &mut stage.watch, &stage.simulation));
         Ok(events)
     }
 
-    fn end(&self, mut stage: Stage<'a, S>, course: &mut Course, sink: &mut impl Sink<S>) -> Result<System, Error> {
-        sink.end(&mut stage, course)?;
-        let Stage { number, simulation, watch, .. } = stage;
-        course.findings.extend(self.study.findings(number, &watch, &simulation)?);
+    fn end(
+        &self,
+        mut stage: RunningStage<'a, S>,
+        run: &mut RunState,
+        sink: &mut impl Sink<S>,
+    ) -> Result<System, Error> {
+        sink.end(&mut stage, run)?;
+        let RunningStage { number, simulation, watch, .. } = stage;
+        run.findings.extend(self.study.findings(number, &watch, &simulation)?);
         self.study.end(number, simulation)
     }
 }

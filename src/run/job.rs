@@ -1,7 +1,7 @@
-//! A case that has been read and checked, on its way to its run folder.
+//! A job: a checked case, ready to be run into its run folder.
 
 use super::recorder::{Recorder, State};
-use super::{Driver, Glance, Study};
+use super::{Driver, RunProgress, Study};
 use crate::case::{Output, located};
 use crate::error::{AtPath, Error};
 use crate::figures::Graph;
@@ -24,7 +24,7 @@ pub struct Job {
     pub title: String,
     /// The seed of every random stream.
     pub seed: u64,
-    /// What is written, and how often.
+    /// Output intervals.
     pub output: Output,
     /// The case with every default and derived value.
     pub resolved: String,
@@ -40,13 +40,13 @@ pub struct Job {
 
 /// A study of any kind.
 pub trait Runnable {
-    /// Looks at what it needs, short of computing anything.
+    /// Checks the files that it needs, without computing anything.
     ///
     /// # Errors
     ///
     /// If a file it needs is missing or wrong.
     fn examine(&self) -> Result<(), Error>;
-    /// Runs a job in a new folder at `root`, which is replaced if asked for; `show` is told how it is doing.
+    /// Runs a job in a new folder at `root`, replacing it if requested; `show` receives the progress.
     ///
     /// # Errors
     ///
@@ -57,7 +57,7 @@ pub trait Runnable {
         root: &Path,
         replace: bool,
         interrupt: &Interrupt,
-        show: &mut dyn FnMut(Glance),
+        show: &mut dyn FnMut(RunProgress),
     ) -> Result<(RunFolder, Vec<Finding>), Error>;
     /// Resumes a job from its latest checkpoint, or from the beginning if it has none.
     ///
@@ -70,7 +70,7 @@ pub trait Runnable {
         folder: &RunFolder,
         manifest: Manifest,
         interrupt: &Interrupt,
-        show: &mut dyn FnMut(Glance),
+        show: &mut dyn FnMut(RunProgress),
     ) -> Result<Vec<Finding>, Error>;
 }
 
@@ -85,10 +85,10 @@ impl<S: Study> Runnable for S {
         root: &Path,
         replace: bool,
         interrupt: &Interrupt,
-        show: &mut dyn FnMut(Glance),
+        show: &mut dyn FnMut(RunProgress),
     ) -> Result<(RunFolder, Vec<Finding>), Error> {
         let inputs = job.inputs()?;
-        // Whatever is wrong with the input is found before anything is written.
+        // Errors in the input are found before anything is written.
         let initial = match self.initial(interrupt) {
             Err(Error::Stopped(_)) => {
                 let (folder, mut manifest) = job.make_folder(root, replace, inputs)?;
@@ -111,7 +111,7 @@ impl<S: Study> Runnable for S {
         folder: &RunFolder,
         mut manifest: Manifest,
         interrupt: &Interrupt,
-        show: &mut dyn FnMut(Glance),
+        show: &mut dyn FnMut(RunProgress),
     ) -> Result<Vec<Finding>, Error> {
         let mut driver = Driver::new(self, interrupt);
         if folder.checkpoints().is_empty()? {
@@ -123,22 +123,22 @@ impl<S: Study> Runnable for S {
                 Ok(driver.run_from(initial, &mut sink)?.findings)
             });
         }
-        let State { stage, dt, damping, skin, snapshot, watch, course, extent } = folder.checkpoints().latest()?;
+        let State { stage, dt, damping, skin, snapshot, watch, run, length } = folder.checkpoints().latest()?;
         unchanged(&self.reads_after(stage), &manifest)?;
         manifest.resume();
         manifest.write(folder)?;
         job.conclude(folder, manifest, || {
-            let mut sink = Recorder::resume(folder, &job.output, extent, show)?;
+            let mut sink = Recorder::resume(folder, &job.output, length, show)?;
             let settings = Settings { dt, damping, skin, ..self.settings(stage, snapshot.system()) };
             let simulation = Simulation::resume(self.model(stage), settings, snapshot)?;
             let stage = driver.stage(stage, simulation, watch);
-            Ok(driver.resume(stage, course, &mut sink)?.findings)
+            Ok(driver.resume(stage, run, &mut sink)?.findings)
         })
     }
 }
 
 impl Job {
-    /// Makes a run folder and goes from the beginning to the end; `show` is told how it is doing.
+    /// Creates a run folder and runs the job from beginning to end; `show` receives the progress.
     ///
     /// # Errors
     ///
@@ -148,13 +148,13 @@ impl Job {
         root: &Path,
         replace: bool,
         interrupt: &Interrupt,
-        show: &mut dyn FnMut(Glance),
+        show: &mut dyn FnMut(RunProgress),
     ) -> Result<(RunFolder, Vec<Finding>), Error> {
         self.needs(root)?;
         self.study.start(self, root, replace, interrupt, show)
     }
 
-    /// Resumes a run from its latest checkpoint. Its case must be the one that it was begun with.
+    /// Resumes a run from its latest checkpoint. Its case must not have changed since it was started.
     ///
     /// # Errors
     ///
@@ -164,25 +164,25 @@ impl Job {
         folder: &RunFolder,
         manifest: Manifest,
         interrupt: &Interrupt,
-        show: &mut dyn FnMut(Glance),
+        show: &mut dyn FnMut(RunProgress),
     ) -> Result<Vec<Finding>, Error> {
         let begun_with = sha256_file(&folder.case())?;
         if !manifest.inputs.values().any(|input| *input == begun_with) {
-            return Err(Error::input(&folder.case(), "has changed since the run was begun"));
+            return Err(Error::input(&folder.case(), "has changed since the run was started"));
         }
         self.study.resume(self, folder, manifest, interrupt, show)
     }
 
-    /// Runs in a folder, or resumes there, unless it has finished; says whether there was anything left to do.
+    /// Starts or resumes a run in a folder unless it has finished; returns whether there was anything left to do.
     ///
     /// # Errors
     ///
     /// As [`launch`](Self::launch) and [`resume`](Self::resume), and if the folder holds something else.
     pub fn complete(&self, root: &Path, interrupt: &Interrupt) -> Result<bool, Error> {
-        // One that was killed before its first checkpoint begins again.
+        // A run that was killed before its first checkpoint starts again.
         let replace = !RunFolder::clear(root)?;
         if replace {
-            let what = "is not a resumable run; remove this folder to begin anew";
+            let what = "is not a resumable run; remove this folder to start again";
             let strange = |_| Error::Usage(format!("{}: {what}", root.display()));
             let folder = RunFolder::open(root).map_err(strange)?;
             let manifest = Manifest::read(&folder).map_err(strange)?;
@@ -199,7 +199,7 @@ impl Job {
         self.launch(root, replace, interrupt, &mut |_| {}).map(|_| true)
     }
 
-    /// Looks at everything short of running.
+    /// Checks everything without running.
     ///
     /// # Errors
     ///
@@ -209,7 +209,7 @@ impl Job {
         self.study.examine().map_err(|error| located(error, &self.file, &self.text))
     }
 
-    /// Whether the files that are read are there, and the folders that are written to, or will be with the run.
+    /// Checks that the input files exist, and that the output folders exist or are created by the run.
     fn needs(&self, root: &Path) -> Result<(), Error> {
         self.reads.iter().try_for_each(|file| is_there(file))?;
         for (section, file) in &self.saves {
@@ -223,7 +223,7 @@ impl Job {
         Ok(())
     }
 
-    /// Hashes of the files that are read, by name.
+    /// Hashes of the input files, by name.
     fn inputs(&self) -> Result<BTreeMap<String, String>, Error> {
         self.reads.iter().map(|file| Ok((file.display().to_string(), sha256_file(file)?))).collect()
     }
@@ -238,14 +238,14 @@ impl Job {
         let folder = RunFolder::create(root, replace)?;
         write_atomically(&folder.case(), self.text.as_bytes())?;
         write_atomically(&folder.resolved(), self.resolved.as_bytes())?;
-        // Of the copy: a case that comes through a pipe can be read only once.
+        // The hash is taken from the copy, because a case from a pipe can be read only once.
         inputs.insert(self.file.display().to_string(), sha256_file(&folder.case())?);
         let manifest = Manifest::begin(self.seed, inputs);
         manifest.write(&folder)?;
         Ok((folder, manifest))
     }
 
-    /// Writes results and report of a run, and leaves the manifest in a state that says how it ended.
+    /// Writes results and report of a run, and its final status to the manifest.
     fn conclude(
         &self,
         folder: &RunFolder,
@@ -276,12 +276,12 @@ fn is_there(file: &Path) -> Result<(), Error> {
     std::fs::metadata(file).map(drop).map_err(|cause| Error::NoInput(file.into(), cause))
 }
 
-/// Whether files are those that a run was begun with.
+/// Checks that files have not changed since a run was started.
 fn unchanged(files: &[PathBuf], manifest: &Manifest) -> Result<(), Error> {
     for file in files {
         is_there(file)?;
         if manifest.inputs.get(&file.display().to_string()) != Some(&sha256_file(file)?) {
-            return Err(Error::input(file, "has changed since the run was begun"));
+            return Err(Error::input(file, "has changed since the run was started"));
         }
     }
     Ok(())

@@ -1,4 +1,4 @@
-//! A run: the stages of a study, one after another, driven step by step, watched, recorded, and kept so that it can be resumed bit by bit.
+//! A run: the stages of a study in succession, advanced step by step, observed, recorded, and checkpointed so that a resumed run has the same bits.
 
 mod driver;
 mod job;
@@ -9,9 +9,9 @@ mod sink;
 mod study;
 pub mod sweep;
 
-pub use driver::{Course, Driver, Outcome, Stage, advance, advance_until};
+pub use driver::{Driver, Outcome, RunState, RunningStage, advance, advance_until};
 pub use job::{Job, Reader, Runnable};
-pub use recorder::Glance;
+pub use recorder::RunProgress;
 pub use row::{Row, columns};
 pub use sink::{Each, Memory, Sink, Step};
 pub use study::{Progress, Study};

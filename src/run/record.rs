@@ -1,4 +1,4 @@
-//! Writes what a run leaves behind while it goes.
+//! Writes the output of a run as it proceeds.
 
 use crate::error::Error;
 use crate::output::{Appending, Cell, RunFolder, SURFACES, extended_xyz, frame_name, row, wavefront, write_atomically};
@@ -6,9 +6,9 @@ use crate::system::System;
 use serde::{Deserialize, Serialize};
 use serde_json::json;
 
-/// How much of the record belongs to a checkpoint: what is longer is cut back when the run is resumed.
+/// The length of the record at a checkpoint, to which its files are truncated when the run is resumed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Extent {
+pub struct RecordLength {
     series: u64,
     events: u64,
     frames: u64,
@@ -23,29 +23,29 @@ pub struct Record {
 }
 
 impl Record {
-    /// Begins the record of a new run.
+    /// Creates the record of a new run.
     pub fn begin(folder: &RunFolder, columns: &[String]) -> Result<Self, Error> {
         let mut series = Appending::create(folder.series())?;
         series.line(&columns.join(","))?;
         Ok(Self { folder: folder.clone(), series, events: Appending::create(folder.events())?, frames: 0 })
     }
 
-    /// Takes a record up as it was at a checkpoint.
-    pub fn resume(folder: &RunFolder, extent: Extent) -> Result<Self, Error> {
-        let series = Appending::resume(folder.series(), extent.series)?;
-        let events = Appending::resume(folder.events(), extent.events)?;
-        let outdated = (extent.frames..).map(|number| folder.frames().join(frame_name(number)));
+    /// Restores a record to its state at a checkpoint.
+    pub fn resume(folder: &RunFolder, length: RecordLength) -> Result<Self, Error> {
+        let series = Appending::resume(folder.series(), length.series)?;
+        let events = Appending::resume(folder.events(), length.events)?;
+        let outdated = (length.frames..).map(|number| folder.frames().join(frame_name(number)));
         for frame in outdated.take_while(|path| path.exists()) {
             for path in [frame.with_extension(SURFACES), frame].into_iter().filter(|path| path.exists()) {
                 std::fs::remove_file(&path).map_err(|cause| Error::Io(path, cause))?;
             }
         }
-        Ok(Self { folder: folder.clone(), series, events, frames: extent.frames })
+        Ok(Self { folder: folder.clone(), series, events, frames: length.frames })
     }
 
-    /// How much there is.
-    pub fn extent(&self) -> Extent {
-        Extent { series: self.series.length(), events: self.events.length(), frames: self.frames }
+    /// The present length.
+    pub fn length(&self) -> RecordLength {
+        RecordLength { series: self.series.length(), events: self.events.length(), frames: self.frames }
     }
 
     /// Appends a row to the series.
@@ -62,7 +62,7 @@ impl Record {
     /// Writes the next frame, and next to it the surfaces.
     pub fn frame(&mut self, stage: &str, system: &System) -> Result<(), Error> {
         let path = self.folder.frames().join(frame_name(self.frames));
-        // The surfaces first: a frame that is there is complete.
+        // Surfaces are written first, so that an existing frame is complete.
         if !system.surfaces.is_empty() {
             write_atomically(&path.with_extension(SURFACES), wavefront(system).as_bytes())?;
         }

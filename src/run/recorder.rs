@@ -1,7 +1,7 @@
 //! The sink that is a run folder: rows, frames, pictures, events and checkpoints.
 
-use super::record::{Extent, Record};
-use super::{Course, Sink, Stage, Step, Study, columns};
+use super::record::{Record, RecordLength};
+use super::{RunState, RunningStage, Sink, Step, Study, columns};
 use crate::case::{InSteps, Output};
 use crate::error::{Error, Halt};
 use crate::figures::picture;
@@ -19,28 +19,28 @@ pub(super) struct State<W> {
     pub(super) skin: f64,
     pub(super) snapshot: Snapshot,
     pub(super) watch: W,
-    pub(super) course: Course,
-    pub(super) extent: Extent,
+    pub(super) run: RunState,
+    pub(super) length: RecordLength,
 }
 
-/// How a run is doing, for whoever waits for it.
+/// Progress of a run.
 #[derive(Clone, Copy, Debug)]
-pub struct Glance<'a> {
+pub struct RunProgress<'a> {
     /// The stage.
     pub stage: &'a str,
-    /// Steps of this stage so far.
+    /// Number of steps taken in this stage.
     pub step: u64,
-    /// Its last step, at the latest.
+    /// Largest number of steps of the stage.
     pub steps: u64,
     /// Number of particles.
     pub particles: usize,
-    /// Residual of the physical energy account over all that moved.
+    /// Relative residual of the physical energy balance.
     pub residual: f64,
-    /// Largest overlap over the sum of the radii.
+    /// Largest overlap, relative to the sum of the radii.
     pub overlap: f64,
 }
 
-/// Steps of a stage from one row, frame, checkpoint and picture to the next.
+/// Output intervals of a stage, in steps: rows, frames, checkpoints and pictures.
 #[derive(Clone, Copy)]
 struct Intervals {
     series: u64,
@@ -54,7 +54,7 @@ pub(super) struct Recorder<'a> {
     folder: &'a RunFolder,
     output: &'a Output,
     record: Record,
-    show: &'a mut dyn FnMut(Glance),
+    show: &'a mut dyn FnMut(RunProgress),
     /// Relative residual and largest overlap of the last row.
     seen: (f64, f64),
 }
@@ -65,23 +65,23 @@ impl<'a> Recorder<'a> {
         study: &S,
         folder: &'a RunFolder,
         output: &'a Output,
-        show: &'a mut dyn FnMut(Glance),
+        show: &'a mut dyn FnMut(RunProgress),
     ) -> Result<Self, Error> {
         let record = Record::begin(folder, &columns(study))?;
         Ok(Self { folder, output, record, show, seen: (0.0, 0.0) })
     }
 
-    /// Takes the record up as it was at a checkpoint.
+    /// Restores the record to its state at a checkpoint.
     pub(super) fn resume(
         folder: &'a RunFolder,
         output: &'a Output,
-        extent: Extent,
-        show: &'a mut dyn FnMut(Glance),
+        length: RecordLength,
+        show: &'a mut dyn FnMut(RunProgress),
     ) -> Result<Self, Error> {
-        Ok(Self { folder, output, record: Record::resume(folder, extent)?, show, seen: (0.0, 0.0) })
+        Ok(Self { folder, output, record: Record::resume(folder, length)?, show, seen: (0.0, 0.0) })
     }
 
-    fn intervals<S: Study>(&self, stage: &Stage<'_, S>) -> Intervals {
+    fn intervals<S: Study>(&self, stage: &RunningStage<'_, S>) -> Intervals {
         let dt = stage.simulation.settings().dt;
         let every = |interval: &InSteps| ((interval.value(dt) / dt).round() as u64).max(1);
         let Output { series, frames, checkpoints } = self.output;
@@ -89,29 +89,29 @@ impl<'a> Recorder<'a> {
         Intervals { series: every(series), frames: every(frames), checkpoints: every(checkpoints), part }
     }
 
-    fn event<S: Study>(&mut self, stage: &Stage<'_, S>, event: &str) -> Result<(), Error> {
+    fn event<S: Study>(&mut self, stage: &RunningStage<'_, S>, event: &str) -> Result<(), Error> {
         self.record.event(&stage.name, stage.simulation.system(), event)
     }
 
-    fn picture<S: Study>(&self, stage: &Stage<'_, S>, when: &str) -> Result<(), Error> {
+    fn picture<S: Study>(&self, stage: &RunningStage<'_, S>, when: &str) -> Result<(), Error> {
         let name = format!("{} {when}", stage.name);
         picture(self.folder, &name, stage.simulation.system(), stage.study.upwards())
     }
 
     /// Measures, and appends a row to the series.
-    fn row<S: Study>(&mut self, stage: &mut Stage<'_, S>) -> Result<(), Error> {
+    fn row<S: Study>(&mut self, stage: &mut RunningStage<'_, S>) -> Result<(), Error> {
         let row = stage.measure();
         self.seen = (row.residual, row.overlap);
         self.record.row(&row.cells)
     }
 
-    fn show<S: Study>(&mut self, stage: &Stage<'_, S>) {
+    fn show<S: Study>(&mut self, stage: &RunningStage<'_, S>) {
         let system = stage.simulation.system();
         let ((residual, overlap), steps, particles) = (self.seen, stage.last_step(), system.particles.len());
-        (self.show)(Glance { stage: &stage.name, step: system.step, steps, particles, residual, overlap });
+        (self.show)(RunProgress { stage: &stage.name, step: system.step, steps, particles, residual, overlap });
     }
 
-    fn state<S: Study>(&self, stage: &Stage<'_, S>, course: &Course) -> State<S::Watch> {
+    fn state<S: Study>(&self, stage: &RunningStage<'_, S>, run: &RunState) -> State<S::Watch> {
         let Settings { dt, damping, skin, .. } = *stage.simulation.settings();
         State {
             stage: stage.number,
@@ -120,14 +120,14 @@ impl<'a> Recorder<'a> {
             skin,
             snapshot: stage.simulation.snapshot(),
             watch: stage.watch.clone(),
-            course: course.clone(),
-            extent: self.record.extent(),
+            run: run.clone(),
+            length: self.record.length(),
         }
     }
 }
 
 impl<S: Study> Sink<S> for Recorder<'_> {
-    fn begin(&mut self, stage: &mut Stage<'_, S>, _: &Course) -> Result<(), Error> {
+    fn begin(&mut self, stage: &mut RunningStage<'_, S>, _: &RunState) -> Result<(), Error> {
         self.event(stage, "begin")?;
         self.record.frame(&stage.name, stage.simulation.system())?;
         self.picture(stage, "begin")?;
@@ -136,7 +136,7 @@ impl<S: Study> Sink<S> for Recorder<'_> {
         Ok(())
     }
 
-    fn step(&mut self, stage: &mut Stage<'_, S>, course: &Course, step: &Step) -> Result<ControlFlow<()>, Error> {
+    fn step(&mut self, stage: &mut RunningStage<'_, S>, run: &RunState, step: &Step) -> Result<ControlFlow<()>, Error> {
         for event in step.events {
             self.event(stage, event)?;
         }
@@ -158,30 +158,30 @@ impl<S: Study> Sink<S> for Recorder<'_> {
         }
         if taken.is_multiple_of(checkpoints) && !last {
             self.event(stage, "checkpoint")?;
-            self.folder.checkpoints().keep(course.steps, &self.state(stage, course))?;
+            self.folder.checkpoints().save(run.steps, &self.state(stage, run))?;
         }
         Ok(ControlFlow::Continue(()))
     }
 
-    fn end(&mut self, stage: &mut Stage<'_, S>, _: &Course) -> Result<(), Error> {
+    fn end(&mut self, stage: &mut RunningStage<'_, S>, _: &RunState) -> Result<(), Error> {
         self.picture(stage, "end")?;
         self.event(stage, "end")
     }
 
-    fn fail(&mut self, stage: &mut Stage<'_, S>, reason: &str) -> Result<(), Error> {
+    fn fail(&mut self, stage: &mut RunningStage<'_, S>, reason: &str) -> Result<(), Error> {
         self.event(stage, &format!("failed: {reason}"))
     }
 
-    fn stop(&mut self, stage: &mut Stage<'_, S>, course: &Course) -> Error {
+    fn stop(&mut self, stage: &mut RunningStage<'_, S>, run: &RunState) -> Error {
         self.show(stage);
-        match self.folder.checkpoints().keep_stopped(&self.state(stage, course)) {
+        match self.folder.checkpoints().keep_stopped(&self.state(stage, run)) {
             Ok(()) => Error::Stopped(Some(self.folder.root().into())),
             Err(error) => error,
         }
     }
 
-    /// Dumps the state that could not be left.
-    fn halt(&mut self, stage: &mut Stage<'_, S>, halt: Halt) -> Error {
+    /// Writes the state in which the simulation halted.
+    fn halt(&mut self, stage: &mut RunningStage<'_, S>, halt: Halt) -> Error {
         stage.simulation.place_members();
         let dumped = self.event(stage, &format!("halted at {halt}")).and_then(|()| {
             let frame = extended_xyz(stage.simulation.system(), &stage.name);

@@ -1,6 +1,6 @@
-//! What every row of the series holds, whatever the stage.
+//! The columns that every row of the series has, whatever the stage.
 
-use super::{Stage, Study};
+use super::{RunningStage, Study};
 use crate::output::columns::{
     DISCRETE_RESIDUAL, KINETIC, LARGEST_OVERLAP, LOST_TO_BREAKING, LOST_TO_DRAG, PHYSICAL_RESIDUAL, RELATIVE_RESIDUAL,
     SIDES, STAGE, STEP, STRESS, TIME, WORK_OF_BOX, WORK_OF_LOADS, WORK_OF_WALLS, lost, stored,
@@ -8,7 +8,7 @@ use crate::output::columns::{
 use crate::output::{Cell, Column};
 use crate::spec::{Named, PairModel};
 
-/// The columns of the accounts, between what pairs lose and the stress.
+/// The columns of the energy balance, between the energies of pairs and the stress.
 const ACCOUNTS: [Column; 9] = [
     LOST_TO_DRAG,
     LOST_TO_BREAKING,
@@ -30,17 +30,17 @@ pub fn columns<S: Study>(study: &S) -> Vec<String> {
     first.chain(held).chain(gone).chain(last).collect()
 }
 
-/// A row of the series, and the numbers of it that those who wait want to see.
+/// A row of the series, and its numbers that are shown as progress.
 pub struct Row {
     /// The cells.
     pub cells: Vec<Cell>,
-    /// Relative residual of the physical account.
+    /// Relative residual of the physical energy balance.
     pub residual: f64,
-    /// Largest overlap over the sum of the radii.
+    /// Largest overlap, relative to the sum of the radii.
     pub overlap: f64,
 }
 
-impl<S: Study> Stage<'_, S> {
+impl<S: Study> RunningStage<'_, S> {
     /// Measures.
     pub fn measure(&mut self) -> Row {
         let simulation = &self.simulation;

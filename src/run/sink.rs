@@ -1,55 +1,60 @@
-//! Where a run goes: into a folder, into memory, or to a closure.
+//! Sinks of a run: a folder, memory, or a closure.
 
-use super::{Course, Stage, Study};
+use super::{RunState, RunningStage, Study};
 use crate::error::{Error, Halt};
 use crate::output::Cell;
 use std::ops::ControlFlow;
 
-/// What happened in a step.
+/// The outcome of a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Step<'a> {
-    /// What observers and interventions say of it.
+    /// Events reported by observers and interventions.
     pub events: &'a [String],
     /// Whether the stage ends here.
     pub last: bool,
 }
 
-/// Hears of everything that happens in a run.
+/// Receives everything that happens in a run.
 pub trait Sink<S: Study> {
     /// A stage begins.
-    fn begin(&mut self, _stage: &mut Stage<'_, S>, _course: &Course) -> Result<(), Error> {
+    fn begin(&mut self, _stage: &mut RunningStage<'_, S>, _run: &RunState) -> Result<(), Error> {
         Ok(())
     }
     /// A step has been taken. A sink may end the stage here.
-    fn step(&mut self, _stage: &mut Stage<'_, S>, _course: &Course, _step: &Step) -> Result<ControlFlow<()>, Error> {
+    fn step(
+        &mut self,
+        _stage: &mut RunningStage<'_, S>,
+        _run: &RunState,
+        _step: &Step,
+    ) -> Result<ControlFlow<()>, Error> {
         Ok(ControlFlow::Continue(()))
     }
-    /// A stage has come to its end.
-    fn end(&mut self, _stage: &mut Stage<'_, S>, _course: &Course) -> Result<(), Error> {
+    /// A stage has ended.
+    fn end(&mut self, _stage: &mut RunningStage<'_, S>, _run: &RunState) -> Result<(), Error> {
         Ok(())
     }
-    /// A stage has not come to the end that it should, for this reason.
-    fn fail(&mut self, _stage: &mut Stage<'_, S>, _reason: &str) -> Result<(), Error> {
+    /// A stage has failed, for this reason.
+    fn fail(&mut self, _stage: &mut RunningStage<'_, S>, _reason: &str) -> Result<(), Error> {
         Ok(())
     }
-    /// The run is interrupted here: keeps what it can be resumed from. Returns the error that the run ends with.
-    fn stop(&mut self, _stage: &mut Stage<'_, S>, _course: &Course) -> Error {
+    /// The run is interrupted here: saves a checkpoint. Returns the error with which the run ends.
+    fn stop(&mut self, _stage: &mut RunningStage<'_, S>, _run: &RunState) -> Error {
         Error::Stopped(None)
     }
-    /// The simulation has left its domain. Returns the error that the run ends with.
-    fn halt(&mut self, _stage: &mut Stage<'_, S>, halt: Halt) -> Error {
+    /// The simulation has halted. Returns the error with which the run ends.
+    fn halt(&mut self, _stage: &mut RunningStage<'_, S>, halt: Halt) -> Error {
         Error::Halted(halt, None)
     }
 }
 
-/// Nobody listens.
+/// The sink that discards everything.
 impl<S: Study> Sink<S> for () {}
 
-/// A closure that sees every step, and may end the stage.
+/// A closure that observes every step, and may end the stage.
 pub struct Each<F>(pub F);
 
-impl<S: Study, F: FnMut(&mut Stage<'_, S>, &Step) -> ControlFlow<()>> Sink<S> for Each<F> {
-    fn step(&mut self, stage: &mut Stage<'_, S>, _: &Course, step: &Step) -> Result<ControlFlow<()>, Error> {
+impl<S: Study, F: FnMut(&mut RunningStage<'_, S>, &Step) -> ControlFlow<()>> Sink<S> for Each<F> {
+    fn step(&mut self, stage: &mut RunningStage<'_, S>, _: &RunState, step: &Step) -> Result<ControlFlow<()>, Error> {
         Ok((self.0)(stage, step))
     }
 }
@@ -57,7 +62,7 @@ impl<S: Study, F: FnMut(&mut Stage<'_, S>, &Step) -> ControlFlow<()>> Sink<S> fo
 /// A run in memory: the rows of its series, and its events.
 #[derive(Clone, Debug, Default)]
 pub struct Memory {
-    /// Steps from one row to the next; none but the first and the last of each stage for 0.
+    /// Number of steps between rows; 0 for only the first and the last row of each stage.
     pub every: u64,
     /// The rows; their columns are those of [`columns`](super::columns).
     pub rows: Vec<Vec<Cell>>,
@@ -66,18 +71,18 @@ pub struct Memory {
 }
 
 impl Memory {
-    fn look<S: Study>(&mut self, stage: &mut Stage<'_, S>) {
+    fn look<S: Study>(&mut self, stage: &mut RunningStage<'_, S>) {
         stage.simulation.place_members();
         self.rows.push(stage.measure().cells);
     }
 }
 
 impl<S: Study> Sink<S> for Memory {
-    fn begin(&mut self, stage: &mut Stage<'_, S>, _: &Course) -> Result<(), Error> {
+    fn begin(&mut self, stage: &mut RunningStage<'_, S>, _: &RunState) -> Result<(), Error> {
         self.look(stage);
         Ok(())
     }
-    fn step(&mut self, stage: &mut Stage<'_, S>, _: &Course, step: &Step) -> Result<ControlFlow<()>, Error> {
+    fn step(&mut self, stage: &mut RunningStage<'_, S>, _: &RunState, step: &Step) -> Result<ControlFlow<()>, Error> {
         let system = stage.simulation.system();
         let due = self.every > 0 && system.step.is_multiple_of(self.every);
         let event = |text: &String| (stage.name.clone(), system.time, text.clone());

@@ -1,4 +1,4 @@
-//! What a driver needs to know of whatever it runs.
+//! The interface between the driver and a study.
 
 use crate::error::{Error, Halt};
 use crate::interrupt::Interrupt;
@@ -10,62 +10,62 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::path::PathBuf;
 
-/// Where a stage is.
+/// The state of a stage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Progress {
-    /// Before its end.
+    /// It has not ended.
     Going,
-    /// At its end.
+    /// It has ended.
     Done,
-    /// Beyond the step at which it should have ended; says what is missing.
+    /// It has exceeded its largest number of steps, for this reason.
     Failed(&'static str),
 }
 
-/// An experiment as stages, each with its model, its settings, and what is watched in it. Stages are counted from zero.
+/// An experiment as a sequence of stages, each with its model, settings and observer. Stages are numbered from zero.
 pub trait Study {
     /// The contact model.
     type Model: PairModel;
-    /// What an observer remembers between two looks.
+    /// The state of an observer.
     type Watch: Clone + Serialize + DeserializeOwned;
 
     /// The names of the stages.
     fn stages(&self) -> Vec<&'static str>;
-    /// The same, with a number where a name comes again.
+    /// The names of the stages, with a number appended to repeated names.
     fn names(&self) -> Vec<String> {
         let stages = self.stages();
         let before = |at: usize| stages[..at].iter().filter(|&name| *name == stages[at]).count();
         let name = |at| if before(at) == 0 { stages[at].into() } else { format!("{} {}", stages[at], before(at) + 1) };
         (0..stages.len()).map(name).collect()
     }
-    /// Looks at what it needs beside itself, short of computing anything.
+    /// Checks the files that it needs, without computing anything.
     fn examine(&self) -> Result<(), Error> {
         Ok(())
     }
-    /// The files that the stages after this one read.
+    /// The files read by the stages after this one.
     fn reads_after(&self, _stage: usize) -> Vec<PathBuf> {
         Vec::new()
     }
-    /// The particles before the first stage. What takes long asks `interrupt` whether to stop.
+    /// The initial particles. Long computations poll `interrupt`.
     fn initial(&self, interrupt: &Interrupt) -> Result<System, Error>;
-    /// True for a stage that starts from the sample, false for one that starts where the stage before has ended.
+    /// Whether a stage starts from the sample rather than from the end of the preceding stage.
     fn starts_from_sample(&self, _stage: usize) -> bool {
         false
     }
-    /// Keeps the sample, if that is asked for.
+    /// Saves the sample, if requested.
     fn keep_sample(&self, _system: &System) -> Result<(), Error> {
         Ok(())
     }
-    /// What a stage makes of the system that it is given.
+    /// Sets up the system for a stage.
     fn set_up(&self, _stage: usize, system: System) -> Result<System, Error> {
         Ok(system)
     }
     /// The model of a stage.
     fn model(&self, stage: usize) -> Self::Model;
-    /// How a stage advances its system.
+    /// The settings of the simulation of a stage.
     fn settings(&self, stage: usize, system: &System) -> Settings;
-    /// The last step of a stage, at the latest.
+    /// The largest number of steps of a stage.
     fn steps(&self, stage: usize, dt: f64) -> u64;
-    /// Whether a stage has come to its end: by default at its last step.
+    /// Whether a stage has ended: by default at its largest number of steps.
     fn progress(&self, stage: usize, _watch: &Self::Watch, simulation: &Simulation<Self::Model>) -> Progress {
         let last = self.steps(stage, simulation.settings().dt);
         if simulation.system().step >= last { Progress::Done } else { Progress::Going }
@@ -74,34 +74,34 @@ pub trait Study {
     fn end(&self, _stage: usize, simulation: Simulation<Self::Model>) -> Result<System, Error> {
         Ok(simulation.into_system_with_springs())
     }
-    /// Into how many parts pictures cut a stage.
+    /// Number of equal parts of a stage between pictures.
     fn parts(&self, _stage: usize) -> u64 {
         1
     }
-    /// The axis that points up in pictures, the second or the third.
+    /// The axis that points upwards in pictures, the second or the third.
     fn upwards(&self) -> usize {
         1
     }
 
-    /// The columns that observers add to the series.
+    /// The columns added to the series by observers.
     fn columns(&self) -> Vec<Column> {
         Vec::new()
     }
-    /// Begins to watch a stage.
+    /// Starts observing a stage.
     fn watch(&self, stage: usize, simulation: &Simulation<Self::Model>) -> Self::Watch;
-    /// Changes what a stage lets change between two steps; says what happened.
+    /// Interventions between two steps, such as the breaking of necks; returns the events.
     fn intervene(&self, _stage: usize, _simulation: &mut Simulation<Self::Model>) -> Result<Vec<String>, Halt> {
         Ok(Vec::new())
     }
-    /// Sees every step; says what happened in it.
+    /// Observes a step and returns its events.
     fn follow(&self, _stage: usize, _watch: &mut Self::Watch, _simulation: &Simulation<Self::Model>) -> Vec<String> {
         Vec::new()
     }
-    /// Measures: the cells of the columns of all observers, those of other stages empty.
+    /// Measures a row: the cells of the columns of all observers, empty for other stages.
     fn look(&self, _watch: &mut Self::Watch, _simulation: &Simulation<Self::Model>) -> Vec<Cell> {
         Vec::new()
     }
-    /// What it amounts to.
+    /// The findings of a stage.
     fn findings(
         &self,
         _stage: usize,

@@ -1,4 +1,4 @@
-//! Many runs side by side, each in a folder of its own.
+//! Sweeps: many runs in parallel, each in its own folder.
 
 use super::Reader;
 use crate::error::Error;
@@ -15,7 +15,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 pub struct Point {
     /// The name of its folder.
     pub name: String,
-    /// The values that it takes for the keys which are varied.
+    /// The values of the varied keys.
     pub values: Vec<String>,
     /// Its case.
     pub text: String,
@@ -24,7 +24,7 @@ pub struct Point {
 }
 
 impl Point {
-    /// The case of a file with other values for some keys; whatever is wrong with it is found here.
+    /// The case of a file with other values for some keys, checked.
     pub fn new(file: &Path, base: &Value, values: &[(&str, &str)], read: Reader) -> Result<Self, Error> {
         let mut case = base.clone();
         for (key, value) in values {
@@ -49,7 +49,7 @@ impl Point {
     }
 }
 
-/// No two runs may be the same, nor go into the same folder.
+/// Checks that no two runs are the same or share a folder.
 pub fn distinct(points: &[Point]) -> Result<(), Error> {
     let same = ["are the same case", "have the same run folder"];
     for (k, what) in same.into_iter().enumerate() {
@@ -64,14 +64,14 @@ pub fn distinct(points: &[Point]) -> Result<(), Error> {
     Ok(())
 }
 
-/// The lines are those of a text that nobody has seen.
+/// Removes line numbers, which refer to a text that the user has not seen.
 fn without_lines(error: Error) -> Error {
     let Error::Input(mut problems) = error else { return error };
     problems.iter_mut().for_each(|problem| problem.line = None);
     Error::Input(problems)
 }
 
-/// Writes a value behind a key such as `sample.hcp.size[1]`; sections on the way are made.
+/// Sets the value of a key such as `sample.hcp.size[1]`, creating its sections as needed.
 pub fn set(case: &mut Value, key: &str, value: &str) -> Result<(), Error> {
     let mut place = case;
     for part in key.split(['.', '[']) {
@@ -87,8 +87,8 @@ pub fn set(case: &mut Value, key: &str, value: &str) -> Result<(), Error> {
     Ok(())
 }
 
-/// Runs, or goes on with, whatever has not finished, one on each core; `ended` is told whether there was anything left to do. Once
-/// they are interrupted, no other is begun.
+/// Starts or resumes all runs that have not finished, one on each core; `ended` receives whether there was anything left to do. After
+/// an interruption no further run is started.
 pub fn carry_out(
     points: &[Point],
     out: &Path,

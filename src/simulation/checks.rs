@@ -1,4 +1,4 @@
-//! What a simulation must satisfy to go on.
+//! The checks of every step.
 
 use super::Simulation;
 use crate::error::{Halt, Reason};

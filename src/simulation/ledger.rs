@@ -1,4 +1,4 @@
-//! Where the energy went.
+//! The energy balance.
 //!
 //! Two accounts are kept. The *discrete* one follows the scheme: a kick by `F` changes the kinetic energy by exactly
 //! `F . v dt + F^2 dt^2 / 2m`, so the powers of all pairs and walls must add up to the kinetic energy to rounding; it fails if
@@ -6,7 +6,7 @@
 //! order in the time step.
 
 use crate::forces::Totals;
-use crate::motion::{Moved, WallWork};
+use crate::motion::{MotionTotals, WallWork};
 use crate::spec::Flat;
 use serde::{Deserialize, Serialize};
 
@@ -15,13 +15,13 @@ use serde::{Deserialize, Serialize};
 pub struct Ledger {
     /// Kinetic energy of the free spheres and the loaded walls.
     pub kinetic: f64,
-    /// What pairs hold, by cause, as of the last look.
+    /// Energy stored in pairs, by cause, when last evaluated.
     pub stored: Vec<f64>,
-    /// Lost by pairs, by cause.
+    /// Energy dissipated by pairs, by cause.
     pub lost_by_pairs: Vec<f64>,
     /// Lost to the global damping.
     pub lost_drag: f64,
-    /// What necks held when they broke, and their contacts do not.
+    /// Energy stored in necks when they broke, less the energy of the contacts that replace them.
     pub lost_to_breaking: f64,
     /// Work of walls of prescribed velocity.
     pub work_walls: f64,
@@ -33,24 +33,24 @@ pub struct Ledger {
     pub work_box: f64,
     /// Kinetic energy at the start.
     pub kinetic_at_start: f64,
-    /// What pairs held at the start, by cause.
+    /// Energy stored in pairs at the start, by cause.
     pub stored_at_start: Vec<f64>,
-    /// Work of all pairs, at the velocities they saw.
+    /// Work of all pairs, at the velocities with which they were evaluated.
     pub work_pairs: f64,
-    /// What surfaces did.
+    /// The balance of surfaces.
     pub surfaces: SurfaceAccount,
-    /// What the integration scheme added to the kinetic energy.
+    /// Energy added by the integration scheme.
     pub scheme: f64,
 }
 
 /// Energies of the contacts with surfaces and of the surfaces' attraction, zJ.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct SurfaceAccount {
-    /// What they hold, by cause, as of the last look.
+    /// Stored energy, by cause, when last evaluated.
     pub stored: Vec<f64>,
-    /// What they held at the start, by cause.
+    /// Stored energy at the start, by cause.
     pub stored_at_start: Vec<f64>,
-    /// What they lost, by cause.
+    /// Dissipated energy, by cause.
     pub lost: Vec<f64>,
     /// Work of the surfaces as they moved.
     pub work: f64,
@@ -59,7 +59,7 @@ pub struct SurfaceAccount {
 }
 
 impl SurfaceAccount {
-    /// What they hold more than at the start.
+    /// Change of the stored energy since the start.
     pub fn gained(&self) -> f64 {
         self.stored.iter().sum::<f64>() - self.stored_at_start.iter().sum::<f64>()
     }
@@ -70,7 +70,7 @@ impl Ledger {
         &mut self,
         totals: &Totals<L>,
         walls: &WallWork,
-        moved: &Moved,
+        moved: &MotionTotals,
         box_work: f64,
         dt: f64,
     ) {
@@ -86,17 +86,17 @@ impl Ledger {
         self.scheme += moved.scheme + walls.scheme;
     }
 
-    /// All that was lost.
+    /// The total dissipated energy.
     pub fn lost(&self) -> f64 {
         self.lost_by_pairs.iter().chain(&self.surfaces.lost).sum::<f64>() + self.lost_drag + self.lost_to_breaking
     }
 
-    /// All work done from outside.
+    /// The total external work.
     pub fn work(&self) -> f64 {
         self.work_walls + self.work_loads + self.work_box + self.surfaces.work
     }
 
-    /// The energy that the residuals are to be compared with: all that moved between accounts.
+    /// The scale of the residuals: the energy that was converted.
     pub fn turnover(&self) -> f64 {
         let absolute = |energies: &[f64]| energies.iter().map(|e| e.abs()).sum::<f64>();
         let held = absolute(&self.stored)
@@ -113,7 +113,7 @@ impl Ledger {
             + self.surfaces.work.abs()
     }
 
-    /// What the discrete account does not explain, zJ: rounding.
+    /// The residual of the discrete balance, zJ: rounding.
     pub fn discrete_residual(&self) -> f64 {
         let loads = self.work_loads + self.late_work;
         let gained =
@@ -121,7 +121,7 @@ impl Ledger {
         self.kinetic - self.kinetic_at_start - gained
     }
 
-    /// What the physical account does not explain, zJ: first order in the time step.
+    /// The residual of the physical balance, zJ: first order in the time step.
     pub fn physical_residual(&self) -> f64 {
         let held = self.stored.iter().sum::<f64>() - self.stored_at_start.iter().sum::<f64>();
         self.kinetic - self.kinetic_at_start + held + self.surfaces.gained() + self.lost() - self.work()

@@ -1,4 +1,4 @@
-//! Springs when neighbours are listed anew: which a pair keeps, and what those held that it loses.
+//! Springs at a rebuild of the neighbour list: the springs that a pair keeps, and the energy of those that it loses.
 
 use super::Simulation;
 use crate::error::Halt;
@@ -8,7 +8,7 @@ use crate::system::{Bond, Springs};
 use std::collections::{BTreeMap, BTreeSet};
 
 impl<M: PairModel> Simulation<M> {
-    /// Lists neighbours anew. Springs that are lost on the way are entered as lost.
+    /// Rebuilds the neighbour list. The energy of springs that are dropped is entered as lost.
     pub(super) fn list_anew(&mut self) -> Result<(), Halt> {
         let (springs, forgotten) = self.springs();
         self.enter_lost(&forgotten);
@@ -17,7 +17,7 @@ impl<M: PairModel> Simulation<M> {
         Ok(())
     }
 
-    /// The springs of all contacts, by who the spheres are, and the energy of those that the model forgets.
+    /// The contact history of all pairs, and the energy of the springs that the model resets.
     pub(super) fn springs(&self) -> (Springs, M::Losses<f64>) {
         let mut springs = Springs::new(M::Memory::<f64>::LEN);
         let mut forgotten: M::Losses<f64> = Flat::from_fn(|_| 0.0);
@@ -34,18 +34,19 @@ impl<M: PairModel> Simulation<M> {
         (springs.sorted(), forgotten)
     }
 
-    /// Enters what was held by springs of pairs that are no longer listed among those that can touch. They are out of contact: the law says what that costs.
+    /// Enters the energy of springs of pairs that are no longer listed among those that can touch. They are out of contact: the law accounts for the loss.
     fn let_go(&mut self, springs: &Springs) {
         let held = |memory: &M::Memory<f64>| (0..M::Memory::<f64>::LEN).any(|k| *memory.at(k) != 0.0);
-        let seats = || {
-            let seats = self.blocks.iter().flat_map(|block| block.each_pair().map(move |pair| (block, pair)));
-            seats.filter(|(block, (_, _, row, lane))| held(&block.pairs.memory_of(*row, *lane)))
+        let pairs_with_springs = || {
+            let pairs_with_springs =
+                self.blocks.iter().flat_map(|block| block.each_pair().map(move |pair| (block, pair)));
+            pairs_with_springs.filter(|(block, (_, _, row, lane))| held(&block.pairs.memory_of(*row, *lane)))
         };
-        if seats().count() == springs.bonds().len() {
+        if pairs_with_springs().count() == springs.bonds().len() {
             return;
         }
         let found: BTreeSet<Bond> =
-            seats().map(|(block, (i, j, ..))| self.bond(block.member(i), block.member(j))).collect();
+            pairs_with_springs().map(|(block, (i, j, ..))| self.bond(block.member(i), block.member(j))).collect();
         let particles = &self.system.particles;
         let place: BTreeMap<u32, usize> = particles.id.iter().copied().zip(0..).collect();
         let mut lost: M::Losses<f64> = Flat::from_fn(|_| 0.0);
@@ -67,7 +68,7 @@ impl<M: PairModel> Simulation<M> {
         }
     }
 
-    /// The lasting name of two spheres, each a place and a copy.
+    /// The persistent key of two spheres, each given by index and copy.
     pub(super) fn bond(&self, (p, a): (usize, [i16; 3]), (q, b): (usize, [i16; 3])) -> Bond {
         forces::bond(&self.system.particles, p, q, std::array::from_fn(|k| b[k] - a[k]))
     }

@@ -1,11 +1,10 @@
-//! Who is listed as whose neighbour, and in which order everything lies in memory.
+//! The neighbour list, and the order of spheres and bodies in memory.
 
 use super::Simulation;
 use crate::error::{Halt, Reason};
 use crate::forces;
 use crate::geometry::{Neighbour, neighbours_but};
-use crate::motion::{self, Grips, Moved};
-use crate::spec::mechanics::friction_share::inertia_share;
+use crate::motion::{LoadTable, MotionTotals};
 use crate::spec::{PairModel, Vec3};
 use crate::system::Springs;
 use crate::system::{Domain, Pose, System};
@@ -25,7 +24,7 @@ pub struct Listed {
 
 impl<M: PairModel> Simulation<M> {
     /// Whether spheres may have come into range that the neighbour list does not hold.
-    pub(super) fn stale(&self, moved: &Moved) -> bool {
+    pub(super) fn stale(&self, moved: &MotionTotals) -> bool {
         let strain =
             (0..3).map(|a| (self.system.domain.sides[a] / self.listed.sides[a] - 1.0).abs()).fold(0.0, f64::max);
         let deformed = strain * self.reach;
@@ -34,7 +33,7 @@ impl<M: PairModel> Simulation<M> {
         stale
     }
 
-    /// Puts bodies and particles in order and lists neighbours; contacts go on with the given springs.
+    /// Orders bodies and particles and builds the neighbour list; contacts continue with the given springs.
     pub(super) fn list_neighbours(&mut self, springs: &Springs) -> Result<(), Halt> {
         self.place_members();
         self.put_in_order();
@@ -46,16 +45,16 @@ impl<M: PairModel> Simulation<M> {
         if !self.system.bodies.is_empty() && self.system.surfaces.is_empty() {
             self.part(&mut pairs);
         }
-        self.lay_out(&pairs, springs)
+        self.build_blocks(&pairs, springs)
     }
 
     /// Builds the list from what it was built from, which the particles are already in the order of.
     pub(super) fn relist(&mut self, springs: &Springs) -> Result<(), Halt> {
         let pairs = self.search()?;
-        self.lay_out(&pairs, springs)
+        self.build_blocks(&pairs, springs)
     }
 
-    /// What is close in space shall be close in memory: first the particles by themselves, then body after body.
+    /// Orders particles so that neighbours in space are close in memory: first single particles, then the members of each body.
     fn put_in_order(&mut self) {
         let side = self.system.particles.mean_diameter();
         let system = &mut self.system;
@@ -120,7 +119,7 @@ impl<M: PairModel> Simulation<M> {
         missing.into_iter().map(neighbours).collect()
     }
 
-    /// Puts the members of bodies that have no partner behind all others: they need not be moved until neighbours are listed again.
+    /// Moves the members of bodies that have no partner behind all others: their positions need no update until the next rebuild.
     fn part(&mut self, pairs: &mut [Neighbour]) {
         let particles = &self.system.particles;
         let mut moving: Vec<bool> = particles.body.iter().map(|&body| body == 0).collect();
@@ -142,10 +141,9 @@ impl<M: PairModel> Simulation<M> {
     }
 
     /// Cuts the pairs into blocks.
-    fn lay_out(&mut self, pairs: &[Neighbour], springs: &Springs) -> Result<(), Halt> {
+    fn build_blocks(&mut self, pairs: &[Neighbour], springs: &Springs) -> Result<(), Halt> {
         let (particles, necks) = (&self.system.particles, &self.system.necks);
         let domain = Domain { sides: self.listed.sides, ..self.system.domain };
-        let moments = (self.listed.moving, &self.shares(pairs)[..]);
         self.blocks = forces::partition(
             &self.model,
             particles,
@@ -153,40 +151,14 @@ impl<M: PairModel> Simulation<M> {
             pairs,
             necks,
             springs,
-            moments,
+            self.listed.moving,
         )
         .map_err(|reason| self.halt(reason))?;
         self.far_known = false;
-        self.grips = Grips::find(particles, self.listed.moving, self.system.bodies.len(), &self.blocks);
+        self.load_table = LoadTable::find(particles, self.listed.moving, self.system.bodies.len(), &self.blocks);
         self.on_walls = forces::places(&self.blocks)
             .filter_map(|(p, block, place)| Some((particles.wall[p].checked_sub(1)?, block, place)))
             .collect();
         Ok(())
-    }
-
-    /// The moment of inertia that each contact of a particle, or of the body it belongs to, may take for its own: friction may stop what turns,
-    /// and several contacts together must not turn it back.
-    fn shares(&self, pairs: &[Neighbour]) -> Vec<f64> {
-        let System { particles, bodies, necks, .. } = &self.system;
-        // Spheres by themselves stand behind the bodies.
-        let turning = |p: usize| (particles.body[p] as usize).checked_sub(1).unwrap_or(bodies.len() + p);
-        let mut contacts = vec![0.0f64; bodies.len() + particles.len()];
-        for pair in pairs {
-            let (p, q) = (pair.p as usize, pair.q as usize);
-            let (i, j, _) = forces::bond(particles, p, q, pair.image);
-            if necks.binary_search(&(i, j)).is_err() {
-                contacts[turning(p)] += 1.0;
-                contacts[turning(q)] += 1.0;
-            }
-        }
-        let least = |moments: Vec3<f64>| moments.0.into_iter().fold(f64::INFINITY, f64::min);
-        let share = |p: usize| {
-            let moment = match particles.body[p] as usize {
-                0 => motion::inertia(particles, p),
-                body => least(bodies[body - 1].moments),
-            };
-            inertia_share(moment, contacts[turning(p)])
-        };
-        (0..particles.len()).map(share).collect()
     }
 }

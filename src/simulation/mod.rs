@@ -7,6 +7,7 @@ mod listing;
 mod necks;
 mod pairs;
 mod settings;
+mod shares;
 mod snapshot;
 mod steering;
 mod surfaces;
@@ -21,14 +22,14 @@ pub use snapshot::Snapshot;
 
 use crate::error::Halt;
 use crate::forces::{self, Block, Totals};
-use crate::motion::{self, Grips, Moved, Spheres};
+use crate::motion::{self, LoadTable, MotionTotals, Spheres};
 use crate::spec::mechanics::box_relaxation::box_work;
 use crate::spec::mechanics::box_stress::box_stress;
 use crate::spec::{PairModel, Vec3};
 use crate::system::System;
 use listing::Listed;
 use rayon::prelude::*;
-use verlet::Held;
+use verlet::VerletState;
 
 /// A system under a contact model.
 pub struct Simulation<M: PairModel> {
@@ -36,23 +37,23 @@ pub struct Simulation<M: PairModel> {
     settings: Settings,
     system: System,
     blocks: Vec<Block<M>>,
-    /// Where the loads on the members of bodies are.
-    grips: Grips,
-    /// Where the loads on walls are: wall, block, place within the block.
+    /// The locations of the loads on the members of bodies.
+    load_table: LoadTable,
+    /// The locations of the loads on walls: wall, block, index within the block.
     on_walls: Vec<(u32, u32, u32)>,
-    /// What the neighbour list was built from, and is a function of.
+    /// The state from which the neighbour list was built, of which it is a function.
     listed: Listed,
     /// Largest distance at which it lists neighbours.
     reach: f64,
-    /// Whether what the far pairs do has been looked at since neighbours were listed.
+    /// Whether the far pairs have been evaluated since the last rebuild of the neighbour list.
     far_known: bool,
     /// Rates of strain of the sides, 1/ns.
     box_rate: [f64; 3],
     momentum_flux: [f64; 3],
     stress: [f64; 3],
     ledger: Ledger,
-    /// What velocity Verlet goes on with.
-    held: Held,
+    /// The state of velocity Verlet.
+    held: VerletState,
 }
 
 impl<M: PairModel> Simulation<M> {
@@ -64,7 +65,7 @@ impl<M: PairModel> Simulation<M> {
             model,
             settings,
             blocks: Vec::new(),
-            grips: Grips::default(),
+            load_table: LoadTable::default(),
             on_walls: Vec::new(),
             listed,
             reach: 0.0,
@@ -73,7 +74,7 @@ impl<M: PairModel> Simulation<M> {
             momentum_flux: [0.0; 3],
             stress: [0.0; 3],
             ledger: Ledger::default(),
-            held: Held::default(),
+            held: VerletState::default(),
             system,
         };
         simulation.check_time_step()?;
@@ -91,18 +92,18 @@ impl<M: PairModel> Simulation<M> {
         &self.system
     }
 
-    /// Moves all members of bodies to where their bodies are.
+    /// Updates the positions of all members of bodies.
     pub fn place_members(&mut self) {
         self.system.place_members(self.listed.moving);
     }
 
-    /// Ends the simulation and hands back the state.
+    /// Ends the simulation and returns the state.
     pub fn into_system(mut self) -> System {
         self.place_members();
         self.system
     }
 
-    /// Ends the simulation and hands back the state with the springs of all contacts, for the next simulation to go on with.
+    /// Ends the simulation and returns the state with the springs of all contacts, from which the next simulation continues.
     pub fn into_system_with_springs(self) -> System {
         let springs = self.springs().0;
         System { springs, ..self.into_system() }
@@ -138,6 +139,7 @@ impl<M: PairModel> Simulation<M> {
 
     /// Evaluates all pairs and advances their springs by `dt`.
     fn evaluate(&mut self, dt: f64) -> Result<Totals<M::Losses<f64>>, Halt> {
+        self.share();
         let Settings { max_overlap, instructions, .. } = self.settings;
         let (model, particles, domain) = (&self.model, &self.system.particles, &self.system.domain);
         let far_anew = self.far_due();
@@ -193,13 +195,13 @@ impl<M: PairModel> Simulation<M> {
         Ok(())
     }
 
-    /// Moves everything; also returns what forces inside bodies must correct the virial by.
-    fn advance(&mut self, growth: [f64; 3], dt: f64, damping: f64) -> (Moved, [f64; 3]) {
+    /// Moves everything; also returns the correction of the virial for forces inside bodies.
+    fn advance(&mut self, growth: [f64; 3], dt: f64, damping: f64) -> (MotionTotals, [f64; 3]) {
         let stretch = std::array::from_fn(|a| self.system.domain.sides[a] / self.listed.sides[a] * growth[a]);
         let instructions = self.settings.instructions;
         let step = motion::Step { dt, damping, walls: &self.system.walls, growth, stretch, instructions };
         let (particles, blocks) = (&mut self.system.particles, &self.blocks);
-        let single = self.grips.single;
+        let single = self.load_table.single;
         let mut spheres = Spheres {
             x: &mut particles.x,
             v: &mut particles.v,
@@ -215,7 +217,7 @@ impl<M: PairModel> Simulation<M> {
             parts.push(part);
             spheres = rest;
         }
-        let moved: Vec<Moved> = self
+        let moved: Vec<MotionTotals> = self
             .blocks
             .par_iter()
             .zip(parts)
@@ -223,13 +225,13 @@ impl<M: PairModel> Simulation<M> {
             .with_max_len(1)
             .map(|(number, (_, part))| motion::advance(blocks, number, part, &step))
             .collect();
-        let moved = moved.into_iter().fold(Moved::default(), Moved::and);
+        let moved = moved.into_iter().fold(MotionTotals::default(), MotionTotals::and);
         if self.system.bodies.is_empty() {
             return (moved, [0.0; 3]);
         }
         let bodies = (&mut self.system.bodies[..], &self.listed.poses[..]);
         let (carried, inside) =
-            motion::advance_bodies(bodies, particles, single..self.listed.moving, (&self.grips, blocks), &step);
+            motion::advance_bodies(bodies, particles, single..self.listed.moving, (&self.load_table, blocks), &step);
         (moved.and(carried), inside)
     }
 

@@ -1,11 +1,11 @@
-//! Necks that break.
+//! Breaking of necks.
 
 use super::{Integrator, Simulation};
 use crate::error::Halt;
 use crate::forces::bond;
 use crate::spec::{Contact, Flat, PairModel};
 
-/// Steps from one look at the strength of necks to the next: a small part of the period of their springs at any published time step.
+/// Number of steps between checks of the strength of necks: a small fraction of the period of their springs at any published time step.
 pub const EXAMINED: u64 = 5;
 
 impl<M: PairModel> Simulation<M> {

@@ -1,5 +1,6 @@
 //! Pairs one by one, for observers.
 
+use super::shares::Shares;
 use super::{Ledger, Simulation};
 use crate::forces::Block;
 use crate::spec::mechanics::box_stress::momentum_flux;
@@ -10,22 +11,22 @@ use crate::system::{Image, Particles};
 /// One pair in range, or joined by a neck.
 #[derive(Clone, Copy, Debug)]
 pub struct Pair<M: PairModel> {
-    /// Place of the sphere with the lower id.
+    /// Index of the sphere with the lower id.
     pub i: usize,
-    /// Place of the other.
+    /// Index of the other sphere.
     pub j: usize,
     /// From the centre of `j` to that of `i`, nm.
     pub branch: Vec3<f64>,
-    /// What they see of each other.
+    /// The contact kinematics.
     pub contact: Contact<f64>,
-    /// What they will do in the next step.
+    /// The forces of the next step.
     pub outcome: Outcome<f64, M::Memory<f64>, M::Losses<f64>>,
-    /// What the pair holds.
+    /// The energy stored in the pair.
     pub stored: M::Stored<f64>,
 }
 
 /// A pair in its block.
-struct Seat<'a, M: PairModel> {
+struct ListedPair<'a, M: PairModel> {
     block: &'a Block<M>,
     /// Row and lane; none for a far pair.
     near: Option<(usize, usize)>,
@@ -40,21 +41,32 @@ struct Seat<'a, M: PairModel> {
 impl<M: PairModel> Simulation<M> {
     /// All pairs in range or joined by necks, in an order that depends on the particles alone.
     pub fn pairs(&self) -> impl Iterator<Item = Pair<M>> + '_ {
-        self.seats().filter(|seat| self.acts(seat)).map(|seat| self.looked_at(seat))
+        let shares = self.shares();
+        self.listed_pairs()
+            .filter(|listed| self.acts(listed))
+            .map(move |listed| self.evaluated(listed, shares.as_ref()))
     }
 
-    /// The same pairs by the places of their spheres, the sphere with the lower id first, with what they see of each other and their
+    /// The same pairs by the indices of their spheres, the sphere with the lower id first, with their contact kinematics and
     /// springs: much cheaper than [`pairs`](Self::pairs).
     pub fn contacts(&self) -> impl Iterator<Item = (usize, usize, Contact<f64>, M::Memory<f64>)> + '_ {
-        let seats = self.seats().filter(|seat| self.acts(seat));
-        seats.map(|Seat { i, j, contact, memory, .. }| (i.0, j.0, contact, memory))
+        let listed_pairs = self.listed_pairs().filter(|listed| self.acts(listed));
+        listed_pairs.map(|ListedPair { i, j, contact, memory, .. }| (i.0, j.0, contact, memory))
     }
 
-    fn looked_at(&self, Seat { block, near, i: (i, _), j: (j, _), contact, memory }: Seat<'_, M>) -> Pair<M> {
+    fn evaluated(
+        &self,
+        ListedPair { block, near, i: (i, _), j: (j, _), contact, memory }: ListedPair<'_, M>,
+        shares: Option<&Shares>,
+    ) -> Pair<M> {
         let Particles { radius: r, mass: m, .. } = &self.system.particles;
         let coefficients = match near {
             Some((row, lane)) => Flat::from_fn(|k| block.pairs.constants(row).at(k).0[lane]),
             None => self.model.coefficients(r[i], r[j], m[i], m[j]),
+        };
+        let coefficients = match shares {
+            Some(shares) => self.model.turning(coefficients, shares.reduced(&self.system, i, j)),
+            None => coefficients,
         };
         let outcome = self.model.pair(&contact, &coefficients, memory, self.settings.dt);
         let stored = self.model.stored(&contact, &coefficients, &memory);
@@ -62,7 +74,7 @@ impl<M: PairModel> Simulation<M> {
     }
 
     /// Where the listed pairs are.
-    fn seats(&self) -> impl Iterator<Item = Seat<'_, M>> + '_ {
+    fn listed_pairs(&self) -> impl Iterator<Item = ListedPair<'_, M>> + '_ {
         self.blocks.iter().flat_map(move |block| {
             let near = block.each_pair().map(|(i, j, row, lane)| (i, j, Some((row, lane))));
             let far = block.each_far().map(|(i, j)| (i, j, None));
@@ -72,13 +84,13 @@ impl<M: PairModel> Simulation<M> {
                     Some((row, lane)) => block.pairs.memory_of(row, lane),
                     None => Flat::from_fn(|_| 0.0),
                 };
-                Seat { block, near, i, j, contact: self.contact(i, j), memory }
+                ListedPair { block, near, i, j, contact: self.contact(i, j), memory }
             })
         })
     }
 
     /// A neck acts at any distance.
-    fn acts(&self, Seat { i, j, contact, .. }: &Seat<'_, M>) -> bool {
+    fn acts(&self, ListedPair { i, j, contact, .. }: &ListedPair<'_, M>) -> bool {
         let joined = || {
             let (a, b, _) = self.bond(*i, *j);
             self.system.necks.binary_search(&(a, b)).is_ok()
@@ -86,25 +98,29 @@ impl<M: PairModel> Simulation<M> {
         contact.distance <= self.model.range(contact.r_i, contact.r_j) || joined()
     }
 
-    /// What two spheres, each a place and a copy, see of each other.
+    /// The contact kinematics of two spheres, each given by index and copy.
     pub(super) fn contact(&self, (i, image_i): (usize, Image), (j, image_j): (usize, Image)) -> Contact<f64> {
         let (Particles { x, v, w, radius, .. }, domain) = (&self.system.particles, &self.system.domain);
         let branch = x[i] + domain.shift(image_i) - (x[j] + domain.shift(image_j));
         Contact::new(branch, v[i] - v[j], w[i], w[j], radius[i], radius[j])
     }
 
-    /// Where the energy went, up to now.
+    /// The energy balance up to now.
     pub fn ledger(&self) -> Ledger {
         let mut ledger = Ledger { stored: self.stored(), ..self.ledger.clone() };
         ledger.surfaces.stored = self.stored_at_surfaces();
         ledger
     }
 
-    /// What all pairs hold, zJ, by cause: also those that have just left the range, whose springs let go in the next step.
+    /// Energy stored in all pairs, zJ, by cause, including pairs that have just left their range and whose springs are released in the next step.
     pub(super) fn stored(&self) -> Vec<f64> {
         let mut sums = vec![0.0; M::Stored::<f64>::LEN];
-        let stretched = |seat: &Seat<M>| (0..M::Memory::<f64>::LEN).any(|k| *seat.memory.at(k) != 0.0);
-        for pair in self.seats().filter(|seat| stretched(seat) || self.acts(seat)).map(|seat| self.looked_at(seat)) {
+        let stretched = |listed: &ListedPair<M>| (0..M::Memory::<f64>::LEN).any(|k| *listed.memory.at(k) != 0.0);
+        for pair in self
+            .listed_pairs()
+            .filter(|listed| stretched(listed) || self.acts(listed))
+            .map(|listed| self.evaluated(listed, None))
+        {
             for (k, sum) in sums.iter_mut().enumerate() {
                 *sum += pair.stored.at(k);
             }

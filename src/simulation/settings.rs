@@ -1,32 +1,32 @@
-//! How a system is advanced.
+//! The settings of a simulation.
 
 use super::Integrator;
 use crate::forces::Instructions;
 use crate::motion::BoxRelaxation;
 
-/// How a system is advanced. Units: ns, ag/ns, nm.
+/// The settings of a simulation. Units: ns, ag/ns, nm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
     /// Time step.
     pub dt: f64,
-    /// How velocities go with positions.
+    /// The time integration.
     pub integrator: Integrator,
     /// Coefficient `c` of the global damping force `-c v` on every free sphere.
     pub damping: f64,
-    /// How much farther than their range neighbours are listed.
+    /// The skin of the neighbour list.
     pub skin: f64,
     /// Largest overlap allowed, as a fraction of the sum of the radii; infinite for no limit.
     pub max_overlap: f64,
     /// Lets the sides of the box follow the stress.
     pub relax_box: Option<BoxRelaxation>,
-    /// Far pairs, which only attract or repel each other, are evaluated anew every so many steps.
+    /// Interval, in steps, at which the central forces of far pairs are recomputed.
     pub far_every: u64,
     /// Vector instructions of the pair loop.
     pub instructions: Instructions,
 }
 
 impl Settings {
-    /// A time step in ns, and of all else what is plain: velocities half a step behind positions, no damping, neighbours listed
+    /// A time step in ns, and defaults otherwise: velocities half a step behind positions, no damping, neighbours listed
     /// no farther than their range, no limit of overlap, fixed sides, the widest vector instructions.
     pub fn new(dt: f64) -> Self {
         Self {
@@ -66,7 +66,7 @@ impl Settings {
         Self { relax_box: Some(relax_box), ..self }
     }
 
-    /// Far pairs evaluated every so many steps.
+    /// The interval, in steps, at which far pairs are evaluated.
     pub fn far_every(self, far_every: u64) -> Self {
         Self { far_every, ..self }
     }

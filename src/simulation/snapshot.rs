@@ -1,30 +1,30 @@
-//! The complete state, to be written and taken up again.
+//! The complete state, to be saved and restored.
 //!
-//! The neighbour list is not stored but what it was built from, so a simulation taken up from a snapshot has the same list,
-//! the same order of sums, and goes on with the same bits.
+//! The state from which the neighbour list was built is stored instead of the list, so a simulation restored from a snapshot has the same list,
+//! the same order of sums, and continues with the same bits.
 
-use super::{Held, Ledger, Listed, Settings, Simulation};
+use super::{Ledger, Listed, Settings, Simulation, VerletState};
 use crate::error::Halt;
-use crate::motion::Grips;
+use crate::motion::LoadTable;
 use crate::spec::{Flat, PairModel};
 use crate::system::Springs;
 use crate::system::System;
 use serde::{Deserialize, Serialize};
 
-/// All that a simulation is, besides its model and settings.
+/// The complete state of a simulation, without its model and settings.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Snapshot {
     system: System,
     listed: Listed,
     /// Springs of all pairs, in the order of the list.
     memory: Vec<f64>,
-    /// What the far pairs do, block by block, where the next step goes on with it.
+    /// The held forces of far pairs, block by block, if the next step uses them.
     far: Option<Vec<f64>>,
     box_rate: [f64; 3],
     momentum_flux: [f64; 3],
     stress: [f64; 3],
     ledger: Ledger,
-    held: Held,
+    held: VerletState,
 }
 
 impl Snapshot {
@@ -47,7 +47,8 @@ impl<M: PairModel> Simulation<M> {
         system.place_members(self.listed.moving);
         Snapshot {
             memory: memory.collect(),
-            far: (!self.far_due()).then(|| self.blocks.iter().flat_map(|block| block.far.kept(block.len())).collect()),
+            far: (!self.far_due())
+                .then(|| self.blocks.iter().flat_map(|block| block.far.held_loads(block.len())).collect()),
             system,
             listed: self.listed.clone(),
             box_rate: self.box_rate,
@@ -58,15 +59,16 @@ impl<M: PairModel> Simulation<M> {
         }
     }
 
-    /// Takes a simulation up where a snapshot left it.
+    /// Restores a simulation from a snapshot.
     pub fn resume(model: M, settings: Settings, snapshot: Snapshot) -> Result<Self, Halt> {
         let Snapshot { system, listed, memory, far, box_rate, momentum_flux, stress, ledger, held } = snapshot;
-        let (blocks, grips, on_walls, reach, far_known) = (Vec::new(), Grips::default(), Vec::new(), 0.0, false);
+        let (blocks, load_table, on_walls, reach, far_known) =
+            (Vec::new(), LoadTable::default(), Vec::new(), 0.0, false);
         let mut simulation = Self {
             model,
             settings,
             blocks,
-            grips,
+            load_table,
             on_walls,
             listed,
             reach,
@@ -81,7 +83,7 @@ impl<M: PairModel> Simulation<M> {
         simulation.relist(&Springs::default())?;
         let mut numbers = memory.into_iter();
         for block in &mut simulation.blocks {
-            for (row, lane) in block.pairs.seats() {
+            for (row, lane) in block.pairs.rows_and_lanes() {
                 let row = &mut block.pairs.memory[row];
                 for k in 0..M::Memory::<f64>::LEN {
                     row.at_mut(k).0[lane] = numbers.next().unwrap_or(f64::NAN);
@@ -92,7 +94,7 @@ impl<M: PairModel> Simulation<M> {
             let mut numbers = numbers.into_iter();
             for block in &mut simulation.blocks {
                 let spheres = block.len();
-                block.far.keep(spheres, &mut numbers);
+                block.far.restore_loads(spheres, &mut numbers);
             }
             simulation.far_known = true;
         }

@@ -5,7 +5,7 @@ use crate::spec::mechanics::work::work as work_of;
 use crate::spec::{PairModel, Vec3};
 
 impl<M: PairModel> Simulation<M> {
-    /// Adds what springs at centres of mass do to the loads on their spheres.
+    /// Adds the forces of springs at centres of mass to the loads on their spheres.
     pub(super) fn steer(&mut self) {
         let (particles, dt) = (&self.system.particles, self.settings.dt);
         for steering in &mut self.system.steerings {

@@ -1,51 +1,51 @@
-//! Surfaces: what they do to the spheres in a step, and what their contacts hold.
+//! Surfaces: their forces on the spheres in a step, and the energy stored in their contacts.
 
 use super::{Simulation, SurfaceAccount};
 use crate::error::{Halt, Reason};
-use crate::forces::{Leaning, each_touch, lean};
+use crate::forces::{SurfaceTotals, each_touch, surface_forces};
 use crate::spec::mechanics::work::work;
 use crate::spec::{Flat, PairModel, Vec3};
 use rayon::prelude::*;
 
-/// Below this number of blocks one core has looked at all surfaces sooner than others have been called.
+/// Number of blocks below which one core processes the surfaces faster than several threads.
 const MANY: usize = 16;
 
 impl<M: PairModel> Simulation<M> {
-    /// Adds what the surfaces do to the loads on the spheres, and moves them.
+    /// Adds the forces of the surfaces to the loads on the spheres, and moves the surfaces.
     pub(super) fn lean_on_surfaces(&mut self) -> Result<(), Halt> {
         let dt = self.settings.dt;
         for s in 0..self.system.surfaces.len() {
-            let leaning = self.lean_on(s, dt)?;
+            let of_surface = self.totals_of(s, dt)?;
             let account = &mut self.ledger.surfaces;
-            account.work_on_spheres += leaning.power * dt;
+            account.work_on_spheres += of_surface.power * dt;
             for (k, lost) in account.lost.iter_mut().enumerate() {
-                *lost += leaning.losses.at(k);
+                *lost += of_surface.losses.at(k);
             }
             let surface = &mut self.system.surfaces[s];
-            account.work += work(leaning.force.total(), surface.velocity, Vec3::zero(), Vec3::zero(), dt);
-            surface.force = leaning.force.reversed();
-            leaning.keep(&mut surface.grips);
+            account.work += work(of_surface.force.total(), surface.velocity, Vec3::zero(), Vec3::zero(), dt);
+            surface.force = of_surface.force.reversed();
+            of_surface.store_contacts(&mut surface.contacts);
             surface.advance(dt);
         }
         Ok(())
     }
 
-    /// Adds what a surface does to the loads on the spheres, with the springs of its contacts advanced by `dt`.
-    pub(super) fn lean_on(&mut self, s: usize, dt: f64) -> Result<Leaning<M>, Halt> {
+    /// Adds the forces of a surface to the loads on the spheres, with the springs of its contacts advanced by `dt`.
+    pub(super) fn totals_of(&mut self, s: usize, dt: f64) -> Result<SurfaceTotals<M>, Halt> {
         let (model, particles, surface) = (&self.model, &self.system.particles, &self.system.surfaces[s]);
-        let one = |block| lean(model, surface, particles, block, dt);
-        let parts: Vec<Leaning<M>> = if self.blocks.len() < MANY {
+        let one = |block| surface_forces(model, surface, particles, block, dt);
+        let parts: Vec<SurfaceTotals<M>> = if self.blocks.len() < MANY {
             self.blocks.iter_mut().map(one).collect()
         } else {
             self.blocks.par_iter_mut().map(one).collect()
         };
-        let leaning = parts.into_iter().fold(Leaning::default(), Leaning::and);
-        let (particle, ratio) = leaning.deepest;
+        let of_surface = parts.into_iter().fold(SurfaceTotals::default(), SurfaceTotals::and);
+        let (particle, ratio) = of_surface.deepest;
         let limit = self.settings.max_overlap;
-        if ratio > limit { Err(self.halt(Reason::Sunk { particle, ratio, limit })) } else { Ok(leaning) }
+        if ratio > limit { Err(self.halt(Reason::Sunk { particle, ratio, limit })) } else { Ok(of_surface) }
     }
 
-    /// What the surfaces hold, zJ, by cause.
+    /// Energy stored at the surfaces, zJ, by cause.
     pub(super) fn stored_at_surfaces(&self) -> Vec<f64> {
         let mut sums = vec![0.0; M::Stored::<f64>::LEN];
         let mut seen = Vec::new();

@@ -1,9 +1,9 @@
-//! A step of velocity Verlet. Positions, velocities, and what is written of a run belong to the same time; forces see the positions there
+//! A step of velocity Verlet. Positions, velocities and output belong to the same time; forces are evaluated with the positions there
 //! and the velocities of half a step before, with which the springs advance, too.
 
 use super::Simulation;
 use crate::error::Halt;
-use crate::forces::{Leaning, Totals};
+use crate::forces::{SurfaceTotals, Totals};
 use crate::motion::{gathered, verlet};
 use crate::spec::mechanics::box_stress::box_stress;
 use crate::spec::mechanics::work::work;
@@ -12,9 +12,9 @@ use crate::spec::{Flat, PairModel, Vec3};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-/// What the next step begins with: the forces that end the last one.
+/// The state between steps: the forces at the end of the last one.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Held {
+pub struct VerletState {
     /// Force and torque on each sphere.
     loads: Vec<[f64; 6]>,
     /// Power of the pairs at the velocities they saw.
@@ -39,17 +39,17 @@ impl<M: PairModel> Simulation<M> {
         let totals = self.evaluate(dt)?;
         let mut power = 0.0;
         for s in 0..self.system.surfaces.len() {
-            let leaning = self.lean_on(s, dt)?;
-            power += leaning.power;
+            let of_surface = self.totals_of(s, dt)?;
+            power += of_surface.power;
             let (surface, account) = (&mut self.system.surfaces[s], &mut self.ledger.surfaces);
             for (k, lost) in account.lost.iter_mut().enumerate() {
-                *lost += leaning.losses.at(k);
+                *lost += of_surface.losses.at(k);
             }
             let before = surface.force.reversed();
-            let both = before.total() + leaning.force.total();
+            let both = before.total() + of_surface.force.total();
             account.work += work(both, surface.velocity, Vec3::zero(), Vec3::zero(), half);
-            surface.force = leaning.force.reversed();
-            leaning.keep(&mut surface.grips);
+            surface.force = of_surface.force.reversed();
+            of_surface.store_contacts(&mut surface.contacts);
         }
         self.hold_loads(&totals, power);
         let moved = verlet::end(&mut self.system.particles, &self.held.loads, dt);
@@ -66,7 +66,7 @@ impl<M: PairModel> Simulation<M> {
         self.check_finite(moved.kinetic)
     }
 
-    /// Looks which forces act now, at the start and when necks have broken: springs do not advance.
+    /// Evaluates the present forces, at the start and after necks have broken, without advancing springs.
     pub(super) fn hold(&mut self) -> Result<(), Halt> {
         let free = self.system.walls.is_empty() && self.system.bodies.is_empty();
         let plain = self.settings.damping == 0.0 && self.settings.relax_box.is_none();
@@ -81,7 +81,7 @@ impl<M: PairModel> Simulation<M> {
         }
         let mut power = 0.0;
         for s in 0..self.system.surfaces.len() {
-            let Leaning { force, power: of_surface, .. } = self.lean_on(s, 0.0)?;
+            let SurfaceTotals { force, power: of_surface, .. } = self.totals_of(s, 0.0)?;
             power += of_surface;
             self.system.surfaces[s].force = force.reversed();
         }
@@ -102,6 +102,6 @@ impl<M: PairModel> Simulation<M> {
         let parts = (0..blocks.len()).into_par_iter().map(|number| gathered(blocks, number, blocks[number].own.len()));
         let parts: Vec<_> = parts.collect();
         let loads = parts.iter().flat_map(|part| part.iter()).map(|&Lanes([a, b, c, d, e, f, ..])| [a, b, c, d, e, f]);
-        self.held = Held { loads: loads.collect(), pairs: totals.power, surfaces: power_of_surfaces, late: 0.0 };
+        self.held = VerletState { loads: loads.collect(), pairs: totals.power, surfaces: power_of_surfaces, late: 0.0 };
     }
 }

@@ -3,7 +3,7 @@
 use crate::spec::{Tensor, Vec3};
 use serde::{Deserialize, Serialize};
 
-/// Where a body is and how it lies: its centre of mass, nm, never folded back into the box, and the unit quaternion that takes
+/// Position and orientation of a body: its centre of mass, nm, never folded back into the box, and the unit quaternion that takes
 /// the frame of its principal axes to that of space.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Pose {

@@ -10,7 +10,7 @@ pub type Image = [i16; 3];
 pub struct Domain {
     /// Lengths of the sides.
     pub sides: [f64; 3],
-    /// Whether what leaves through one face enters through the other.
+    /// Whether the box is periodic along each axis.
     pub periodic: [bool; 3],
 }
 

@@ -1,12 +1,12 @@
-//! Contact memory carried from one neighbour list to the next.
+//! Contact history, carried from one neighbour list to the next.
 
 use super::Image;
 use serde::{Deserialize, Serialize};
 
-/// A pair's lasting name: the ids of the spheres, the lower first, and the copy of the second as seen from the first.
+/// The persistent key of a pair: the ids of the spheres, the lower first, and the periodic image of the second relative to the first.
 pub type Bond = (u32, u32, Image);
 
-/// The springs of the pairs that have any, found again by who the two spheres are.
+/// The contact history of all pairs that have one, looked up by the keys of the pairs.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Springs {
     /// Sorted; each with the place of its springs.

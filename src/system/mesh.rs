@@ -1,4 +1,4 @@
-//! Triangulated surfaces: who shares which edge and which corner.
+//! Triangulated surfaces and their topology.
 
 use crate::spec::Vec3;
 use serde::{Deserialize, Serialize};

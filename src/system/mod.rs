@@ -13,14 +13,14 @@ pub use domain::{Domain, Image};
 pub use history::{Bond, Springs};
 pub use mesh::Mesh;
 pub use steering::Steering;
-pub use surface::{Course, Forces, Grips, Shape, Surface};
+pub use surface::{ContactTable, Forces, PrescribedMotion, Shape, Surface};
 pub use wall::{Motion, Wall};
 
 use crate::spec::Vec3;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-/// So many particles, or more, are worth another thread.
+/// Smallest number of particles for which another thread pays.
 const LEAST: usize = 4096;
 
 /// The spheres. All vectors have the same length and are permuted together when the neighbour list is built, so a sphere
@@ -39,11 +39,11 @@ pub struct Particles {
     pub mass: Vec<f64>,
     /// 0 for a free sphere, `k` for a member of `walls[k - 1]`.
     pub wall: Vec<u32>,
-    /// 0 for a sphere by itself, `k` for a member of `bodies[k - 1]`.
+    /// 0 for a single sphere, `k` for a member of `bodies[k - 1]`.
     pub body: Vec<u32>,
-    /// Where a member is in the frame of its body.
+    /// Position of a member in the frame of its body.
     pub arm: Vec<Vec3<f64>>,
-    /// The sphere's name, unique and lasting.
+    /// The persistent, unique id of the sphere.
     pub id: Vec<u32>,
     /// The body it belonged to at the beginning.
     pub tag: Vec<u32>,
@@ -105,13 +105,13 @@ pub struct System {
     pub bodies: Vec<Body>,
     /// The rigid walls.
     pub walls: Vec<Wall>,
-    /// The surfaces that spheres lean on.
+    /// The surfaces.
     pub surfaces: Vec<Surface>,
     /// The springs at centres of mass; for steps of [`HalfStep`](crate::simulation::Integrator::HalfStep).
     pub steerings: Vec<Steering>,
     /// Necks between spheres: ids, the lower first, in ascending order.
     pub necks: Vec<(u32, u32)>,
-    /// Springs of pairs that the next simulation is to begin with; none while one goes on.
+    /// Initial contact history of the next simulation; empty while a simulation is running.
     pub springs: Springs,
     /// Simulated time, ns.
     pub time: f64,

@@ -1,10 +1,10 @@
-//! Surfaces that spheres lean on: the substrate, the tip. They move as they are told, whatever acts on them.
+//! Surfaces in contact with spheres, such as a substrate or a tip. Their motion is prescribed.
 
 use super::Mesh;
 use crate::spec::Vec3;
 use serde::{Deserialize, Serialize};
 
-/// What a surface looks like before it has moved.
+/// The shape of a surface before it has moved.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Shape {
     /// The half-space behind a plane.
@@ -18,9 +18,9 @@ pub enum Shape {
     Mesh(Mesh),
 }
 
-/// How a surface moves.
+/// The prescribed motion of a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub enum Course {
+pub enum PrescribedMotion {
     /// Not at all.
     Still,
     /// Along z: approach, reversal and withdrawal, by a hyperbolic tangent.
@@ -45,21 +45,21 @@ pub struct Forces {
     pub van_der_waals: Vec3<f64>,
 }
 
-/// Springs of the contacts of a surface, found again by sphere and place: a contact that slides from a face to an edge goes on.
+/// Springs of the contacts of a surface, matched by sphere and position: a contact that slides from a face to an edge persists.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Grips {
+pub struct ContactTable {
     /// Ids of the spheres, ascending, and the places on the surface before it moved.
     pub places: Vec<(u32, Vec3<f64>)>,
     /// Their springs, end to end.
     pub springs: Vec<f64>,
 }
 
-impl Grips {
+impl ContactTable {
     /// Those of a sphere.
-    pub fn of(&self, sphere: u32) -> GripsOf<'_> {
+    pub fn of(&self, sphere: u32) -> SphereContacts<'_> {
         let first = self.places.partition_point(|place| place.0 < sphere);
         let count = self.places[first..].iter().take_while(|place| place.0 == sphere).count();
-        GripsOf { grips: self, left: (first..first + count).collect() }
+        SphereContacts { contacts: self, left: (first..first + count).collect() }
     }
 
     fn springs_at(&self, k: usize) -> &[f64] {
@@ -69,26 +69,26 @@ impl Grips {
 }
 
 /// The contacts of one sphere that have not been found again yet.
-pub struct GripsOf<'a> {
-    grips: &'a Grips,
+pub struct SphereContacts<'a> {
+    contacts: &'a ContactTable,
     left: Vec<usize>,
 }
 
-impl<'a> GripsOf<'a> {
+impl<'a> SphereContacts<'a> {
     /// The springs of the contact that was nearest to a place, if within `jump`.
     pub fn take(&mut self, place: Vec3<f64>, jump: f64) -> Option<&'a [f64]> {
-        let distance = |k: usize| (self.grips.places[k].1 - place).norm();
+        let distance = |k: usize| (self.contacts.places[k].1 - place).norm();
         let nearest =
             (0..self.left.len()).min_by(|&a, &b| distance(self.left[a]).total_cmp(&distance(self.left[b])))?;
         if distance(self.left[nearest]) > jump {
             return None;
         }
-        Some(self.grips.springs_at(self.left.remove(nearest)))
+        Some(self.contacts.springs_at(self.left.remove(nearest)))
     }
 
     /// The places and springs of the contacts that have not been found again.
     pub fn rest(self) -> impl Iterator<Item = (Vec3<f64>, &'a [f64])> {
-        self.left.into_iter().map(|k| (self.grips.places[k].1, self.grips.springs_at(k)))
+        self.left.into_iter().map(|k| (self.contacts.places[k].1, self.contacts.springs_at(k)))
     }
 }
 
@@ -97,20 +97,20 @@ impl<'a> GripsOf<'a> {
 pub struct Surface {
     /// Its name in the records of a run.
     pub name: String,
-    /// What it is made of: the model knows.
+    /// Its material, an index into the materials of the model.
     pub material: usize,
     /// Its shape before it has moved.
     pub shape: Shape,
-    /// How it moves.
-    pub course: Course,
+    /// Its prescribed motion.
+    pub motion: PrescribedMotion,
     /// Its velocity, m/s.
     pub velocity: Vec3<f64>,
-    /// How far it has moved, nm.
+    /// Its displacement, nm.
     pub way: Vec3<f64>,
-    /// For how long, ns.
+    /// The time for which it has moved, ns.
     pub age: f64,
     /// The forces of the spheres on it in the last step.
     pub force: Forces,
     /// The springs of its contacts.
-    pub grips: Grips,
+    pub contacts: ContactTable,
 }

@@ -3,18 +3,18 @@
 use crate::spec::Vec3;
 use serde::{Deserialize, Serialize};
 
-/// What drives a wall along one axis.
+/// The drive of a wall along one axis.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Motion {
     /// Moves at this velocity, m/s, whatever acts on it.
     Velocity(f64),
     /// Is pushed by this force, pN, besides its spheres' neighbours, and moves as one body of its mass.
     Load(f64),
-    /// Comes down the axis, turns, and goes up again, whatever acts on it.
+    /// Prescribed approach along the axis, reversal and retraction.
     Return {
-        /// At which it comes and goes, m/s.
+        /// Speed of approach and retraction, m/s.
         speed: f64,
-        /// How long the turn takes, ns.
+        /// Duration of the reversal, ns.
         turn: f64,
     },
 }
@@ -34,9 +34,9 @@ pub struct Wall {
     pub force: Vec3<f64>,
     /// The sum of their torques on its spheres in the last step, pN nm.
     pub torque: Vec3<f64>,
-    /// How far it has moved, nm.
+    /// Its displacement, nm.
     pub travel: Vec3<f64>,
-    /// For how long, ns.
+    /// The time for which it has moved, ns.
     pub age: f64,
 }
 
@@ -60,7 +60,7 @@ impl Wall {
         }
     }
 
-    /// Drives it in another way from now on; an axis of prescribed velocity goes on with the velocity it is given.
+    /// Changes its drives; an axis of prescribed velocity continues with the new velocity.
     pub fn redirect(&mut self, motion: [Motion; 3]) {
         (self.motion, self.age) = (motion, 0.0);
     }

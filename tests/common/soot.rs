@@ -13,7 +13,7 @@ use veridem::run::advance;
 use veridem::simulation::{Integrator, Settings, Simulation};
 use veridem::spec::Vec3;
 use veridem::spec::soot::{Along, SUBSTRATE, Soot, TIP};
-use veridem::system::{Course, Domain, Particles, Shape, Surface, System};
+use veridem::system::{Domain, Particles, PrescribedMotion, Shape, Surface, System};
 
 /// Spheres of the aggregate.
 pub const SPHERES: usize = 30;
@@ -75,10 +75,10 @@ pub fn between(substrate: Shape) -> System {
     particles.w.fill(Vec3([0.1, -0.2, 0.3]));
     let highest = particles.x.iter().copied().reduce(|a, b| if b.0[2] > a.0[2] { b } else { a }).expect("spheres");
     let tip = tetrahedron(RADIUS).displaced(highest + Vec3([1.0, 2.0, RADIUS + 0.3]));
-    let course = Course::Reversal { velocity: 15.0, rate: 5.0, turn: 0.15 };
+    let motion = PrescribedMotion::Reversal { velocity: 15.0, rate: 5.0, turn: 0.15 };
     system.surfaces = vec![
-        Surface::new("substrate", SUBSTRATE, substrate, Course::Still),
-        Surface::new("tip", TIP, Shape::Mesh(tip), course),
+        Surface::new("substrate", SUBSTRATE, substrate, PrescribedMotion::Still),
+        Surface::new("tip", TIP, Shape::Mesh(tip), motion),
     ];
     system
 }

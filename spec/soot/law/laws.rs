@@ -40,7 +40,7 @@ fn dimer<S: Reading>(law: Soot<S>, bonded: f64, gap: f64) -> Spheres<2, S> {
 fn only_numbers<S: Reading>(law: Soot<S>, c: &Contact<f64>, memory: Memory<f64, S::Torsion<f64>>, dt: f64) {
     for bonded in [0.0, 1.0] {
         let k = Coefficients { bonded };
-        let Grip { wrench, memory, losses } = law.pair(c, &k, memory, dt);
+        let SpringsOutcome { wrench, memory, losses } = law.pair(c, &k, memory, dt);
         let stored = law.stored(c, &k, &memory);
         let vectors = [wrench.force, wrench.torque_i, wrench.torque_j].into_iter().flat_map(|v| v.0);
         let remembered = (0..<Soot<S> as PairModel>::Memory::<f64>::LEN).map(|k| *memory.at(k));
@@ -99,8 +99,8 @@ proptest! {
         for attraction in [ATTRACTION, NONE] {
             let law = law(DAMPED, attraction);
             let c = Contact::new(n * (law.range(1.0, 1.0) + beyond), v, v, v, 1.0, 1.0);
-            let grip = law.pair(&c, &Coefficients { bonded: 0.0 }, memory, 0.1);
-            prop_assert_eq!((grip.wrench.force.norm(), grip.memory), (0.0, Memory::zero()));
+            let evaluate = law.pair(&c, &Coefficients { bonded: 0.0 }, memory, 0.1);
+            prop_assert_eq!((evaluate.wrench.force.norm(), evaluate.memory), (0.0, Memory::zero()));
             let neck = law.pair(&c, &Coefficients { bonded: 1.0 }, memory, 0.1);
             prop_assert!(neck.wrench.force.norm() > 0.0);
         }
@@ -189,7 +189,7 @@ proptest! {
         let wall = law(UNDAMPED, NONE).walls[SUBSTRATE];
         let (n, none) = (Vec3::new(0.0, 0.0, 1.0), Vec3::zero());
         let touch = Touch { n, gap, v: none, omega: none, r: 1.0 };
-        let force = wall.grip(Order::StretchFirst, &touch, Memory::<f64>::zero(), 0.1).wrench.force.0[2] - wall.pull(gap, 1.0);
+        let force = wall.evaluate(Order::StretchFirst, &touch, Memory::<f64>::zero(), 0.1).wrench.force.0[2] - wall.pull(gap, 1.0);
         let (gap, r) = (Dual::variable(gap), Dual::constant(1.0));
         let slope = wall.stored(gap, &Memory::<_>::zero())[0].slope + wall.energy(gap, r).slope;
         prop_assert!((force + slope).abs() < 1e-10 * (1.0 + force.abs()));

@@ -2,8 +2,8 @@
 
 use super::super::eq21_hamaker_plane::{plane_force, saturated_plane};
 use super::lifted;
-use crate::mechanics::contact_kinematics::Meeting;
-use crate::mechanics::four_springs::{Friction, Grip, Memory, Order, Springs, never};
+use crate::mechanics::contact_kinematics::ContactKinematics;
+use crate::mechanics::four_springs::{Friction, Memory, Order, Springs, SpringsOutcome, never};
 use crate::mechanics::rotated_spring::Twist;
 use crate::{Real, Touch};
 
@@ -30,16 +30,16 @@ pub struct Wall {
 }
 
 impl Wall {
-    /// A contact: advances its springs by `dt` and says what they do to the sphere.
+    /// A contact: advances its springs by `dt` and returns the forces on the sphere.
     #[inline(always)]
-    pub fn grip<R: Real, O: Twist<R>>(
+    pub fn evaluate<R: Real, O: Twist<R>>(
         &self,
         order: Order,
         touch: &Touch<R>,
         memory: Memory<R, O>,
         dt: R,
-    ) -> Grip<R, O> {
-        let at = Meeting::of_wall(touch.n, touch.gap, touch.v, touch.omega, touch.r);
+    ) -> SpringsOutcome<R, O> {
+        let at = ContactKinematics::of_wall(touch.n, touch.gap, touch.v, touch.omega, touch.r);
         self.springs().grip_in(order, &lifted(&self.friction), never::<R>(), &at, memory, dt)
     }
 

@@ -1,4 +1,4 @@
-//! Lines of JSON in, lines of JSON out: for other programs that want to compare their numbers with ours.
+//! JSON lines in, JSON lines out: for other programs that compare their numbers with these.
 
 use super::call::{Registry, Results};
 use serde_json::{Map, Value};

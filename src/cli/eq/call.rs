@@ -1,4 +1,4 @@
-//! From what a user wrote to a value: names are found generously, values are taken strictly.
+//! Evaluation of an equation with the user's arguments: names are matched leniently, values are parsed strictly.
 
 use crate::case::units;
 use veridem_spec::document::{Document, Quantity};
@@ -9,7 +9,7 @@ use veridem_spec::unit::WHOLE;
 pub struct Entry {
     /// The equation.
     pub equation: Equation,
-    /// What its documentation says.
+    /// Its documentation.
     pub document: Document,
 }
 
@@ -52,7 +52,7 @@ impl Registry {
 }
 
 impl Entry {
-    /// The argument of a name: that of the table, or the only one of that name or symbol in any case and without underscores.
+    /// The argument with a name: by its name in the table, or the only one with that name or symbol regardless of case and underscores.
     pub fn argument(&self, name: &str) -> Result<&Quantity, String> {
         let quantities = &self.document.arguments;
         let only = |alike: &dyn Fn(&Quantity) -> bool| {
@@ -93,7 +93,7 @@ impl Entry {
         }
         let out = (self.equation.eval.f64)(&numbers);
         if out.iter().any(|y| !y.is_finite()) {
-            return Err(format!("{} has no finite value there: {out:?}", self.equation.id));
+            return Err(format!("{} has no finite value for these arguments: {out:?}", self.equation.id));
         }
         let mut rest = out.as_slice();
         let mut take = |size| {
@@ -126,9 +126,9 @@ fn with_unit(quantity: &Quantity, text: &str) -> Result<Vec<f64>, String> {
     let power = match units::unit(if unit.is_empty() { "1" } else { &unit }) {
         None => return Err(wrong(&format!("`{rest}` is not a unit"))),
         Some(_) if unit.is_empty() => 0,
-        // No equation is given a temperature.
+        // No equation has a temperature as an argument.
         Some((dimension, _)) if dimension.0.map(|e| e * i32::from(WHOLE)) != [kg, m, s, 0] => {
-            return Err(wrong(&format!("`{rest}` has another dimension")));
+            return Err(wrong(&format!("`{rest}` has the wrong dimension")));
         }
         Some((dimension, power)) => power - dimension.engine_power(),
     };
@@ -161,7 +161,7 @@ fn plain_id(id: &str) -> String {
 
 fn nearest<'a>(wrong: &str, known: impl Iterator<Item = &'a str>) -> String {
     let alike = |name: &&str| (strsim::jaro_winkler(&plain(wrong), &plain(name)) * 1e9) as u64;
-    known.max_by_key(alike).map_or("nothing is like it".into(), |name| format!("the nearest is `{name}`"))
+    known.max_by_key(alike).map_or("no name is similar".into(), |name| format!("the nearest is `{name}`"))
 }
 
 #[cfg(test)]
@@ -209,7 +209,7 @@ mod tests {
         assert_eq!(value, Ok(58.6 * -0.1e-9));
         assert_eq!(eval(["k_N=2", "delta_e=1", "delta_f=2", "delta_n=0.5"]), Ok(1.0));
         let error = eval(["k_n=58.6 N", "delta_e=1", "delta_f=2", "delta_n=0"]).unwrap_err();
-        assert_eq!(error, "`k_n` = `58.6 N`: `N` has another dimension, expected one number in N/m");
+        assert_eq!(error, "`k_n` = `58.6 N`: `N` has the wrong dimension, expected one number in N/m");
         let error = eval(["k_n=1 N/m", "delta_e=1", "delta_f=2", "delta=0"]).unwrap_err();
         assert_eq!(error, "wear-3 has no argument `delta`, the nearest is `delta_n`");
     }

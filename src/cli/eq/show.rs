@@ -11,7 +11,7 @@ pub fn list(registry: &Registry) -> String {
     registry.0.iter().map(line).collect()
 }
 
-/// Everything that is known of every equation.
+/// The complete documentation of every equation, as JSON.
 pub fn list_as_json(registry: &Registry) -> String {
     let quantities = |quantities: &[Quantity]| -> Vec<Value> {
         let row = |q: &Quantity| {
@@ -37,7 +37,7 @@ pub fn list_as_json(registry: &Registry) -> String {
     format!("{:#}\n", registry.0.iter().map(entry).collect::<Value>())
 }
 
-/// The whole documentation of an equation.
+/// The documentation of an equation.
 pub fn entry(Entry { equation, document }: &Entry) -> String {
     let laws: Vec<String> = document.laws.iter().map(|law| law.replace('_', " ")).collect();
     let bound = document.rounding.map_or("not stated".into(), |bound| format!("at most {bound} ULP"));

@@ -1,4 +1,4 @@
-//! Triangulated surfaces: who shares which edge and which corner, and from where a point sees them nearest.
+//! Triangulated surfaces: their topology, and the nearest points to a given point.
 //!
 //! A sphere touches a surface wherever its distance has a minimum. On one triangle that is the nearest point; where this lies on an edge or a
 //! corner, the surface goes on, and it is a minimum only if no triangle around that edge or corner comes nearer. So a sphere has one
@@ -16,9 +16,9 @@ use crate::system::Mesh;
 /// Two minima whose points are closer than this part of their distance are one, found twice by rounding: that of the single precision of STL files bends a flat surface of small triangles by some 1e-5.
 const SAME: f64 = 1e-3;
 
-/// A place from which a surface is seen nearest.
+/// A minimum of the distance between a point and a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Seen {
+pub struct DistanceMinimum {
     /// Unit vector from the surface to the point that sees it.
     pub n: Vec3<f64>,
     /// Distance, nm: negative behind the surface.
@@ -51,7 +51,7 @@ impl Mesh {
     }
 
     /// Adds to `found` the nearest place within `reach` of `p`, then every other minimum of the distance within `touch`.
-    pub fn see(&self, p: Vec3<f64>, reach: f64, touch: f64, found: &mut Vec<Seen>) {
+    pub fn distance_minima(&self, p: Vec3<f64>, reach: f64, touch: f64, found: &mut Vec<DistanceMinimum>) {
         let [low, high] = self.bounds;
         if (0..3).any(|a| p.0[a] < low.0[a] - reach || p.0[a] > high.0[a] + reach) {
             return;
@@ -79,11 +79,11 @@ impl Mesh {
             let behind = self.closed && n.dot(self.outward(candidate)) < 0.0;
             // From inside a body nothing but its nearest place is seen: the way out.
             if is_nearest && behind {
-                found.push(Seen { n: -n, distance: -distance, place: candidate.place });
+                found.push(DistanceMinimum { n: -n, distance: -distance, place: candidate.place });
                 return;
             }
             if !passed && !twice && !behind {
-                found.push(Seen { n, distance, place: candidate.place });
+                found.push(DistanceMinimum { n, distance, place: candidate.place });
             }
         }
     }

@@ -48,9 +48,9 @@ fn mesh(triangles: &[Corners]) -> Mesh {
     Mesh::new(triangles).expect("a surface")
 }
 
-fn seen(mesh: &Mesh, p: Vec3<f64>, touch: f64) -> Vec<Seen> {
+fn seen(mesh: &Mesh, p: Vec3<f64>, touch: f64) -> Vec<DistanceMinimum> {
     let mut found = Vec::new();
-    mesh.see(p, 100.0, touch, &mut found);
+    mesh.distance_minima(p, 100.0, touch, &mut found);
     found
 }
 

@@ -2,10 +2,10 @@
 
 use super::law::Sums;
 use crate::geometry::Sphere;
-use crate::geometry::{Extent, centre_of_mass, square_gyration_radius};
+use crate::geometry::{SphereExtent, centre_of_mass, square_gyration_radius};
 use crate::spec::Vec3;
 
-/// Spheres about their centre of mass, and what joining needs to know of them.
+/// Spheres centred at their centre of mass, with the properties required for joining.
 pub struct Cluster {
     pub spheres: Vec<Sphere>,
     pub sums: Sums,
@@ -16,11 +16,11 @@ pub struct Cluster {
 }
 
 impl Cluster {
-    pub fn single(radius: f64, extent: Extent) -> Self {
+    pub fn single(radius: f64, extent: SphereExtent) -> Self {
         Self::new(vec![Sphere { centre: Vec3::zero(), radius }], extent)
     }
 
-    pub fn new(mut spheres: Vec<Sphere>, extent: Extent) -> Self {
+    pub fn new(mut spheres: Vec<Sphere>, extent: SphereExtent) -> Self {
         let centre = centre_of_mass(&spheres);
         for sphere in &mut spheres {
             sphere.centre = sphere.centre - centre;

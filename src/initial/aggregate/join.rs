@@ -1,4 +1,4 @@
-//! Two clusters become one: they touch at one point, overlap nowhere, and have the gyration radius they are told to have.
+//! Joining of two clusters: they touch at one point, do not overlap, and have the prescribed radius of gyration.
 
 use super::cluster::Cluster;
 use super::law::Law;

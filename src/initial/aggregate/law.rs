@@ -1,7 +1,7 @@
-//! Fractal laws: how large an aggregate of given spheres is.
+//! Fractal laws: the size of an aggregate of given spheres.
 
-use crate::geometry::Extent;
 use crate::geometry::Sphere;
+use crate::geometry::SphereExtent;
 use crate::spec::Real;
 use crate::spec::mechanics::solids::sphere_volume;
 use crate::spec::soot::eq24_fractal;
@@ -18,7 +18,7 @@ pub struct Law {
     pub form: Form,
 }
 
-/// What a law takes for the size of an aggregate and for that of its spheres.
+/// The measures that a law uses for the size of an aggregate and of its spheres.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
     /// The gyration radius of the centres and the geometric mean of the radii: Eq. 24 of Demidov, Gor & Khalizov 2024.
@@ -77,10 +77,10 @@ impl Law {
     }
 
     /// The extent of the spheres that counts in its gyration radius.
-    pub fn extent(&self) -> Extent {
+    pub fn extent(&self) -> SphereExtent {
         match self.form {
-            Form::GeometricMean => Extent::Centres,
-            Form::SauterDiameter => Extent::Radii,
+            Form::GeometricMean => SphereExtent::Centres,
+            Form::SauterDiameter => SphereExtent::Radii,
         }
     }
 }

@@ -1,11 +1,11 @@
 //! Aggregates of touching spheres: grown by a fractal law or imported, and the necks between them.
 //!
-//! An aggregate is grown by joining two clusters at a time. The law gives the gyration radius of what comes out, hence the
+//! An aggregate is grown by joining two clusters at a time. The law gives the radius of gyration of the result, hence the
 //! distance of the two centres of mass; the clusters are then turned until they touch at one point and overlap nowhere.
-//! Who is joined to whom is all that tells the two methods apart.
+//! The two methods differ only in the order of joining.
 //!
 //! Choices for unequal spheres: one density, so that mass goes with the cube of the radius, and gyration radii weighted by mass.
-//! What of the spheres' own extent counts, and what mean size of theirs, [`law`] tells for each paper.
+//! [`law`] defines for each paper whether the size of the spheres counts, and the mean size in use.
 
 mod cluster;
 pub mod import;
@@ -26,7 +26,7 @@ use join::join;
 use law::{Form, Law};
 use std::fmt;
 
-/// How large the spheres are.
+/// The sizes of the spheres.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Radii {
     /// All alike, nm.
@@ -62,12 +62,12 @@ impl Radii {
     }
 }
 
-/// In which order the spheres come together.
+/// The order of aggregation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
-    /// Halves of halves: clusters of like size are joined.
+    /// Cluster-cluster aggregation: clusters of similar size are joined, by repeated bisection.
     Clusters,
-    /// One sphere after the other; the way to compact aggregates. The work grows with the square of the number.
+    /// Particle-cluster aggregation: one sphere after the other, for compact aggregates. The work grows with the square of the number.
     Spheres,
 }
 
@@ -113,8 +113,8 @@ impl fmt::Display for Failure {
             ),
             Self::Unmet { number, wanted, reached } => write!(
                 f,
-                "no aggregate of {number} spheres with a gyration radius of {wanted:.6} nm was found, the nearest has {reached:.6} nm{}",
-                if reached > wanted { "; compact aggregates are easier grown one sphere after the other" } else { "" }
+                "no aggregate of {number} spheres with a radius of gyration of {wanted:.6} nm was found, the closest has {reached:.6} nm{}",
+                if reached > wanted { "; compact aggregates are easier to grow with `growth: spheres`" } else { "" }
             ),
         }
     }
@@ -137,7 +137,7 @@ fn going(interrupt: &Interrupt) -> Result<(), Failure> {
     if interrupt.is_due() { Err(Failure::Interrupted) } else { Ok(()) }
 }
 
-/// How often a whole aggregate is begun anew before the recipe is given up.
+/// Number of attempts at a whole aggregate before the recipe is given up.
 const BEGINNINGS: usize = 20;
 
 /// Relative errors of the gyration radius below it are rounding, which grows with the number of spheres: 5e-12 for 100,000. A law

@@ -1,4 +1,4 @@
-//! Which spheres of an aggregate are joined by necks.
+//! The necks of an aggregate.
 
 use crate::geometry::Sphere;
 use crate::geometry::clusters::Clusters;
@@ -8,14 +8,14 @@ use crate::random::Stream;
 /// A neck between the `i`-th and the `j`-th sphere, `i < j`.
 pub type Neck = (usize, usize);
 
-/// The gap that a neck bridges where nothing else is asked for, nm: enough for rounding.
+/// The default for the largest gap of a neck, nm: enough for rounding.
 pub const NECK_DISTANCE: f64 = 0.01;
 
-/// Spheres touch whose gap is below this part of the sum of their radii: what rounding leaves in files of single precision.
+/// Largest gap of touching spheres, relative to the sum of their radii: the rounding error of files in single precision.
 const TOUCHING: f64 = 1e-6;
 
 /// The pairs of spheres whose surfaces are less than `d_crit` (nm) apart or overlap by less, in ascending order. If `acyclic`,
-/// a neck between spheres that others already hang together by is left out: the necks then form a forest. Spheres that touch come first, or one
+/// a neck between spheres that other necks already connect is omitted: the necks then form a forest. Spheres that touch come first, or one
 /// that is merely near would be joined by a neck that begins stretched, in place of one that touches.
 pub fn necks(spheres: &[Sphere], d_crit: f64, acyclic: bool) -> Vec<Neck> {
     let near_within = |i: usize, j: usize, gap: f64| spheres[i].gap(&spheres[j]).abs() < gap;

@@ -1,4 +1,4 @@
-//! Which spheres of an aggregate are neighbours, and into how many parts it falls.
+//! Neighbours within an aggregate, and its connected components.
 
 use crate::geometry::clusters::Clusters;
 use crate::geometry::{Sphere, pairs_within};
@@ -17,7 +17,7 @@ pub fn neighbouring(spheres: &[Sphere]) -> Vec<(usize, usize)> {
     pairs
 }
 
-/// Into how many parts the spheres fall that are not neighbours of each other.
+/// The number of connected components of the neighbour graph.
 pub fn components(spheres: &[Sphere]) -> usize {
     Clusters::new(spheres.len(), neighbouring(spheres)).count()
 }

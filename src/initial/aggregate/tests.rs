@@ -1,5 +1,5 @@
 use super::*;
-use crate::geometry::{Extent, gyration_radius as measured, pairs_within};
+use crate::geometry::{SphereExtent, gyration_radius as measured, pairs_within};
 use crate::initial::aggregate::components;
 use crate::spec::Vec3;
 use law::Sums;
@@ -46,7 +46,7 @@ proptest! {
         prop_assert!(gaps.iter().all(|&gap| gap > -1e-12), "{:?}", gaps);
         prop_assert_eq!(gaps.iter().filter(|gap| gap.abs() < 1e-12).count(), recipe.number - 1);
         prop_assert_eq!(components(&spheres), 1);
-        let radius = measured(&spheres, Extent::Centres);
+        let radius = measured(&spheres, SphereExtent::Centres);
         prop_assert!((radius / lawful(&recipe, &spheres) - 1.0).abs() < 1e-12);
     }
 
@@ -65,7 +65,7 @@ fn the_law_is_met_at_every_joining() {
         for method in [Method::Clusters, Method::Spheres] {
             let recipe = Recipe { method, ..paper(number) };
             let spheres = aggregate(&recipe, 5, &Interrupt::default()).unwrap();
-            assert!((measured(&spheres, Extent::Centres) / lawful(&recipe, &spheres) - 1.0).abs() < 1e-12);
+            assert!((measured(&spheres, SphereExtent::Centres) / lawful(&recipe, &spheres) - 1.0).abs() < 1e-12);
             let mut misses = 0;
             let mut stream = Stream::new(number as u64, "test");
             let mut check = |a: &Cluster, b: &Cluster, stream: &mut Stream| {
@@ -74,7 +74,7 @@ fn the_law_is_met_at_every_joining() {
                 misses += usize::from(whole.spheres.len() > 2 && (whole.square.sqrt() / wanted - 1.0).abs() > 1e-12);
                 whole
             };
-            let mut grown: Vec<Cluster> = (0..number).map(|_| Cluster::single(14.0, Extent::Centres)).collect();
+            let mut grown: Vec<Cluster> = (0..number).map(|_| Cluster::single(14.0, SphereExtent::Centres)).collect();
             while grown.len() > 1 {
                 let (a, b) = (grown.remove(0), grown.remove(0));
                 grown.push(check(&a, &b, &mut stream));
@@ -86,9 +86,9 @@ fn the_law_is_met_at_every_joining() {
 
 #[test]
 fn the_gyration_radius_of_the_paper_s_aggregates_is_188_nm() {
-    let found = measured(&aggregate(&paper(150), 0, &Interrupt::default()).unwrap(), Extent::Centres);
+    let found = measured(&aggregate(&paper(150), 0, &Interrupt::default()).unwrap(), SphereExtent::Centres);
     assert!((found / 187.88208972745044 - 1.0).abs() < 1e-13, "{found}");
-    let found = measured(&aggregate(&paper(10), 0, &Interrupt::default()).unwrap(), Extent::Centres);
+    let found = measured(&aggregate(&paper(10), 0, &Interrupt::default()).unwrap(), SphereExtent::Centres);
     assert!((found / 41.73508950162514 - 1.0).abs() < 1e-13, "{found}");
 }
 

@@ -18,7 +18,7 @@ use rayon::prelude::*;
 
 /// Walks that measure the hydrodynamic radius: its standard error is 3 % where half of them hit.
 const WALKS: usize = 1000;
-/// How often the spheres of an aggregate are drawn anew if they cannot meet the law: a large one among small ones.
+/// Number of times that the spheres of an aggregate are redrawn if they cannot meet the law, such as a large one among small ones.
 const DRAWS: usize = 5;
 /// Directions in which the projected area is taken.
 const DIRECTIONS: usize = 56;

@@ -1,4 +1,4 @@
-//! What has been deposited, in cells, so that a falling aggregate soon knows how much room it has.
+//! The deposited spheres, in cells, for fast queries of the free distance around a falling aggregate.
 
 use crate::spec::Vec3;
 
@@ -32,10 +32,10 @@ struct Deposited {
 
 /// How far a sphere may move.
 #[derive(Clone, Copy)]
-pub struct Room {
+pub struct FreeDistance {
     /// The distance of the surfaces, or a lower bound of it.
     pub gap: f64,
-    /// From what.
+    /// The nearest object.
     pub nearest: Nearest,
 }
 
@@ -70,11 +70,11 @@ impl Column {
     }
 
     /// The room of a sphere, of which no more matters than `enough`.
-    pub fn room(&self, x: Vec3<f64>, radius: f64, enough: Room) -> Room {
+    pub fn room(&self, x: Vec3<f64>, radius: f64, enough: FreeDistance) -> FreeDistance {
         let mut best = enough;
         let floor = x.0[2] - radius;
         if floor < best.gap {
-            best = Room { gap: floor, nearest: Nearest::Floor };
+            best = FreeDistance { gap: floor, nearest: Nearest::Floor };
         }
         // Whatever is above the film is far from it.
         let bound = floor - self.top;
@@ -84,16 +84,16 @@ impl Column {
         let place = self.place(x);
         let layers = self.layers();
         if place[2] >= layers {
-            return Room { gap: bound, nearest: Nearest::Unknown };
+            return FreeDistance { gap: bound, nearest: Nearest::Unknown };
         }
         let away = i64::from(self.away[self.index(place)]);
         let beyond = |cells: i64| (cells - 1) as f64 * self.narrowest() - radius - self.largest;
         if away >= 2 {
             let bound = bound.max(beyond(away));
-            return if bound < best.gap { Room { gap: bound, nearest: Nearest::Unknown } } else { best };
+            return if bound < best.gap { FreeDistance { gap: bound, nearest: Nearest::Unknown } } else { best };
         }
         if beyond(2) < best.gap {
-            best = Room { gap: beyond(2), nearest: Nearest::Unknown };
+            best = FreeDistance { gap: beyond(2), nearest: Nearest::Unknown };
         }
         for i in -1..=1 {
             for j in -1..=1 {
@@ -107,7 +107,7 @@ impl Column {
 
     /// Distance of a point from the nearest surface, the floor's too; negative inside a sphere.
     pub fn clearance(&self, x: Vec3<f64>) -> f64 {
-        let mut best = Room { gap: x.0[2], nearest: Nearest::Floor };
+        let mut best = FreeDistance { gap: x.0[2], nearest: Nearest::Floor };
         let place = self.place(x);
         for ring in 0i64.. {
             if (ring - 1) as f64 * self.narrowest() - self.largest >= best.gap {
@@ -127,7 +127,7 @@ impl Column {
         best.gap
     }
 
-    fn room_of_cell(&self, cell: [i64; 3], x: Vec3<f64>, radius: f64, mut best: Room) -> Room {
+    fn room_of_cell(&self, cell: [i64; 3], x: Vec3<f64>, radius: f64, mut best: FreeDistance) -> FreeDistance {
         if cell[2] < 0 || cell[2] >= self.layers() {
             return best;
         }
@@ -141,7 +141,7 @@ impl Column {
             if square < reach * reach {
                 let distance = square.sqrt();
                 let gap = distance - radius - other.radius;
-                best = Room { gap, nearest: Nearest::Sphere(to * (1.0 / distance)) };
+                best = FreeDistance { gap, nearest: Nearest::Sphere(to * (1.0 / distance)) };
             }
             next = other.next;
         }

@@ -1,11 +1,11 @@
-//! Aggregates fall one by one.
+//! Deposition of aggregates, one after the other.
 //!
 //! An aggregate begins anywhere above the highest point of the film, where every place is as likely as any other, and goes from ball
 //! to ball: as far in one step as there is room, exactly (`exit_cosine` of the specification). What it is about to touch it touches.
 
 use super::aggregates::Aggregate;
-use super::column::{Column, Nearest, Room};
-use super::{Failure, Film, FilmPlan, FilmSphere, Ungrown};
+use super::column::{Column, FreeDistance, Nearest};
+use super::{DepositedFilm, Failure, FilmPlan, FilmSphere, Ungrown};
 use crate::geometry::Sphere;
 use crate::geometry::directions::{cone, direction, frame, turn};
 use crate::interrupt::Interrupt;
@@ -13,7 +13,7 @@ use crate::random::Stream;
 use crate::spec::Vec3;
 use crate::spec::mechanics::diffusion::exit_cosine;
 
-/// An aggregate touches what is nearer than this part of the largest radius.
+/// Gap below which an aggregate touches, relative to the largest radius.
 const GRAZE: f64 = 1e-4;
 /// Orientations that are tried before an aggregate is too wide for the column.
 const TURNS: usize = 100;
@@ -25,11 +25,11 @@ pub fn deposited(
     aggregates: Vec<Aggregate>,
     seed: u64,
     interrupt: &Interrupt,
-) -> Result<Film, Failure> {
+) -> Result<DepositedFilm, Failure> {
     let mut stream = Stream::new(seed, "film deposition");
     let largest = 0.5 * f64::from(plan.diameters.largest);
     let mut column = Column::new(plan.sides, largest);
-    let mut film = Film { spheres: Vec::new(), on_floor: Vec::new(), sides: plan.sides, thickness: 0.0 };
+    let mut film = DepositedFilm { spheres: Vec::new(), on_floor: Vec::new(), sides: plan.sides, thickness: 0.0 };
     for Aggregate { mut spheres, diffusion } in aggregates {
         if interrupt.is_due() {
             return Err(Failure::Ungrown(Ungrown::Interrupted));
@@ -87,7 +87,7 @@ pub struct Path {
     pub drift: f64,
     /// Coefficient of diffusion.
     pub diffusion: f64,
-    /// How near it may come to what it does not touch.
+    /// Gap below which it touches.
     pub graze: f64,
 }
 
@@ -97,7 +97,7 @@ impl Path {
         let lowest = spheres.iter().map(|s| s.centre.0[2] - s.radius).fold(f64::INFINITY, f64::min);
         let mut at = Vec3([sides[0] * stream.uniform(), sides[1] * stream.uniform(), column.top() - lowest]);
         loop {
-            let anything = Room { gap: f64::INFINITY, nearest: Nearest::Unknown };
+            let anything = FreeDistance { gap: f64::INFINITY, nearest: Nearest::Unknown };
             let room = spheres.iter().fold(anything, |room, s| column.room(at + s.centre, s.radius, room));
             match room.nearest {
                 Nearest::Floor if room.gap < self.graze => return (at + DOWN * room.gap, true),

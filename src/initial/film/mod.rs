@@ -1,4 +1,4 @@
-//! A film of aggregates, Section 5.3 of Laube et al. 2018: particles of many sizes grow to fractal aggregates, which diffuse and drift
+//! A film of aggregates, Section 5.3 of Laube et al. 2018: polydisperse particles form fractal aggregates, which diffuse and drift
 //! down one by one and stay where they touch the floor or an earlier one.
 //!
 //! Choices where the paper is silent: gyration radii count a sphere alone by its radius, as the work does that the paper takes its
@@ -79,7 +79,7 @@ pub struct Gas {
 
 /// A film: its aggregates in the order in which they came, each whole, with its centre of mass inside the column.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Film {
+pub struct DepositedFilm {
     /// The spheres, one aggregate after the other.
     pub spheres: Vec<FilmSphere>,
     /// Of each aggregate, whether it lies on the floor, which is at height zero.
@@ -126,7 +126,7 @@ impl fmt::Display for Failure {
             Self::Ungrown(failure) => failure.fmt(f),
             Self::Wide { number, extent } => write!(
                 f,
-                "an aggregate of {number} spheres is {extent:.0} nm long and touches its own periodic image, the column is too narrow for it"
+                "an aggregate of {number} spheres is {extent:.0} nm long and touches its own periodic image: the column is too narrow"
             ),
             Self::Narrow { least } => write!(f, "the column is too narrow, its sides must not be below {least} nm"),
         }
@@ -166,7 +166,7 @@ impl FilmPlan {
     /// # Errors
     ///
     /// Why it cannot be built, or that it was interrupted.
-    pub fn build(&self, seed: u64, interrupt: &Interrupt) -> Result<Film, Failure> {
+    pub fn build(&self, seed: u64, interrupt: &Interrupt) -> Result<DepositedFilm, Failure> {
         let least = Column::least_side(0.5 * f64::from(self.diameters.largest));
         if self.sides.iter().any(|&side| side < least) {
             return Err(Failure::Narrow { least });
@@ -176,7 +176,7 @@ impl FilmPlan {
     }
 }
 
-impl Film {
+impl DepositedFilm {
     /// Number of aggregates.
     pub fn aggregates(&self) -> usize {
         self.on_floor.len()

@@ -1,11 +1,11 @@
-//! A film as spheres that can be moved.
+//! A film as a system of spheres.
 
-use super::Film;
+use super::DepositedFilm;
 use crate::geometry::Sphere;
 use crate::initial::aggregate::necks::necks;
 use crate::system::{Domain, Motion, Particles, System};
 
-/// What holds the particles of an aggregate together.
+/// The bonding of the particles of an aggregate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bonding {
     /// They are one rigid body.
@@ -17,9 +17,9 @@ pub enum Bonding {
 /// Particles whose nominal spheres are less than this apart touch, nm: enough for rounding.
 const TOUCH: f64 = 0.01;
 
-impl Film {
+impl DepositedFilm {
     /// The film in a box that ends above it. Aggregates on the floor are one fixed body, whatever holds the others together. `particle`
-    /// says what radius and mass a nominal diameter stands for.
+    /// returns the radius and the mass of a particle of a nominal diameter.
     pub fn system(&self, bonding: Bonding, particle: impl Fn(f64) -> (f64, f64)) -> System {
         let mut particles = Particles::default();
         let mut members = vec![Vec::new(); self.aggregates()];

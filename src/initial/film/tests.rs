@@ -3,7 +3,7 @@ use super::deposition::Path;
 use super::*;
 use crate::geometry::Sphere;
 use crate::geometry::neighbours;
-use crate::geometry::{Extent, gyration_radius, pairs_within};
+use crate::geometry::{SphereExtent, gyration_radius, pairs_within};
 use crate::initial::aggregate::law::{Form, Law, Sums};
 use crate::interrupt::Interrupt;
 use crate::observe::film::Structure;
@@ -33,7 +33,7 @@ fn aggregates_obey_the_law_and_are_trees_of_touching_spheres() {
         let spheres = aggregate.spheres;
         let n = spheres.len();
         let lawful = Law { k_f: 1.0, d_f: 1.8, form: Form::SauterDiameter }.gyration_radius(&Sums::of(&spheres));
-        assert!((gyration_radius(&spheres, Extent::Radii) / lawful - 1.0).abs() < 1e-9);
+        assert!((gyration_radius(&spheres, SphereExtent::Radii) / lawful - 1.0).abs() < 1e-9);
         let gaps: Vec<f64> =
             pairs_within(&spheres, |r, s| 1.01 * (r + s)).iter().map(|&(i, j)| spheres[i].gap(&spheres[j])).collect();
         assert!(gaps.iter().all(|&gap| gap > -1e-11));
@@ -168,7 +168,7 @@ fn a_column_knows_the_room_that_a_search_of_all_spheres_finds() {
             least.min(Vec3([nearest(0), nearest(1), to.0[2]]).norm() - 0.5 * s.diameter)
         });
         assert!((column.clearance(x) - exact).abs() < 1e-9 || (exact < 0.0 && column.clearance(x) < 0.0));
-        let anything = column::Room { gap: f64::INFINITY, nearest: column::Nearest::Unknown };
+        let anything = column::FreeDistance { gap: f64::INFINITY, nearest: column::Nearest::Unknown };
         let room = column.room(x, 0.0, anything);
         assert!(room.gap <= exact + 1e-9 && (exact <= 0.0 || room.gap > 0.0), "{} {exact}", room.gap);
     }

@@ -4,13 +4,13 @@ use super::*;
 const TOUCH: f64 = 1e-6;
 
 /// A cubic lattice of touching spheres with a diameter of 20 nm, three of them in each direction sideways.
-fn lattice(layers: usize) -> Film {
+fn lattice(layers: usize) -> DepositedFilm {
     let sphere = |k: usize| FilmSphere {
         centre: Vec3([k % 3, k / 3 % 3, k / 9].map(|i| 10.0 + 20.0 * i as f64)),
         diameter: 20.0,
         aggregate: (k / 9) as u32,
     };
-    Film {
+    DepositedFilm {
         spheres: (0..9 * layers).map(sphere).collect(),
         on_floor: (0..layers).map(|layer| layer == 0).collect(),
         sides: [60.0; 2],

@@ -1,7 +1,7 @@
 //! The values are independent: computed with 50 digits from the definitions.
 
 use super::*;
-use crate::geometry::{Extent, gyration_radius, square_gyration_radius};
+use crate::geometry::{SphereExtent, gyration_radius, square_gyration_radius};
 use crate::initial::aggregate::components;
 use crate::spec::Real;
 use proptest::prelude::*;
@@ -25,7 +25,7 @@ fn close(found: f64, expected: f64) -> bool {
 
 #[test]
 fn gyration_radii_of_a_chain_and_of_scattered_points() {
-    let radius = |s: &[Sphere]| gyration_radius(s, Extent::Centres);
+    let radius = |s: &[Sphere]| gyration_radius(s, SphereExtent::Centres);
     assert_eq!(radius(&chain(1, 14.0)), 0.0);
     assert!(close(radius(&chain(3, 14.0)), 22.861904265976328));
     let scattered = [[1.0, 2.0, 3.0], [-4.0, 0.5, 2.5], [1e-9, -3e-9, 2e-9], [0.0, 0.0, 1.0]];
@@ -35,9 +35,11 @@ fn gyration_radii_of_a_chain_and_of_scattered_points() {
 
 #[test]
 fn alone_a_sphere_has_its_radius_where_its_extent_counts() {
-    assert!(close(gyration_radius(&chain(1, 2.0), Extent::Radii), 2.0));
-    let (bare, full) =
-        (square_gyration_radius(&cube(2.0), Extent::Centres), square_gyration_radius(&cube(2.0), Extent::Radii));
+    assert!(close(gyration_radius(&chain(1, 2.0), SphereExtent::Radii), 2.0));
+    let (bare, full) = (
+        square_gyration_radius(&cube(2.0), SphereExtent::Centres),
+        square_gyration_radius(&cube(2.0), SphereExtent::Radii),
+    );
     assert!(close(full - bare, 1.0));
 }
 

@@ -1,4 +1,4 @@
-//! The sections of a case of the soot paper. Defaults are the authors' published inputs, but for the distance that necks bridge.
+//! The sections of a case of the soot paper. Defaults are the authors' published inputs, except the largest gap of a neck.
 
 mod sample;
 mod stages;
@@ -30,7 +30,7 @@ choice! {
 }
 
 choice! {
-    /// How the particles are arranged.
+    /// The initial arrangement of the particles.
     pub enum Sample {
         /// A fractal aggregate.
         Aggregate = "aggregate": Aggregate,
@@ -38,13 +38,13 @@ choice! {
 }
 
 choice! {
-    /// What is done to a sample.
+    /// The experiment.
     pub enum Experiment {
-        /// An aggregate falls on a substrate.
+        /// Deposition of an aggregate on a substrate.
         Deposition = "deposition": Deposition,
-        /// A coated aggregate collapses.
+        /// Restructuring of a coated aggregate.
         Restructuring = "restructuring": Restructuring,
-        /// Depositions, indentations and restructurings, one after the other.
+        /// A sequence of depositions, indentations and restructurings.
         Sequence = "sequence": Vec<SootStage>,
     }
 }
@@ -54,79 +54,79 @@ section! {
     pub struct Soot {
         /// Density of the spheres.
         density: Quantity<Density> = quantity("1700 kg/m^3"),
-        /// The springs of a neck; if not given, P where all that is done is restructuring, else S.
+        /// Springs of a neck; the default is P if all stages are restructurings, otherwise S.
         necks: Option<NeckSet> = None,
-        /// Springs of a neck that are neither of the published sets.
+        /// Springs of a neck, if they are neither of the published sets.
         neck_springs: Option<FourSprings> = None,
-        /// Energy of its four springs at which a neck breaks.
+        /// Energy stored in the four springs of a neck at which it breaks.
         break_energy: Option<Quantity<Energy>> = None,
-        /// Stresses at which a neck breaks; without them, and without that energy, it never does.
+        /// Strength of a neck; without this key and `break_energy` necks never break.
         break_stress: Option<NeckStrength> = None,
-        /// The springs of a frictional contact.
+        /// Springs of a frictional contact.
         contact: FourSprings = published_contact(),
-        /// The friction of such a contact.
-        friction: Rubbing = defaults(),
-        /// Hamaker constant.
+        /// Friction coefficients of a contact.
+        friction: FrictionCoefficients = defaults(),
+        /// Hamaker constant of two spheres.
         hamaker_constant: Quantity<Energy> = quantity("1e-19 J"),
-        /// Hamaker constant between a sphere and the substrate.
+        /// Hamaker constant of a sphere and the substrate.
         substrate_hamaker_constant: Quantity<Energy> = quantity("1e-19 J"),
-        /// Hamaker constant between a sphere and the tip.
+        /// Hamaker constant of a sphere and the tip.
         tip_hamaker_constant: Quantity<Energy> = quantity("1e-18 J"),
-        /// Gap at which the van der Waals force stops growing.
+        /// Gap below which the van der Waals force is constant.
         saturation: Quantity<Length> = quantity("1 nm"),
-        /// Largest capillary force of two spheres while the coating acts, in a restructuring; `0 nN` for dry soot.
+        /// Largest capillary force between two coated spheres, during restructuring; `0 nN` for dry soot.
         capillary_force: Quantity<Force> = quantity("1 nN"),
-        /// Distance of centres at which half of it is left.
+        /// Centre distance at which the capillary force has fallen to one half.
         capillary_reach: Quantity<Length> = quantity("56 nm"),
-        /// How sharply it drops there.
+        /// Sharpness of this decrease.
         capillary_sharpness: Quantity<Sharpness> = quantity("0.178571429 1/nm"),
-        /// Distance of centres, and of a centre from a surface, beyond which no attraction acts.
+        /// Cutoff of the attraction: distance between centres, or between a centre and a surface.
         cutoff: Quantity<Length> = quantity("70 nm"),
-        /// How a twist of a contact or neck is resisted.
+        /// Resistance of contacts and necks to torsion.
         torsion: Torsion = Torsion::Spring,
     }
 }
 
 words! {
-    /// A published set of the springs of a neck.
+    /// The two published sets of springs of a neck.
     pub enum NeckSet {
-        /// 1e5 N/m throughout: deposition and indentation; stable at 50 fs.
+        /// 1e5 N/m for all springs, for deposition and indentation; stable at 50 fs.
         S = "S",
-        /// 1e6 N/m along the normal, 1e7 N/m else: restructuring; needs 5 fs.
+        /// 1e6 N/m for the normal spring, 1e7 N/m for the others, for restructuring; needs 5 fs.
         P = "P",
     }
 }
 
 words! {
-    /// How a twist is resisted.
+    /// Resistance to torsion.
     pub enum Torsion {
-        /// By a spring and a dashpot.
+        /// A spring and a dashpot.
         Spring = "spring",
-        /// By a dashpot; the spring is turned into the contact plane, as the paper says, and bends the pair.
+        /// A dashpot only; the spring is rotated into the contact plane, as the paper says, and bends the pair.
         AsPrinted = "as-printed",
-        /// The same, and all springs act before they are stretched, as in the authors' program: their stiffness times the step is taken from their dashpots.
+        /// As `as-printed`, and all springs lag by one step, as in the authors' program, which reduces each damping coefficient by the stiffness times the time step.
         AsPublished = "as-published",
     }
 }
 
 section! {
-    /// The strength of a neck, an elastic beam with a circular section.
+    /// Strength of a neck, taken as an elastic beam of circular cross-section.
     pub struct NeckStrength {
-        /// Largest tensile stress, of pulling and bending together.
+        /// Tensile strength, reached by tension and bending combined.
         tension: Quantity<Pressure>,
-        /// Largest shear stress, of shearing and twisting together.
+        /// Shear strength, reached by shear and torsion combined.
         shear: Quantity<Pressure>,
-        /// Radius of its section.
+        /// Radius of the cross-section.
         neck_radius: Quantity<Length>,
     }
 }
 
 section! {
-    /// Friction coefficients: of sliding, rolling, torsion.
-    pub struct Rubbing {
-        /// At rest.
+    /// Coefficients of sliding, rolling and torsional friction.
+    pub struct FrictionCoefficients {
+        /// Static coefficients.
         at_rest: [f64; 3] = [1.0, 0.1, 0.1],
-        /// In motion, at most those at rest.
+        /// Dynamic coefficients, at most the static ones.
         in_motion: [f64; 3] = [1.0, 0.1, 0.1],
     }
 }
@@ -149,7 +149,7 @@ impl NeckSet {
 }
 
 impl Soot {
-    /// The contact law in engine units, its springs read as the caller does.
+    /// The contact law in engine units, with the given reading of the springs.
     pub fn law<S>(&self, reading: S) -> soot::Soot<S> {
         let ([static_t, static_r, static_o], [dynamic_t, dynamic_r, dynamic_o]) =
             (self.friction.at_rest, self.friction.in_motion);
@@ -194,7 +194,7 @@ pub fn parts(case: &Case) -> (&Soot, &Aggregate, Vec<SootStage>) {
     (soot, sample, stages)
 }
 
-/// Chooses the springs of necks that a case leaves open.
+/// Chooses the springs of necks if the case does not.
 pub fn choose_necks(case: &mut Case) {
     let (.., stages) = parts(case);
     let restructured = stages.iter().all(|stage| matches!(stage, SootStage::Restructuring(_)));
@@ -230,7 +230,7 @@ pub fn saves(case: &Case) -> Vec<(String, PathBuf)> {
     stages.iter().enumerate().filter_map(save).collect()
 }
 
-/// What follows from a case, with units: of spheres from a file, little is known before it is read.
+/// The derived values of a case, with units; little is known of spheres from a file before it is read.
 pub fn derived(case: &Case) -> Vec<(String, String)> {
     let (soot, sample, stages) = parts(case);
     let mut rows = Vec::new();
@@ -242,33 +242,36 @@ pub fn derived(case: &Case) -> Vec<(String, String)> {
             ("moment of inertia of a sphere".into(), in_unit(solid_inertia(mass, r), "kg m^2")),
             ("largest stable time step".into(), in_unit(limit, "fs")),
         ]);
-        // Drawn radii have another mean than theirs, and fewer than three spheres no choice.
+        // The mean of drawn radii differs from `radius`, and the law fixes nothing for fewer than three spheres.
         if radii == [r, r] && sample.spheres >= 3 {
             let gyration = gyration_radius(sample.prefactor, sample.spheres as f64, r, sample.fractal_dimension);
-            rows.push(("gyration radius R_g".into(), in_unit(gyration, "nm")));
+            rows.push(("radius of gyration R_g".into(), in_unit(gyration, "nm")));
         }
         if soot.torsion == Torsion::AsPublished {
             let lag = in_unit(soot.law(Programmed).contact.lag_limit(), "fs");
-            rows.push(("that above which contacts gain energy until they slip".into(), lag));
+            rows.push(("time step above which contacts gain energy until they slip".into(), lag));
         } else {
-            rows.push(("that of a sphere with six necks, about".into(), in_unit(SIX_NECKS * limit, "fs")));
+            rows.push((
+                "largest stable time step of a sphere with six necks, approximately".into(),
+                in_unit(SIX_NECKS * limit, "fs"),
+            ));
         }
         rows.extend(stages.iter().enumerate().map(|(number, stage)| {
             let dt = stage.dt().value;
-            let text = format!("{} = {} of the largest stable step", in_unit(dt, "fs"), rounded(dt / limit));
+            let text = format!("{} = {} of the largest stable time step", in_unit(dt, "fs"), rounded(dt / limit));
             (format!("{}.dt", key(case, number, stage)), text)
         }));
         let at_the_cutoff =
             |stage| soot.law_of(Along, stage).attraction.force(soot.cutoff.value, soot.cutoff.value - 2.0 * r, r, r);
         let left = stages.iter().map(at_the_cutoff).fold(0.0, f64::max);
-        rows.push(("attraction at the cutoff, where it ends".into(), in_unit(left, "N")));
+        rows.push(("attraction at the cutoff".into(), in_unit(left, "N")));
     }
     rows
 }
 
 impl Soot {
-    /// The largest stable time step of two spheres with radii between these that nothing else touches, ns. Where spheres have more necks it is smaller: 0.69 of it with three on
-    /// one sphere, 0.56 in a row of five.
+    /// The largest stable time step of an isolated pair of spheres with radii in this range, ns. More necks per sphere reduce it: to 0.69 of this value for a sphere with three
+    /// necks, to 0.56 in a row of five spheres.
     pub fn step_limit(&self, [least, largest]: [f64; 2]) -> f64 {
         let m = sphere_mass(self.density.value, least);
         match self.torsion {
@@ -279,5 +282,5 @@ impl Soot {
     }
 }
 
-/// The largest stable time step of a sphere with six necks over that of one with one.
+/// Ratio of the largest stable time steps of a sphere with six necks and a sphere with one.
 const SIX_NECKS: f64 = 0.52;

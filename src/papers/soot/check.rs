@@ -1,4 +1,4 @@
-//! What a case of the soot paper must satisfy beyond its grammar.
+//! Checks of a case of the soot paper beyond its grammar.
 
 use super::case::{
     Aggregate, Case, Deposition, Indentation, NeckStrength, Restructuring, Solid, Soot, SootStage, key, parts,
@@ -8,13 +8,13 @@ use crate::case::springs::{necks, springs};
 use crate::case::units::{decimal, in_unit};
 use crate::spec::soot::eq24_fractal::gyration_radius;
 
-/// No packing of three to a few hundred equal spheres is denser: gyration radius over radius and cube root of their number, 0.77 of four and of twelve about one, 0.86 of endless close packings.
+/// Lower bound, for three to a few hundred equal spheres, of the radius of gyration over radius and cube root of their number: 0.77 for four spheres and for twelve around one, 0.86 for an infinite close packing.
 const DENSEST: f64 = 0.77;
 
-/// Spheres of an aggregate: a few gigabytes.
+/// Largest number of spheres of an aggregate: a few gigabytes of memory.
 const MOST: u64 = 10_000_000;
 
-/// All that is wrong with a case of the soot paper.
+/// Checks a case of the soot paper.
 pub fn problems(case: &Case, found: &mut Found) {
     let (soot, sample, stages): (&Soot, &Aggregate, _) = parts(case);
     interactions(soot, found);
@@ -35,7 +35,7 @@ pub fn problems(case: &Case, found: &mut Found) {
     if found.is_empty() && sample.radii() == Some([r, r]) {
         let number = sample.spheres as f64;
         let (wanted, least) = (gyration_radius(sample.prefactor, number, r, dimension), DENSEST * r * number.cbrt());
-        let what = format!("one that leaves a gyration radius of {} at least", in_unit(least, "nm"));
+        let what = format!("a prefactor with which the radius of gyration is at least {}", in_unit(least, "nm"));
         expect(found, wanted >= least || number < 3.0, &at("prefactor"), decimal(sample.prefactor), &what);
     }
     if found.is_empty() {
@@ -55,7 +55,7 @@ pub fn problems(case: &Case, found: &mut Found) {
     }
 }
 
-/// What is wrong with the steps of these stages, the cutoff and the necks for spheres from the smallest to the largest of these radii.
+/// Checks the time steps of these stages, the cutoff and the necks for spheres whose radii lie in this range.
 pub fn sized<'a>(
     soot: &Soot,
     radii: [f64; 2],
@@ -68,7 +68,7 @@ pub fn sized<'a>(
         let dt = stage.dt();
         expect(found, dt.value > 0.0 && dt.value < limit, &format!("{key}.dt"), dt, &text);
     }
-    let text = format!("more than the distance of two touching spheres, {}", in_unit(2.0 * largest, "nm"));
+    let text = format!("more than the centre distance of two touching spheres, {}", in_unit(2.0 * largest, "nm"));
     expect(found, soot.cutoff.value > 2.0 * largest, "model.soot.cutoff", &soot.cutoff, &text);
     if let Some(NeckStrength { neck_radius, .. }) = &soot.break_stress {
         let text = format!("at most the radius of the smallest sphere, {}", in_unit(least, "nm"));
@@ -137,12 +137,12 @@ fn interactions(soot: &Soot, found: &mut Found) {
     for (motion, (rest, moving)) in soot.friction.at_rest.iter().zip(soot.friction.in_motion).enumerate() {
         let key = |name: &str| at(&format!("friction.{name}[{motion}]"));
         expect(found, *rest >= 0.0, &key("at_rest"), decimal(*rest), "zero or more");
-        let most = format!("zero or more and at most that at rest, {}", decimal(*rest));
+        let most = format!("zero or more and at most the static coefficient, {}", decimal(*rest));
         expect(found, (0.0..=*rest).contains(&moving), &key("in_motion"), decimal(moving), &most);
     }
     springs(&soot.contact, "model.soot.contact", found);
     if soot.necks.is_some() && soot.neck_springs.is_some() {
-        found.push((at("necks"), "expected nothing here beside `neck_springs`, which say it all".into()));
+        found.push((at("necks"), "expected no `necks` beside `neck_springs`, which replace them".into()));
     }
     necks("model.soot", &soot.neck_springs, &soot.break_energy, found);
     if let Some(NeckStrength { tension, shear, neck_radius }) = &soot.break_stress {

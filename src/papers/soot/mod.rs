@@ -26,7 +26,7 @@ use watch::columns::{CONVEXITY, COORDINATION, GYRATION_RADIUS, HEIGHT, PULL, REA
 /// The paper.
 pub struct Soot;
 
-/// What necks do while the tip pulls.
+/// Events marked on the force curve: breaking necks.
 const MARKS: &[&str] = &["breaks"];
 
 impl Paper for Soot {

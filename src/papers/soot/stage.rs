@@ -1,4 +1,4 @@
-//! What a stage makes of the aggregate that it is given.
+//! The set-up of a stage: surfaces, velocities and necks of the aggregate.
 
 use super::case::{Deposition, Indentation, Restructuring, Solid, SootStage};
 use super::tip::tetrahedron;
@@ -9,11 +9,11 @@ use crate::random::Stream;
 use crate::spec::Vec3;
 use crate::spec::soot::{SUBSTRATE, TIP};
 use crate::system::Mesh;
-use crate::system::{Course, Particles, Shape, Surface, System};
+use crate::system::{Particles, PrescribedMotion, Shape, Surface, System};
 use std::collections::BTreeSet;
 use std::path::Path;
 
-/// What goes into every stage.
+/// The inputs common to all stages.
 pub struct Ground {
     /// Random numbers that choose which necks are removed.
     pub necks: Stream,
@@ -23,7 +23,7 @@ pub struct Ground {
     pub radius: f64,
 }
 
-/// The system that a stage begins with.
+/// The initial system of a stage.
 pub fn set_up(stage: &SootStage, mut ground: Ground, mut system: System) -> Result<System, Error> {
     system.surfaces.retain(|surface| surface.material != TIP);
     match stage {
@@ -48,12 +48,12 @@ pub fn removes_necks(stage: &SootStage) -> bool {
     }
 }
 
-/// The surface that a stage asks for from a file, if any. The aggregate is put outside of it.
+/// The surface that a stage reads from a file, if any. The aggregate is placed outside it.
 pub fn solid(stage: &SootStage) -> Result<Option<Mesh>, Error> {
     let Some(Solid { stl, unit }) = stage.solid() else { return Ok(None) };
     let mesh = read_stl(stl, unit.value)?;
     if mesh.is_closed() && mesh.volume() < 0.0 {
-        return Err(Error::input(stl, "its normals point inwards, expected them to point out of the body"));
+        return Err(Error::input(stl, "its normals point inwards, expected normals that point out of the body"));
     }
     Ok(Some(mesh))
 }
@@ -74,7 +74,7 @@ fn deposit(test: &Deposition, solid: Option<Mesh>, radius: f64, system: &mut Sys
             Shape::Mesh(mesh.displaced(Vec3([0.5 * a - middle.0[0], 0.5 * b - middle.0[1], -high.0[2]])))
         }
     };
-    system.surfaces = vec![Surface::new("substrate", SUBSTRATE, shape, Course::Still)];
+    system.surfaces = vec![Surface::new("substrate", SUBSTRATE, shape, PrescribedMotion::Still)];
 }
 
 fn indent(test: &Indentation, solid: Option<Mesh>, ground: &mut Ground, system: &mut System) -> Result<(), Error> {
@@ -86,10 +86,11 @@ fn indent(test: &Indentation, solid: Option<Mesh>, ground: &mut Ground, system: 
         }
     };
     let particles = &system.particles;
-    let course = Course::Reversal { velocity: test.velocity.value, rate: test.turn_rate.value, turn: test.turn.value };
+    let motion =
+        PrescribedMotion::Reversal { velocity: test.velocity.value, rate: test.turn_rate.value, turn: test.turn.value };
     let above = |p: usize| {
         let apex = particles.x[p] + Vec3([0.0, 0.0, particles.radius[p] + test.gap.value(ground.radius)]);
-        Surface::new("tip", TIP, Shape::Mesh(mesh.displaced(apex - lowest)), course)
+        Surface::new("tip", TIP, Shape::Mesh(mesh.displaced(apex - lowest)), motion)
     };
     let mut free: Vec<usize> = (0..particles.len())
         .filter(|&p| is_unhindered(particles, p) && is_met_first(particles, p, &above(p)))
@@ -98,14 +99,14 @@ fn indent(test: &Indentation, solid: Option<Mesh>, ground: &mut Ground, system: 
     let drawn = ground.target.uniform() * free.len() as f64;
     let Some(&target) = free.get(drawn as usize) else {
         let file = test.tip.as_ref().map(|tip| tip.stl.as_path()).unwrap_or(Path::new("tip"));
-        return Err(Error::input(file, "meets no sphere of the aggregate first with its lowest point"));
+        return Err(Error::input(file, "its lowest point is above no sphere that it would touch first"));
     };
     let tip = above(target);
     system.surfaces.push(tip);
     Ok(())
 }
 
-/// Whether no other sphere is above a sphere, as far as it reaches to the sides.
+/// Whether no other sphere hides a sphere from above.
 fn is_unhindered(Particles { x, radius, .. }: &Particles, p: usize) -> bool {
     let hides = |q: usize| {
         let [a, b, c] = (x[q] - x[p]).0;
@@ -114,20 +115,20 @@ fn is_unhindered(Particles { x, radius, .. }: &Particles, p: usize) -> bool {
     !(0..x.len()).any(hides)
 }
 
-/// Whether a tip above a sphere is nearer to no other: its flanks are flat, and higher spheres may be in its way. The highest sphere is
-/// always met first.
+/// Whether a tip above a sphere touches that sphere first: its flanks have a small slope, so a higher sphere may be in its way. The highest sphere is
+/// always touched first.
 fn is_met_first(Particles { x, radius, .. }: &Particles, p: usize, tip: &Surface) -> bool {
     let mut seen = Vec::new();
     let mut gap = |q: usize| {
         seen.clear();
-        tip.see(x[q], f64::INFINITY, 0.0, &mut seen);
+        tip.distance_minima(x[q], f64::INFINITY, 0.0, &mut seen);
         seen[0].distance - radius[q]
     };
     let least = gap(p);
     (0..x.len()).all(|q| q == p || gap(q) > least)
 }
 
-/// Removes necks; the contacts that take their place begin with relaxed springs.
+/// Removes necks; the contacts that replace them begin with relaxed springs.
 pub fn break_necks(keep: f64, stream: &mut Stream, system: &mut System) {
     let all: Vec<(usize, usize)> = system.necks.iter().map(|&(i, j)| (i as usize, j as usize)).collect();
     let kept = keep_fraction(&all, keep, stream).into_iter().map(|(i, j)| (i as u32, j as u32));

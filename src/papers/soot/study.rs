@@ -1,4 +1,4 @@
-//! The stages of a case of the soot paper: an aggregate is deposited, indented, collapses under its coating.
+//! The stages of a case of the soot paper: deposition, indentation and restructuring of an aggregate.
 
 use super::case::{Aggregate, Case, Deposition, Growth, Import, Soot, SootStage, key, parts};
 use super::check::sized;
@@ -10,7 +10,7 @@ use crate::geometry::{Sphere, centre_of_mass};
 use crate::initial::aggregate::necks::{Neck, keep_fraction, necks};
 use crate::initial::aggregate::{Method, Radii, Recipe, aggregate, import};
 use crate::interrupt::Interrupt;
-use crate::output::{Cell, Column, Finding, Kept, keep, kept};
+use crate::output::{Cell, Column, Finding, SavedKind, load_state, save_state};
 use crate::random::Stream;
 use crate::run::Study;
 use crate::simulation::{EXAMINED, Settings, Simulation};
@@ -25,26 +25,26 @@ use std::path::PathBuf;
 pub struct Plan<S> {
     /// Seed of every random stream.
     pub seed: u64,
-    /// Largest overlap allowed, as a part of the sum of the radii.
+    /// Largest overlap, as a fraction of the sum of the radii.
     pub max_overlap: f64,
     /// The interactions.
     pub soot: Soot,
-    /// How springs are read.
+    /// The reading of the springs.
     pub reading: S,
     /// The aggregate.
     pub sample: Aggregate,
-    /// What is done to it, one after the other.
+    /// The stages, in succession.
     pub stages: Vec<SootStage>,
     /// The keys of the stages in the case.
     pub keys: Vec<String>,
 }
 
-/// How much farther than their range neighbours are listed, in radii: spheres that collapse take tens of thousands of steps for this way.
+/// Skin of the neighbour list, in radii: spheres of a collapsing aggregate take tens of thousands of steps to cross it.
 const SKIN: f64 = 0.1;
 
-/// What random numbers are for: which necks are removed.
+/// Purpose of a random stream: the choice of the necks that are removed.
 const NECK_REMOVAL: &str = "neck removal";
-/// What random numbers are for: which sphere is indented.
+/// Purpose of a random stream: the choice of the sphere that is indented.
 const INDENTED_SPHERE: &str = "indented sphere";
 
 impl<S: Reading> Plan<S> {
@@ -57,7 +57,7 @@ impl<S: Reading> Plan<S> {
     }
 }
 
-/// A deposited aggregate on disk, with what it was made from.
+/// A deposited aggregate on disk, with the parameters from which it was made.
 #[derive(Serialize, Deserialize)]
 struct Deposited {
     origin: String,
@@ -65,13 +65,13 @@ struct Deposited {
 }
 
 impl<S: Reading> Plan<S> {
-    /// What a deposited aggregate must agree in. Not the seed: another one indents the same aggregate elsewhere.
+    /// The parameters in which a deposited aggregate must agree. The seed is not one of them: with another seed the same aggregate is indented elsewhere.
     fn origin(&self) -> String {
         let sample = Aggregate { deposited: None, ..self.sample.clone() };
         serde_json::to_string(&(&self.soot, &sample)).expect("a case is plain data")
     }
 
-    /// The spheres of the sample, about their centre of mass, and its necks.
+    /// The spheres of the sample, centred at their centre of mass, and its necks.
     fn aggregate(&self, interrupt: &Interrupt) -> Result<(Vec<Sphere>, Vec<Neck>), Error> {
         let spheres = self.spheres(interrupt)?;
         let joined = match self.sample.import.as_ref().and_then(|import| import.necks.as_ref()) {
@@ -82,13 +82,13 @@ impl<S: Reading> Plan<S> {
         Ok((spheres, keep_fraction(&joined, self.sample.neck_fraction, &mut stream)))
     }
 
-    /// The random numbers of a stage for a purpose: those that draw first, the sample or a stage, have the stream of the purpose; every later stage has one of its own.
+    /// The random stream of a stage for a purpose: the first user, the sample or a stage, draws from the stream of the purpose, every later stage from a stream of its own.
     fn stream(&self, stage: usize, purpose: &str, by_sample: bool, draws: impl Fn(&SootStage) -> bool) -> Stream {
         let first = !by_sample && !self.stages[..stage].iter().any(draws);
         Stream::new(self.seed, &if first { purpose.into() } else { format!("{purpose} {}", stage + 1) })
     }
 
-    /// Whether steps, cutoff and necks suit spheres from a file, one at least, with these radii.
+    /// Checks the time steps, the cutoff and the necks for spheres from a file with these radii, at least one.
     fn suits(&self, radii: impl Iterator<Item = f64>) -> Result<(), Error> {
         let radii = radii.fold([f64::INFINITY, 0.0], |[least, largest], r| [r.min(least), r.max(largest)]);
         let mut found = Vec::new();
@@ -125,7 +125,7 @@ impl<S: Reading> Plan<S> {
     }
 }
 
-/// The radius that lengths are counted in: half of the spheres are smaller.
+/// The median radius of the spheres, the unit of lengths in radii.
 fn median_radius(Particles { radius, .. }: &Particles) -> f64 {
     let mut radii = radius.clone();
     radii.sort_unstable_by(f64::total_cmp);
@@ -158,24 +158,24 @@ impl<S: Reading> Study for Plan<S> {
     }
 
     fn initial(&self, interrupt: &Interrupt) -> Result<System, Error> {
-        // Files that a later stage needs are looked at before anything is computed.
+        // Files of later stages are checked before anything is computed.
         self.stages.iter().try_for_each(|stage| stage::solid(stage).map(drop))?;
         if let Some(path) = &self.sample.deposited {
-            let Deposited { origin, system } = kept(path, Kept::Sample)?;
+            let Deposited { origin, system } = load_state(path, SavedKind::Sample)?;
             if origin != self.origin() {
                 return Err(Error::input(path, "was made with another model or aggregate"));
             }
             self.suits(system.particles.radius.iter().copied())?;
             return Ok(system);
         }
-        let (spheres, kept) = self.aggregate(interrupt)?;
+        let (spheres, load_state) = self.aggregate(interrupt)?;
         let mut particles = Particles::default();
         let reach = spheres.iter().map(|sphere| sphere.centre.norm() + sphere.radius).fold(0.0, f64::max);
         for &Sphere { centre, radius } in &spheres {
             particles.push(centre + Vec3([reach; 3]), radius, sphere_mass(self.soot.density.value, radius), 0);
         }
         let domain = Domain { sides: [2.0 * reach; 3], periodic: [false; 3] };
-        let necks = kept.into_iter().map(|(i, j)| (i as u32, j as u32)).collect();
+        let necks = load_state.into_iter().map(|(i, j)| (i as u32, j as u32)).collect();
         Ok(System { necks, ..System::new(particles, domain) })
     }
 
@@ -208,11 +208,11 @@ impl<S: Reading> Study for Plan<S> {
         (self.stages[stage].duration().value(dt) / dt).round() as u64
     }
 
-    /// The next stage goes on from here, with the springs of all contacts.
+    /// The next stage starts from this state, with the springs of all contacts.
     fn end(&self, stage: usize, simulation: Simulation<soot::Soot<S>>) -> Result<System, Error> {
         let system = simulation.into_system_with_springs();
         if let SootStage::Deposition(Deposition { save: Some(path), .. }) = &self.stages[stage] {
-            keep(path, Kept::Sample, &Deposited { origin: self.origin(), system: system.clone() })?;
+            save_state(path, SavedKind::Sample, &Deposited { origin: self.origin(), system: system.clone() })?;
         }
         Ok(system)
     }
@@ -276,7 +276,7 @@ mod tests {
     use crate::spec::soot::Along;
     use std::path::Path;
 
-    /// The systems that the stages of a sequence begin with, as if nothing had happened before.
+    /// The initial systems of the stages of a sequence, as if no earlier stage had been run.
     fn beginnings(neck_fraction: f64, stages: &[&str]) -> Vec<System> {
         let lines: String = stages.iter().map(|stage| format!("    - {stage}\n")).collect();
         let sample = format!("sample: {{aggregate: {{spheres: 40, neck_fraction: {neck_fraction}}}}}\n");
@@ -295,7 +295,7 @@ mod tests {
         let systems = beginnings(1.0, &[HALVED, HALVED]);
         assert_eq!(systems[0].necks.len(), systems[1].necks.len());
         assert_ne!(systems[0].necks, systems[1].necks);
-        // The first that removes any does it alike, wherever in the sequence it is.
+        // The first stage that removes necks removes the same ones, wherever it is in the sequence.
         assert_eq!(beginnings(1.0, &[WHOLE, HALVED])[1].necks, systems[0].necks);
     }
 

@@ -1,8 +1,8 @@
-//! What is followed in the stages of soot.
+//! The measurements of the stages of soot, and their findings.
 
 use super::case::SootStage;
 use crate::geometry::Sphere;
-use crate::geometry::{Extent, gyration_radius};
+use crate::geometry::{SphereExtent, gyration_radius};
 use crate::initial::aggregate::NEIGHBOURLY;
 use crate::observe::force_curve::ForceCurve;
 use crate::observe::morphology::{convexity, coordination_number};
@@ -21,20 +21,20 @@ pub mod columns {
 
     /// Mean coordination number.
     pub const COORDINATION: Column = Column::pure("coordination number");
-    /// Volume over volume of the convex hull.
+    /// Convexity: volume relative to the volume of the convex hull.
     pub const CONVEXITY: Column = Column::pure("convexity");
-    /// Gyration radius of the centres.
+    /// Radius of gyration of the centres.
     pub const GYRATION_RADIUS: Column = Column::new("gyration radius", "nm");
     /// Height of the centre of mass.
     pub const HEIGHT: Column = Column::new("height", "nm");
     /// Displacement of the tip.
     pub const TIP_DISPLACEMENT: Column = Column::new("tip displacement", "nm");
-    /// Force of the aggregate on the tip, downwards.
+    /// Downward force of the aggregate on the tip.
     pub const PULL: Column = Column::new("pull on the tip", "pN");
-    /// The same as the cantilever reads it.
+    /// The same force, filtered by the cantilever.
     pub const READING: Column = Column::new("cantilever reading", "pN");
 
-    /// All of them.
+    /// All columns.
     pub const ALL: [Column; 19] = [
         COORDINATION,
         CONVEXITY,
@@ -58,17 +58,17 @@ pub mod columns {
     ];
 }
 
-/// What of an aggregate's shape is followed: coordination number, convexity, gyration radius.
+/// The shape of an aggregate: coordination number, convexity, radius of gyration.
 pub type Shape = [f64; 3];
 
 /// The shape of an aggregate.
 pub fn shape(system: &System) -> Shape {
     let Particles { x, radius, .. } = &system.particles;
     let spheres: Vec<Sphere> = x.iter().zip(radius).map(|(&centre, &radius)| Sphere { centre, radius }).collect();
-    [coordination_number(&spheres), convexity(&spheres).value, gyration_radius(&spheres, Extent::Centres)]
+    [coordination_number(&spheres), convexity(&spheres).value, gyration_radius(&spheres, SphereExtent::Centres)]
 }
 
-/// What is remembered of the beginning of a stage, and the force curve of an indentation.
+/// The initial state of a stage, and the force curve of an indentation.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Watch {
     shape: Shape,
@@ -77,7 +77,7 @@ pub struct Watch {
 }
 
 impl Watch {
-    /// Begins to watch a stage.
+    /// Starts observing a stage.
     pub fn begin(stage: &SootStage, simulation: &Simulation<Soot<impl Reading>>) -> Self {
         let curve = match stage {
             SootStage::Indentation(test) => Some(ForceCurve::new(2.0 * std::f64::consts::PI * test.cantilever.value)),
@@ -86,7 +86,7 @@ impl Watch {
         Self { shape: shape(simulation.system()), kinetic: simulation.ledger().kinetic, curve }
     }
 
-    /// Sees every step.
+    /// Observes every step.
     pub fn follow(&mut self, simulation: &Simulation<Soot<impl Reading>>) {
         if let (Some(curve), Some(tip)) = (&mut self.curve, surface(simulation.system(), TIP)) {
             curve.follow(-tip.force.total().0[2], simulation.settings().dt);
@@ -111,7 +111,7 @@ impl Watch {
             }
             None => cells.extend(vec![Cell::Nothing; 4]),
         }
-        self.keep(simulation);
+        self.record(simulation);
         match (surface(system, TIP), &self.curve) {
             (Some(tip), Some(curve)) => {
                 cells.extend([Cell::Number(tip.way.0[2]), Cell::Count(spheres_on(&system.particles, tip))]);
@@ -129,19 +129,19 @@ impl Watch {
         self.curve.as_ref()
     }
 
-    /// The kinetic energy at the beginning, zJ.
+    /// The initial kinetic energy, zJ.
     pub fn kinetic(&self) -> f64 {
         self.kinetic
     }
 
-    /// Keeps the point of the force curve that has been reached.
-    pub fn keep(&mut self, simulation: &Simulation<Soot<impl Reading>>) {
+    /// Records the current point of the force curve.
+    pub fn record(&mut self, simulation: &Simulation<Soot<impl Reading>>) {
         if let (Some(curve), Some(tip)) = (&mut self.curve, surface(simulation.system(), TIP)) {
             curve.look(tip.way.0[2]);
         }
     }
 
-    /// What the stage amounts to.
+    /// The findings of the stage.
     pub fn findings(&self, stage: &SootStage, simulation: &Simulation<Soot<impl Reading>>) -> Vec<Finding> {
         let system = simulation.system();
         let number = |name: &str, value: f64, unit: &str| Finding::number(name, value, unit, None);
@@ -151,18 +151,18 @@ impl Watch {
                 let verdict = match (rests, spheres) {
                     (_, 0) => "does not adhere",
                     (false, _) => "has not come to rest",
-                    (true, 1) => "stands on one sphere",
+                    (true, 1) => "rests on one sphere",
                     (true, _) => "adheres",
                 };
                 let sentence = format!(
-                    "the aggregate {verdict}, with {:.2} % of its kinetic energy left",
+                    "the aggregate {verdict}; {:.2} % of its kinetic energy remains",
                     100.0 * kinetic / self.kinetic
                 );
                 vec![
                     Finding::words("end", sentence),
                     number("spheres on the substrate", spheres as f64, ""),
-                    number("kinetic energy at first", self.kinetic, "zJ"),
-                    number("kinetic energy at last", kinetic, "zJ"),
+                    number("initial kinetic energy", self.kinetic, "zJ"),
+                    number("final kinetic energy", kinetic, "zJ"),
                     number("energy dissipated", dissipated, "zJ"),
                 ]
             }
@@ -171,9 +171,9 @@ impl Watch {
                 let (peaks, highest) = (curve.peaks().len(), curve.highest());
                 let end = match curve.rupture() {
                     Some(displacement) => {
-                        format!("is free, or what it holds torn off, {displacement:.0} nm above its start")
+                        format!("is free, or has torn off a fragment, {displacement:.0} nm above its initial position")
                     }
-                    None => "still pulls at the aggregate".into(),
+                    None => "is still attached to the aggregate".into(),
                 };
                 let sentence = format!("the tip {end}; it was pulled by {:.2} nN at most", 1e-3 * highest);
                 let mut found = vec![
@@ -188,24 +188,24 @@ impl Watch {
                 let (first, last) = (self.shape, shape(system));
                 let verdict = if last[0] > first[0] && last[2] < first[2] { "compacts" } else { "does not compact" };
                 let sentence = format!(
-                    "the aggregate {verdict}: coordination number {:.2} after {:.2}, gyration radius {:.0} nm after {:.0} nm",
-                    last[0], first[0], last[2], first[2]
+                    "the aggregate {verdict}: coordination number {:.2} -> {:.2}, radius of gyration {:.0} -> {:.0} nm",
+                    first[0], last[0], first[2], last[2]
                 );
                 vec![Finding::words("end", sentence)]
             }
         };
         findings.push(number("necks", system.necks.len() as f64, ""));
-        for (when, [coordination, convexity, gyration]) in [("at first", self.shape), ("at last", shape(system))] {
+        for (when, [coordination, convexity, gyration]) in [("initial", self.shape), ("final", shape(system))] {
             findings.extend([
-                number(&format!("coordination number {when}"), coordination, ""),
-                number(&format!("convexity {when}"), convexity, ""),
-                number(&format!("gyration radius {when}"), gyration, "nm"),
+                number(&format!("{when} coordination number"), coordination, ""),
+                number(&format!("{when} convexity"), convexity, ""),
+                number(&format!("{when} radius of gyration"), gyration, "nm"),
             ]);
         }
         findings
     }
 
-    /// What became of a deposition.
+    /// The outcome of a deposition.
     pub fn deposit(&self, simulation: &Simulation<Soot<impl Reading>>) -> Deposit {
         let ledger = simulation.ledger();
         let system = simulation.system();
@@ -215,20 +215,20 @@ impl Watch {
     }
 }
 
-/// An aggregate has come to rest when this part of its kinetic energy is left: with a hundredth it may still turn about its first contact for tens of
-/// nanoseconds.
+/// Fraction of the initial kinetic energy below which an aggregate has come to rest: with a hundredth it may still rotate about its first contact for
+/// tens of nanoseconds.
 const RESTING: f64 = 1e-3;
 
 /// What became of a deposition.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Deposit {
-    /// Spheres that lie on the substrate.
+    /// Number of spheres on the substrate.
     pub spheres: u64,
-    /// Kinetic energy left, zJ.
+    /// Final kinetic energy, zJ.
     pub kinetic: f64,
-    /// Energy turned into heat, zJ.
+    /// Energy dissipated, zJ.
     pub dissipated: f64,
-    /// Whether it has come to rest.
+    /// Whether the aggregate has come to rest.
     pub rests: bool,
 }
 
@@ -237,12 +237,12 @@ pub fn surface(system: &System, material: usize) -> Option<&Surface> {
     system.surfaces.iter().find(|surface| surface.material == material)
 }
 
-/// Spheres that lie on a surface: as near to it as a neighbour of Eq. 26, so that one that bounces by a hundredth of a nanometre counts.
+/// Number of spheres on a surface, by the distance criterion of Eq. 26, so that a sphere bouncing by a hundredth of a nanometre counts.
 fn spheres_on(Particles { x, radius, .. }: &Particles, surface: &Surface) -> u64 {
     let mut seen = Vec::new();
     let near = |p: usize| {
         seen.clear();
-        surface.see(x[p], (1.0 + 2.0 * NEIGHBOURLY) * radius[p], 0.0, &mut seen);
+        surface.distance_minima(x[p], (1.0 + 2.0 * NEIGHBOURLY) * radius[p], 0.0, &mut seen);
         !seen.is_empty()
     };
     (0..x.len()).map(near).filter(|near| *near).count() as u64
@@ -258,12 +258,12 @@ pub fn height(system: &System) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::system::{Course, Shape};
+    use crate::system::{PrescribedMotion, Shape};
 
     #[test]
     fn a_sphere_lies_on_a_plane_up_to_a_gap_of_a_hundredth_of_its_diameter() {
         let shape = Shape::Plane { point: Vec3::zero(), normal: Vec3([0.0, 0.0, 1.0]) };
-        let plane = Surface::new("substrate", SUBSTRATE, shape, Course::Still);
+        let plane = Surface::new("substrate", SUBSTRATE, shape, PrescribedMotion::Still);
         let mut particles = Particles::default();
         [13.9, 14.0, 14.27, 14.29].into_iter().for_each(|z| particles.push(Vec3([0.0, 0.0, z]), 14.0, 1.0, 0));
         assert_eq!(spheres_on(&particles, &plane), 3);

@@ -1,5 +1,5 @@
-//! The sections of a case of the titania paper. Defaults are its published values, and those of the authors' program where it
-//! is silent.
+//! The sections of a case of the titania paper. Defaults are its published values or, where it gives none, the values of the authors'
+//! program.
 
 mod film;
 
@@ -33,11 +33,11 @@ choice! {
 }
 
 choice! {
-    /// How the particles are arranged.
+    /// The initial arrangement of the particles.
     pub enum Sample {
         /// Two water-covered particles.
         Pair = "pair": TwoParticles,
-        /// A chain of water-covered particles of many sizes.
+        /// A chain of water-covered particles of different sizes.
         Agglomerate = "agglomerate": Agglomerate,
         /// A film of aggregates.
         Film = "film": Film,
@@ -45,13 +45,13 @@ choice! {
 }
 
 choice! {
-    /// What is done to a sample.
+    /// The experiment.
     pub enum Experiment {
-        /// A particle is released near another, and moved over a slab.
+        /// Tests of a single contact: a particle approaches another, and slides or rolls over a slab.
         Contact = "contact": ContactTests,
-        /// An agglomerate is stretched.
+        /// Stretching of an agglomerate.
         Stretching = "stretching": Stretching,
-        /// A film under the tip of a force microscope.
+        /// Force spectroscopy: a film under the tip of an atomic force microscope.
         Spectroscopy = "spectroscopy": Spectroscopy,
     }
 }
@@ -67,41 +67,41 @@ section! {
         temperature: Quantity<Temperature> = quantity("300 K"),
         /// Surface tension of the water.
         surface_tension: Tension = Tension::Experimental,
-        /// Another liquid than water.
+        /// A liquid other than water.
         liquid: Option<Liquid> = None,
         /// Contact angle of the meniscus, in radians.
         contact_angle: f64 = 0.0,
-        /// Distance of the bare surfaces of two particles at rest.
+        /// Equilibrium distance between the bare surfaces of two particles.
         core_gap: Quantity<Length> = quantity("0.57 nm"),
         /// Thickness h_n of the compressed water layer.
         layer: Quantity<Length> = quantity("0.36 nm"),
-        /// Which way the solvation force acts.
+        /// Sign convention of the solvation force.
         solvation: Convention = Convention::Israelachvili,
-        /// Amplitude F_00 of the solvation force of vanishing particles.
+        /// Amplitude F_00 of the solvation force, extrapolated to particles of size zero.
         solvation_force: Quantity<Force> = quantity("-11 nN"),
-        /// Its growth F_01 with the effective radius.
+        /// Increase F_01 of this amplitude with the effective radius.
         solvation_growth: Quantity<Stiffness> = quantity("-2.4 N/m"),
         /// Period and decay length of the solvation force.
         solvation_period: Quantity<Length> = quantity("0.21 nm"),
-        /// Damping constant gamma_0 of Eq. 7; the authors' program has ten times that of the paper.
+        /// Damping constant gamma_0 of Eq. 7; the authors' program uses ten times the value in the paper.
         damping_constant: Quantity<DampingPerArea> = quantity("0.5e6 N s/m^3"),
         /// Shear strength tau_S of sliding.
         sliding_strength: Quantity<Pressure> = quantity("0.65 GPa"),
         /// Shear strength tau_R of rolling.
         rolling_strength: Quantity<Pressure> = quantity("0.25 GPa"),
-        /// Period lambda_t of stick and slip.
+        /// Stick-slip period lambda_t.
         slip_period: Quantity<Length> = quantity("0.5 nm"),
-        /// What a slip leaves of the tangential spring.
+        /// Elongation of the tangential spring after a slip.
         slip: Slip = Slip::Reset,
-        /// Whose equilibrium gives the contact stiffness of a pair, Eq. 9.
+        /// Equilibrium from which the contact stiffness of a pair is derived, Eq. 9.
         contact_stiffness: ContactStiffness = ContactStiffness::Pair,
-        /// Where the contact point of a pair is.
+        /// Position of the contact point of a pair.
         moment_arms: MomentArms = MomentArms::HalfGap,
-        /// What rolling resistance does to a particle that hardly rolls.
+        /// Rolling resistance of a particle that has almost stopped rolling.
         rolling: Rolling = Rolling::Stopping,
-        /// The springs of the necks between the particles of an aggregate, as the soot paper has them; without them aggregates are rigid.
+        /// Springs of the necks between the particles of an aggregate, as in the soot paper; without them aggregates are rigid.
         neck_springs: Option<FourSprings> = None,
-        /// Energy of its four springs at which a neck breaks; without it necks never do.
+        /// Energy stored in the four springs of a neck at which it breaks; without this key necks never break.
         break_energy: Option<Quantity<Energy>> = None,
     }
 }
@@ -109,51 +109,51 @@ section! {
 words! {
     /// The surface tension of adsorbed water.
     pub enum Tension {
-        /// Scaled to that of water.
+        /// Scaled to the experimental value for water.
         Experimental = "experimental",
-        /// That of the water model TIP3P.
+        /// The value of the water model TIP3P.
         Tip3p = "tip3p",
     }
 }
 
 section! {
-    /// A liquid whose surface tension and layer depend neither on the humidity nor on the size of the particles.
+    /// A liquid whose surface tension and adsorbed layer depend neither on the humidity nor on the size of the particles.
     pub struct Liquid {
-        /// Its surface tension.
+        /// Surface tension.
         surface_tension: Quantity<SurfaceEnergy>,
-        /// Volume of a molecule of it.
+        /// Molecular volume.
         molecule: Quantity<Volume>,
-        /// Thickness of the layer on the particles.
+        /// Thickness of the adsorbed layer.
         layer: Quantity<Length>,
     }
 }
 
 words! {
-    /// Whose equilibrium gives the contact stiffness of a pair.
+    /// Equilibrium from which the contact stiffness of a pair is derived.
     pub enum ContactStiffness {
-        /// Its own, as in the authors' program.
+        /// The equilibrium of the pair itself, as in the authors' program.
         Pair = "pair",
-        /// Those of equal pairs of either size, whose compliances are averaged.
+        /// The equilibria of two pairs of equal particles, one of either size; their compliances are averaged.
         Size = "size",
     }
 }
 
 words! {
-    /// Where the contact point of a pair is.
+    /// Position of the contact point of a pair.
     pub enum MomentArms {
-        /// Half-way between the bare surfaces, as in the authors' program.
+        /// Midway between the bare surfaces, as in the authors' program.
         HalfGap = "half-gap",
-        /// Half a compressed layer above each, at any distance, as Section 2 may be read; angular momentum is not kept.
+        /// Half a compressed layer above each bare surface, at any distance, a possible reading of Section 2; it does not conserve angular momentum.
         HalfLayer = "half-layer",
     }
 }
 
 words! {
-    /// What rolling resistance does in a step that would turn a rolling particle back.
+    /// Rolling resistance in a step in which it would reverse the rolling of a particle.
     pub enum Rolling {
-        /// It stops the particle.
+        /// The particle stops.
         Stopping = "stopping",
-        /// It turns it back, as in the authors' program.
+        /// The particle rolls back, as in the authors' program.
         Unlimited = "unlimited",
     }
 }
@@ -161,19 +161,19 @@ words! {
 words! {
     /// The sign of the solvation force.
     pub enum Convention {
-        /// As in the earlier work that the paper refers to.
+        /// As in the earlier work cited by the paper.
         Israelachvili = "israelachvili",
-        /// As Eqs. 3 to 5 have it.
+        /// As printed in Eqs. 3 to 5.
         Printed = "printed",
     }
 }
 
 words! {
-    /// What a slip leaves of the tangential spring.
+    /// Elongation of the tangential spring after a slip.
     pub enum Slip {
-        /// Nothing, as in the authors' program.
+        /// Zero, as in the authors' program.
         Reset = "reset",
-        /// What exceeds whole periods, as in Eq. 12.
+        /// The remainder beyond whole periods, as in Eq. 12.
         Remainder = "remainder",
     }
 }
@@ -181,13 +181,13 @@ words! {
 section! {
     /// Two particles.
     pub struct TwoParticles {
-        /// Their nominal diameters: half their sum is the distance of their centres at rest.
+        /// Nominal diameters; half their sum is the equilibrium distance of the centres.
         diameters: [Quantity<Length>; 2] = [quantity("8 nm"), quantity("8 nm")],
     }
 }
 
 section! {
-    /// A chain in which every particle touches the two before it, Section 3.1.
+    /// A chain in which every particle touches the preceding two, Section 3.1.
     pub struct Agglomerate {
         /// Number of particles.
         particles: u64 = 14,
@@ -195,70 +195,70 @@ section! {
         smallest: Quantity<Length> = quantity("8 nm"),
         /// Largest nominal diameter.
         largest: Quantity<Length> = quantity("20 nm"),
-        /// Length of the chain, met within a twentieth.
+        /// Length of the chain, met to within 5 %.
         length: Quantity<Length> = quantity("100 nm"),
     }
 }
 
 section! {
-    /// Tests of one contact, each from the start.
+    /// Tests of a single contact, each starting anew.
     pub struct ContactTests {
-        /// Both particles released at a distance, Fig. 3.
+        /// Both particles are released from a distance, Fig. 3.
         approach: Option<Approach> = None,
-        /// The first particle slid over a slab without turning, Fig. 8.
+        /// The first particle slides over a slab without rotating, Fig. 8.
         slide: Option<Dragging> = None,
-        /// The first particle rolled over a slab without sliding, Fig. 8.
+        /// The first particle rolls over a slab without sliding, Fig. 8.
         roll: Option<Dragging> = None,
-        /// Time step: a fifth of the authors', for friction may at most stop a rolling particle in one step.
+        /// Time step, a fifth of the authors' value, because friction may at most stop a rolling particle within one step.
         dt: Quantity<Time> = quantity("0.1 ps"),
     }
 }
 
 section! {
-    /// Two particles released.
+    /// Release of two particles near each other.
     pub struct Approach {
-        /// How far from their distance at rest.
+        /// Initial distance beyond the equilibrium distance.
         from: Quantity<Length> = quantity("0.5 nm"),
-        /// How long they are watched.
+        /// Duration.
         duration: InSteps = Scaled::Absolute(quantity("3 ns")),
     }
 }
 
 section! {
-    /// A particle moved over a slab under a load.
+    /// A particle is dragged over a slab under a load.
     pub struct Dragging {
-        /// Nominal diameter of the sphere that stands for the slab.
+        /// Nominal diameter of the sphere that represents the slab.
         slab: Quantity<Length> = quantity("1 µm"),
-        /// Load on the particle.
+        /// Normal load on the particle.
         load: Quantity<Force> = quantity("2 nN"),
-        /// How long the particle has to come to rest under the load.
+        /// Time that the particle is given to come to rest under the load.
         settling: InSteps = Scaled::Absolute(quantity("2 ns")),
         /// Velocity of the particle.
         velocity: Quantity<Velocity> = quantity("1 m/s"),
-        /// How far it is moved.
+        /// Distance over which it is dragged.
         distance: Quantity<Length> = quantity("3 nm"),
     }
 }
 
 section! {
-    /// An agglomerate drawn at two of its particles, two others at the far end being held, Section 3.1.
+    /// An agglomerate is pulled at the last two particles of one end while the last two of the other end are held, Section 3.1.
     pub struct Stretching {
-        /// How long it has to come to rest before, held at both ends.
+        /// Duration of the relaxation before, with both ends held.
         relaxation: InSteps = Scaled::Absolute(quantity("2 ns")),
-        /// Drag on every particle meanwhile.
+        /// Drag coefficient of every particle during the relaxation.
         drag: Quantity<Drag> = quantity("1e-11 kg/s"),
-        /// Stiffness of the spring that draws.
+        /// Stiffness of the pulling spring.
         stiffness: Quantity<Stiffness> = quantity("160 N/m"),
-        /// Velocity of its other end.
+        /// Velocity of the far end of the spring.
         velocity: Quantity<Velocity> = quantity("5 m/s"),
-        /// How far that end moves.
+        /// Distance over which the far end of the spring moves.
         distance: Quantity<Length> = quantity("60 nm"),
-        /// Time step: a fifth of the authors', for friction may at most stop a rolling particle in one step.
+        /// Time step, a fifth of the authors' value, because friction may at most stop a rolling particle within one step.
         dt: Quantity<Time> = quantity("0.1 ps"),
     }
 }
 
-/// What is done in a case of the titania paper, and to what.
+/// The experiment of a case of the titania paper, with its sample.
 #[derive(Clone, Copy, Debug)]
 pub enum TitaniaTest<'a> {
     /// Two particles.
@@ -290,7 +290,7 @@ impl TitaniaTest<'_> {
 }
 
 impl Agglomerate {
-    /// How it is built, in engine units.
+    /// The parameters of its construction, in engine units.
     pub fn recipe(&self) -> Recipe {
         Recipe {
             particles: self.particles as usize,
@@ -360,7 +360,7 @@ impl Titania {
     }
 }
 
-/// The model of a case, and its test where sample and experiment go together.
+/// The model of a case, and its test if sample and experiment match.
 pub fn parts(case: &Case) -> (&Titania, Option<TitaniaTest<'_>>) {
     let Model::Titania(titania) = &case.model;
     let test = match (&case.sample, &case.experiment) {
@@ -375,7 +375,7 @@ pub fn parts(case: &Case) -> (&Titania, Option<TitaniaTest<'_>>) {
 /// The model and the test of a checked case.
 pub fn checked(case: &Case) -> (&Titania, TitaniaTest<'_>) {
     let (titania, test) = parts(case);
-    (titania, test.expect("in a checked case, sample and experiment go together"))
+    (titania, test.expect("in a checked case, sample and experiment match"))
 }
 
 /// The largest stable time step of a case, ns.
@@ -400,7 +400,7 @@ pub fn saves(case: &Case) -> Vec<(String, PathBuf)> {
     }
 }
 
-/// What follows from a case, with units.
+/// The derived values of a case, with units.
 pub fn derived(case: &Case) -> Vec<(String, String)> {
     let (titania, test) = checked(case);
     let (law, d, limit) = (titania.law(), test.smallest(), step_limit(titania, &test));
@@ -410,14 +410,17 @@ pub fn derived(case: &Case) -> Vec<(String, String)> {
     let share = rounded(dt.value / limit);
     let rows = [
         ("smallest diameter", in_unit(d, "nm")),
-        ("its bare radius", in_unit(radii(d, law.core_gap, law.h_n).0, "nm")),
-        ("its contact radius", in_unit(r, "nm")),
-        ("its mass", in_unit(mass, "kg")),
-        ("contact stiffness of two such particles", in_unit(law.parameters(r, r, mass, mass).k_n, "GPa")),
-        ("attraction at rest", in_unit(-attraction.force(law.equilibrium(r, r)), "nN")),
-        ("distance at which the meniscus ruptures", in_unit(attraction.rupture(), "nm")),
+        ("bare radius of the smallest particle", in_unit(radii(d, law.core_gap, law.h_n).0, "nm")),
+        ("contact radius of the smallest particle", in_unit(r, "nm")),
+        ("mass of the smallest particle", in_unit(mass, "kg")),
+        ("contact stiffness of two smallest particles", in_unit(law.parameters(r, r, mass, mass).k_n, "GPa")),
+        (
+            "attraction of two smallest particles at equilibrium",
+            in_unit(-attraction.force(law.equilibrium(r, r)), "nN"),
+        ),
+        ("rupture distance of the meniscus", in_unit(attraction.rupture(), "nm")),
         ("largest stable time step", in_unit(limit, "fs")),
-        (key, format!("{} = {share} of the largest stable step", in_unit(dt.value, "fs"))),
+        (key, format!("{} = {share} of the largest stable time step", in_unit(dt.value, "fs"))),
     ];
     rows.into_iter().map(|(key, value)| (key.into(), value)).collect()
 }

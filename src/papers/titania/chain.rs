@@ -1,42 +1,42 @@
-//! A chain of particles of many sizes, each of which touches the two before it.
+//! A chain of particles of different sizes, each of which touches the preceding two.
 
 use crate::random::Stream;
 use crate::spec::{Real, Vec3};
 use std::f64::consts::TAU;
 
-/// What is to be built; lengths in nm, diameters are those at which particles touch.
+/// The parameters of a chain; lengths in nm, diameters are nominal: particles touch at half their sum.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Recipe {
     /// Number of particles, at least three.
     pub particles: usize,
     /// Smallest diameter.
     pub smallest: f64,
-    /// Largest diameter; those between are equally likely.
+    /// Largest diameter; the diameters are distributed uniformly.
     pub largest: f64,
-    /// From end to end.
+    /// Length from end to end.
     pub length: f64,
 }
 
 /// A particle: its centre and diameter.
 pub type Particle = (Vec3<f64>, f64);
 
-/// How far the length may be off, as a part of it.
+/// Relative tolerance of the length.
 pub const TOLERANCE: f64 = 0.05;
-/// Chains that are tried before the length is given up.
+/// Number of chains tried before the length is given up.
 const CHAINS: usize = 5000;
-/// Places that are tried for a particle before its chain is given up.
+/// Number of positions tried for a particle before its chain is given up.
 const PLACES: usize = 50;
 
-/// The first of many random chains whose length is the wanted one, laid along x from zero on; none if there is none among them.
+/// The first of many random chains that has the required length, aligned with x and starting at zero; none if no chain has it.
 pub fn agglomerate(recipe: &Recipe, seed: u64) -> Option<Vec<Particle>> {
     let mut stream = Stream::new(seed, "agglomerate");
-    (0..CHAINS).filter_map(|_| chain(recipe, &mut stream)).map(laid).find(|chain| {
+    (0..CHAINS).filter_map(|_| chain(recipe, &mut stream)).map(aligned).find(|chain| {
         let [low, high] = extent(chain, 0);
         (high - low - recipe.length).abs() <= TOLERANCE * recipe.length
     })
 }
 
-/// The lowest and the highest coordinate along an axis, surfaces included.
+/// The lowest and the highest coordinate of the chain along an axis, radii included.
 pub fn extent(chain: &[Particle], axis: usize) -> [f64; 2] {
     chain.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], (x, d)| {
         [low.min(x.0[axis] - 0.5 * d), high.max(x.0[axis] + 0.5 * d)]
@@ -59,7 +59,7 @@ fn chain(recipe: &Recipe, stream: &mut Stream) -> Option<Vec<Particle>> {
     Some(chain)
 }
 
-/// Where a particle of diameter `d` touches two others that touch each other, `azimuth` about the line through them.
+/// The position at which a particle of diameter `d` touches two others that touch each other, at `azimuth` about the line through their centres.
 fn touching((p, d_p): Particle, (q, d_q): Particle, d: f64, azimuth: f64) -> Vec3<f64> {
     let (to_p, to_q, apart) = (0.5 * (d + d_p), 0.5 * (d + d_q), (q - p).norm());
     let [e, u, w] = frame(q - p);
@@ -77,8 +77,8 @@ fn frame(x: Vec3<f64>) -> [Vec3<f64>; 3] {
     [e, u, e.cross(u)]
 }
 
-/// The chain turned so that its ends, two particles each, lie behind one another along x, and moved to where coordinates begin.
-fn laid(mut chain: Vec<Particle>) -> Vec<Particle> {
+/// The chain, rotated so that its two ends, of two particles each, are aligned along x, and shifted so that it starts at zero.
+fn aligned(mut chain: Vec<Particle>) -> Vec<Particle> {
     let [(a, _), (b, _), .., (y, _), (z, _)] = chain[..] else { unreachable!("a chain has two ends") };
     let axes = frame(y + z - (a + b));
     for (x, _) in &mut chain {

@@ -1,4 +1,4 @@
-//! What a case of the titania paper must satisfy beyond its grammar.
+//! Checks of a case of the titania paper beyond its grammar.
 
 mod film;
 
@@ -10,7 +10,7 @@ use crate::case::check::{Found, expect};
 use crate::case::units::{decimal, in_unit};
 use crate::spec::mechanics::stable_step::stable_time_step;
 
-/// All that is wrong with a case.
+/// Checks a case.
 pub fn problems(case: &Case, found: &mut Found) {
     let (titania, Some(test)) = parts(case) else {
         let sample = match case.experiment {
@@ -23,7 +23,8 @@ pub fn problems(case: &Case, found: &mut Found) {
     interactions(titania, found);
     necks(titania, matches!(test, TitaniaTest::Spectroscopy(..)), found);
     let core_gap = titania.core_gap.value;
-    let thick = format!("more than the gap of the bare surfaces, {}", in_unit(core_gap, "nm"));
+    let thick =
+        format!("more than the equilibrium distance of the bare surfaces (`core_gap`), {}", in_unit(core_gap, "nm"));
     match test {
         TitaniaTest::Contact(TwoParticles { diameters }, tests) => {
             for (place, d) in diameters.iter().enumerate() {
@@ -48,14 +49,14 @@ pub fn problems(case: &Case, found: &mut Found) {
         TitaniaTest::Stretching(chain, stretching) => {
             let Agglomerate { particles, smallest, largest, length } = chain;
             let at = |key: &str| format!("sample.agglomerate.{key}");
-            let most = "5 to 100: two are held, two are drawn";
+            let most = "5 to 100: two particles are held and two are pulled";
             expect(found, (5..=100).contains(particles), &at("particles"), particles, most);
             expect(found, smallest.value > core_gap, &at("smallest"), smallest, &thick);
             let least = format!("at least the smallest diameter, {smallest}");
             expect(found, largest.value >= smallest.value, &at("largest"), largest, &least);
             if found.is_empty() {
                 let built = agglomerate(&chain.recipe(), case.seed).is_some();
-                expect(found, built, &at("length"), length, "a length that a random chain of these particles may have");
+                expect(found, built, &at("length"), length, "a length that a random chain of these particles can have");
             }
             let at = |key: &str| format!("experiment.stretching.{key}");
             for (key, value, text) in [
@@ -67,10 +68,13 @@ pub fn problems(case: &Case, found: &mut Found) {
                 expect(found, value > 0.0, &at(key), text, "more than zero");
             }
             expect(found, stretching.drag.value >= 0.0, &at("drag"), &stretching.drag, "zero or more");
-            // What it draws or holds are two particles.
+            // The spring pulls, and holds, two particles.
             let (stiffness, lightest) = (&stretching.stiffness, 2.0 * titania.particle(smallest.value).1);
             let limit = stable_time_step(lightest, stiffness.value, 0.0);
-            let soft = format!("one that two of the smallest particles bear at the time step, {}", stretching.dt);
+            let soft = format!(
+                "a stiffness at which two of the smallest particles are stable with the time step {}",
+                stretching.dt
+            );
             expect(found, stretching.dt.value < limit, &at("stiffness"), stiffness, &soft);
         }
         TitaniaTest::Spectroscopy(film, test) => {
@@ -83,12 +87,12 @@ pub fn problems(case: &Case, found: &mut Found) {
     }
 }
 
-/// The time step, which has a limit only where particles attract each other.
+/// Checks the time step, which has a limit only if the particles attract each other.
 fn step(titania: &Titania, test: &TitaniaTest, found: &mut Found) {
     let (law, (r, _)) = (titania.law(), titania.particle(test.smallest()));
     let attraction = -law.attraction(r, r).force(law.equilibrium(r, r));
     if attraction.is_nan() || attraction <= 0.0 {
-        let what = "expected water and solvation under which the smallest particles attract each other at rest";
+        let what = "expected capillary and solvation forces under which the smallest particles attract each other at equilibrium";
         return found.push(("model.titania".into(), what.into()));
     }
     let limit = step_limit(titania, test);
@@ -113,11 +117,12 @@ fn necks(titania: &Titania, of_film: bool, found: &mut Found) {
     let Titania { neck_springs, break_energy, .. } = titania;
     crate::case::springs::necks("model.titania", neck_springs, break_energy, found);
     if neck_springs.is_some() && !of_film {
-        let what = "expected nothing here: necks hold the aggregates of a film together, and this sample has none";
+        let what =
+            "expected no necks: they join the particles of the aggregates of a film, and this sample has no aggregates";
         found.push(("model.titania.neck_springs".into(), what.into()));
     }
     if let (Some(energy), None) = (break_energy, neck_springs) {
-        let beside = "`neck_springs` beside it: without them aggregates are rigid";
+        let beside = "`neck_springs` beside it, without which aggregates are rigid";
         expect(found, false, "model.titania.break_energy", energy, beside);
     }
 }
@@ -133,7 +138,7 @@ fn interactions(titania: &Titania, found: &mut Found) {
         (0.0..1.5).contains(&angle),
         &at("contact_angle"),
         decimal(angle),
-        "radians, at least 0 and less than 1.5",
+        "at least 0 and less than 1.5 radians",
     );
     for (key, value, text) in [
         ("density", titania.density.value, titania.density.to_string()),
@@ -152,11 +157,14 @@ fn interactions(titania: &Titania, found: &mut Found) {
         ] {
             expect(found, value > 0.0, &at(&format!("liquid.{key}")), text, "more than zero");
         }
-        let beside = "nothing beside `liquid`: it is the tension of water";
+        let beside = "no surface tension of water beside `liquid`";
         expect(found, titania.surface_tension == Tension::Experimental, &at("surface_tension"), "tip3p", beside);
     }
     let (layer, core_gap) = (&titania.layer, &titania.core_gap);
-    let overlap = format!("more than half the gap of the bare surfaces, {}", in_unit(0.5 * core_gap.value, "nm"));
+    let overlap = format!(
+        "more than half the equilibrium distance of the bare surfaces (`core_gap`), {}",
+        in_unit(0.5 * core_gap.value, "nm")
+    );
     expect(found, 2.0 * layer.value > core_gap.value, &at("layer"), layer, &overlap);
     for (key, value, text) in [
         ("damping_constant", titania.damping_constant.value, titania.damping_constant.to_string()),

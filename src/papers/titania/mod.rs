@@ -1,4 +1,4 @@
-//! Laube et al. 2018: water-covered oxide nanoparticles in contact, in agglomerates, and in films under the tip of a force microscope.
+//! Laube et al. 2018: water-covered oxide nanoparticles in contact, in agglomerates, and in films under the tip of an atomic force microscope.
 
 pub mod case;
 pub mod chain;
@@ -34,7 +34,7 @@ use watch::columns::{CONTACTS, DISTANCE, FRICTION, MOVED, PULL, PULLED, ROLLING_
 /// The paper.
 pub struct Titania;
 
-/// What contacts do, marked on the force that draws them apart.
+/// Contact events marked on the pulling force.
 const MARKS: &[&str] = &["sliding", "rolling", "detachment", "breaks"];
 
 impl Paper for Titania {

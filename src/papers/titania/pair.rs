@@ -1,11 +1,11 @@
-//! Two particles of the titania paper, and one of them moved over the other.
+//! Two particles of the titania paper, and the dragging of one over the other.
 
 use super::case::Titania;
 use crate::spec::Vec3;
 use crate::spec::titania::eq02_torque::moment_arm;
 use crate::system::{Domain, Motion, Particles, System};
 
-/// Two particles of given nominal diameters, the first beyond the second along `axis`, `gap` farther apart than at rest.
+/// Two particles of given nominal diameters, the first beyond the second along `axis`, at the equilibrium distance plus `gap`.
 pub fn pair(titania: &Titania, diameters: [f64; 2], axis: usize, gap: f64) -> System {
     let [first, second] = diameters;
     let side = 2.0 * (first + first.min(second)) + gap;
@@ -22,7 +22,7 @@ pub fn pair(titania: &Titania, diameters: [f64; 2], axis: usize, gap: f64) -> Sy
     System::new(particles, Domain { sides: [side; 3], periodic: [false; 3] })
 }
 
-/// Holds the second particle and moves the first along x under a load along y; where it rolls, it turns so that it does not slide.
+/// Holds the second particle and drags the first along x under a load along y; if it rolls, it rotates without sliding.
 pub fn drag(system: &mut System, velocity: f64, load: f64, rolls: bool) {
     let (particle, slab) = (system.place(0), system.place(1));
     let p = &system.particles;

@@ -1,26 +1,26 @@
-//! An agglomerate stretched without a run folder.
+//! Stretching of an agglomerate without a run folder.
 
 use super::Plan;
 use super::case::Case;
-use super::stage::Act;
+use super::stage::StageAct;
 use crate::error::Error;
 use crate::interrupt::Interrupt;
 use crate::run::{Driver, Each, Study};
 use std::ops::ControlFlow;
 
-/// What comes out of an agglomerate that is stretched.
+/// The result of stretching an agglomerate.
 #[derive(Clone, Debug, Default)]
 pub struct Pull {
-    /// How far the end of the spring had been drawn, nm, and the mean force of the spring, pN.
+    /// The force curve: displacement of the far end of the spring, nm, and mean force of the spring, pN.
     pub curve: Vec<(f64, f64)>,
-    /// Largest force after the particles were set in motion, pN.
+    /// Largest force after the initial oscillation, pN.
     pub largest: f64,
-    /// What happened, and how far it had been drawn then.
+    /// Events, with the displacement at which they occurred.
     pub events: Vec<(f64, String)>,
 }
 
 impl Pull {
-    /// Runs a case that is about a stretched agglomerate; forces are means over `every`, ns.
+    /// Runs a case of a stretched agglomerate; forces are means over `every`, ns.
     ///
     /// # Errors
     ///
@@ -28,8 +28,8 @@ impl Pull {
     pub fn of(case: &Case, every: f64, interrupt: &Interrupt) -> Result<Self, Error> {
         let (plan, mut pull) = (Plan::of(case), Self::default());
         let rows = plan.steps_in(every);
-        let mut see = Each(|stage: &mut crate::run::Stage<'_, Plan>, step: &crate::run::Step| {
-            if matches!(plan.stages[stage.number].act, Act::Pull { .. }) {
+        let mut see = Each(|stage: &mut crate::run::RunningStage<'_, Plan>, step: &crate::run::Step| {
+            if matches!(plan.stages[stage.number].act, StageAct::Pull { .. }) {
                 let (watch, simulation) = (&mut stage.watch, &stage.simulation);
                 pull.events.extend(step.events.iter().map(|event| (watch.pulled(simulation), event.clone())));
                 if simulation.system().step.is_multiple_of(rows) {
@@ -44,7 +44,7 @@ impl Pull {
         Ok(pull)
     }
 
-    /// Forces at the detachments, pN, each the mean before.
+    /// Forces at the detachments, pN, each the last mean before the event.
     pub fn at_detachments(&self) -> Vec<f64> {
         let before = |drawn: f64| self.curve.iter().rev().find(|point| point.0 <= drawn).map(|point| point.1);
         let detachments = self.events.iter().filter(|(_, event)| event.starts_with("detachment"));

@@ -1,4 +1,4 @@
-//! What is done in a stage.
+//! The stages of tests of single contacts and of the stretching of an agglomerate.
 
 use super::case::{Approach, Dragging, Stretching};
 use super::pair::drag;
@@ -10,52 +10,52 @@ use crate::system::{Motion, Steering, System};
 pub struct Stage {
     /// Its name in the records of a run.
     pub name: &'static str,
-    /// What is done.
-    pub act: Act,
-    /// Coefficient of the drag on every particle, ag/ns.
+    /// The act.
+    pub act: StageAct,
+    /// Drag coefficient of every particle, ag/ns.
     pub damping: f64,
-    /// How long, ns.
+    /// Duration, ns.
     pub duration: f64,
 }
 
-/// What is done in a stage. Units: nm, m/s, pN.
+/// The act of a stage. Units: nm, m/s, pN.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Act {
-    /// Two particles are released.
+pub enum StageAct {
+    /// Releases two particles.
     Approach {
         /// Their nominal diameters.
         diameters: [f64; 2],
-        /// How far from their distance at rest.
+        /// Initial distance beyond the equilibrium distance.
         from: f64,
     },
-    /// A particle is pressed on a slab.
+    /// Presses a particle onto a slab.
     Press {
         /// Nominal diameters of both.
         diameters: [f64; 2],
         /// The load.
         load: f64,
     },
-    /// A pressed particle is moved over the slab.
+    /// Drags the pressed particle over the slab.
     Drag {
-        /// How fast.
+        /// The velocity.
         velocity: f64,
         /// The load.
         load: f64,
-        /// Whether it turns as it moves, so that it does not slide.
+        /// Whether it rolls without sliding.
         rolls: bool,
     },
-    /// A chain comes to rest between its ends, which are held.
+    /// Relaxes a chain with both ends held.
     Relax {
         /// Number of particles.
         particles: u32,
     },
-    /// A chain is drawn at its end.
+    /// Pulls a chain at one end.
     Pull {
         /// Number of particles.
         particles: u32,
-        /// Stiffness of the spring that draws, pN/nm.
+        /// Stiffness of the pulling spring, pN/nm.
         stiffness: f64,
-        /// Velocity of its other end.
+        /// Velocity of the far end of the spring.
         velocity: f64,
     },
 }
@@ -63,17 +63,17 @@ pub enum Act {
 const HELD: [Motion; 3] = [Motion::Velocity(0.0); 3];
 
 impl Stage {
-    /// Two particles released.
+    /// The release of two particles.
     pub fn approach(test: &Approach, diameters: [f64; 2], dt: f64) -> Self {
-        let act = Act::Approach { diameters, from: test.from.value };
+        let act = StageAct::Approach { diameters, from: test.from.value };
         Self { name: "approach", act, damping: 0.0, duration: test.duration.value(dt) }
     }
 
-    /// A particle pressed on a slab and moved.
+    /// A particle is pressed onto a slab and dragged over it.
     pub fn dragging(test: &Dragging, diameter: f64, rolls: bool, dt: f64) -> [Self; 2] {
         let (load, velocity) = (test.load.value, test.velocity.value);
-        let press = Act::Press { diameters: [diameter, test.slab.value], load };
-        let drag = Act::Drag { velocity, load, rolls };
+        let press = StageAct::Press { diameters: [diameter, test.slab.value], load };
+        let drag = StageAct::Drag { velocity, load, rolls };
         let names = if rolls { ["pressing to roll", "rolling"] } else { ["pressing to slide", "sliding"] };
         [
             Self { name: names[0], act: press, damping: 0.0, duration: test.settling.value(dt) },
@@ -81,27 +81,27 @@ impl Stage {
         ]
     }
 
-    /// A chain relaxed and drawn.
+    /// A chain is relaxed and pulled.
     pub fn stretching(test: &Stretching, particles: u32, dt: f64) -> [Self; 2] {
         let (stiffness, velocity) = (test.stiffness.value, test.velocity.value);
-        let relax = Act::Relax { particles };
-        let pull = Act::Pull { particles, stiffness, velocity };
+        let relax = StageAct::Relax { particles };
+        let pull = StageAct::Pull { particles, stiffness, velocity };
         [
             Self { name: "relaxation", act: relax, damping: test.drag.value, duration: test.relaxation.value(dt) },
             Self { name: "pulling", act: pull, damping: 0.0, duration: test.distance.value / velocity },
         ]
     }
 
-    /// Holds what is held, and drives what is driven: the second wall, or, of a chain that is pulled, the second spring.
+    /// Holds and drives the walls or springs of the act: the second wall, or the second spring of a pulled chain, is driven.
     pub fn drive(&self, system: &mut System) {
         system.remove_walls();
         system.steerings.clear();
         match self.act {
-            Act::Approach { .. } => {}
-            Act::Press { load, .. } => drag(system, 0.0, load, false),
-            Act::Drag { velocity, load, rolls } => drag(system, velocity, load, rolls),
-            Act::Relax { particles } => system.add_wall(HELD, |p, i| p.id[i] < 2 || p.id[i] + 2 >= particles),
-            Act::Pull { particles, stiffness, velocity } => {
+            StageAct::Approach { .. } => {}
+            StageAct::Press { load, .. } => drag(system, 0.0, load, false),
+            StageAct::Drag { velocity, load, rolls } => drag(system, velocity, load, rolls),
+            StageAct::Relax { particles } => system.add_wall(HELD, |p, i| p.id[i] < 2 || p.id[i] + 2 >= particles),
+            StageAct::Pull { particles, stiffness, velocity } => {
                 let end = |ids: std::ops::Range<u32>, velocity: f64| {
                     let velocity = Vec3([velocity, 0.0, 0.0]);
                     Steering::new(&system.particles, ids.collect(), stiffness, velocity)

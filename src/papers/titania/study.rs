@@ -1,9 +1,9 @@
-//! The stages of a case of the titania paper: tests of one contact, or an agglomerate stretched.
+//! The stages of a case of the titania paper: tests of a single contact, or the stretching of an agglomerate.
 
 use super::case::{self, Agglomerate, Case, ContactTests, TitaniaTest, TwoParticles, checked};
 use super::chain::{agglomerate, extent};
 use super::pair::pair;
-use super::stage::{Act, Stage};
+use super::stage::{Stage, StageAct};
 use super::watch::{self, Watch};
 use crate::error::Error;
 use crate::interrupt::Interrupt;
@@ -19,12 +19,12 @@ pub struct Plan {
     pub(super) titania: case::Titania,
     pub(super) dt: f64,
     pub(super) overlap: f64,
-    /// The chain that is stretched, with the seed that it grows from and the room for its ends.
+    /// The chain that is stretched, with the seed from which it grows and the space for its ends.
     pub(super) chain: Option<(Agglomerate, u64, f64)>,
     pub(super) stages: Vec<Stage>,
 }
 
-/// How much farther than their range neighbours are listed, nm.
+/// Skin of the neighbour list, nm.
 const SKIN: f64 = 1.0;
 
 impl Plan {
@@ -50,17 +50,17 @@ impl Plan {
         Self { titania: titania.clone(), dt, overlap: case.limits.overlap, chain, stages }
     }
 
-    /// Steps in a time, at least one.
+    /// Number of steps in a time, at least one.
     pub(super) fn steps_in(&self, time: f64) -> u64 {
         ((time / self.dt).round() as u64).max(1)
     }
 
-    /// The chain, in a box that it can be stretched in.
+    /// The chain, in a box large enough for its stretching.
     fn stretchable(&self, chain: &Agglomerate, seed: u64, room: f64) -> System {
         let built = agglomerate(&chain.recipe(), seed).expect("a checked case has a chain of that length");
         let high: [f64; 3] = std::array::from_fn(|axis| extent(&built, axis)[1]);
         let margin = chain.largest.value;
-        // Twice as deep as the chain: pictures show what lies behind the middle, and that is to be all of it.
+        // Twice as deep as the chain: pictures show the half behind the middle, which is to hold the whole chain.
         let sides = [high[0] + room + 2.0 * margin, high[1] + 2.0 * margin, 2.0 * (high[2] + 2.0 * margin)];
         let mut particles = Particles::default();
         for (x, d) in built {
@@ -82,7 +82,7 @@ impl Study for Plan {
     fn initial(&self, _: &Interrupt) -> Result<System, Error> {
         Ok(match &self.chain {
             Some((chain, seed, room)) => self.stretchable(chain, *seed, *room),
-            // Every test of a contact begins with a pair of its own.
+            // Every test of a contact starts with a new pair.
             None => System::new(Particles::default(), Domain { sides: [1.0; 3], periodic: [false; 3] }),
         })
     }
@@ -90,8 +90,8 @@ impl Study for Plan {
     fn set_up(&self, stage: usize, system: System) -> Result<System, Error> {
         let stage = &self.stages[stage];
         let mut system = match stage.act {
-            Act::Approach { diameters, from } => pair(&self.titania, diameters, 0, from),
-            Act::Press { diameters, .. } => pair(&self.titania, diameters, 1, 0.0),
+            StageAct::Approach { diameters, from } => pair(&self.titania, diameters, 0, from),
+            StageAct::Press { diameters, .. } => pair(&self.titania, diameters, 1, 0.0),
             _ => system,
         };
         stage.drive(&mut system);
@@ -116,7 +116,7 @@ impl Study for Plan {
     }
 
     fn parts(&self, stage: usize) -> u64 {
-        if matches!(self.stages[stage].act, Act::Pull { .. }) { 4 } else { 1 }
+        if matches!(self.stages[stage].act, StageAct::Pull { .. }) { 4 } else { 1 }
     }
 
     fn columns(&self) -> Vec<Column> {

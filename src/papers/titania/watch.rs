@@ -1,6 +1,6 @@
-//! What is watched: contacts that slip, roll and come apart, and the forces that do it.
+//! The measurements of the stages: sliding, rolling and detachment of contacts, and the forces that cause them.
 
-use super::stage::Act;
+use super::stage::StageAct;
 use crate::output::{Cell, Finding};
 use crate::simulation::{Pair, Simulation};
 use crate::spec::Vec3;
@@ -15,22 +15,22 @@ use serde::{Deserialize, Serialize};
 pub mod columns {
     use crate::output::Column;
 
-    /// Distance of the centres of two particles.
+    /// Centre distance of two particles.
     pub const DISTANCE: Column = Column::new("distance", "nm");
-    /// How far a particle has been moved over the slab.
+    /// Distance over which a particle has been dragged.
     pub const MOVED: Column = Column::new("moved", "nm");
-    /// Force that resists the motion.
+    /// Friction force.
     pub const FRICTION: Column = Column::new("friction", "pN");
-    /// Resistance to rolling, as a force at the centre.
+    /// Rolling resistance, as a force at the centre.
     pub const ROLLING_RESISTANCE: Column = Column::new("rolling resistance", "pN");
-    /// How far the end of the spring has been drawn.
+    /// Displacement of the far end of the spring.
     pub const PULLED: Column = Column::new("pulled", "nm");
     /// Mean force of the spring.
     pub const PULL: Column = Column::new("pulling force", "pN");
     /// Number of contacts.
     pub const CONTACTS: Column = Column::pure("contacts");
 
-    /// All of them.
+    /// All columns.
     pub const ALL: [Column; 12] = [
         DISTANCE,
         MOVED,
@@ -47,32 +47,32 @@ pub mod columns {
     ];
 }
 
-/// Which of the springs at the ends of a chain is drawn; the first holds the other end.
+/// Index of the pulling spring of a chain; spring 0 holds the other end.
 const DRAWN: usize = 1;
 
-/// How far from rest a released pair may still swing and be called settled, nm.
+/// Largest deviation from the equilibrium distance at which a released pair counts as settled, nm.
 const SETTLED: f64 = 5e-3;
 
-/// What has been seen in a stage.
+/// The observer of a stage.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Watch {
-    /// Pairs in range, by their ids, and how far they have rolled since the last rolling.
+    /// Pairs in range, by their ids, with the rolling displacement since the last rolling event.
     bonds: Vec<((u32, u32), Vec3<f64>)>,
     slips: Vec<Slip>,
     rollings: u64,
     detachments: Vec<Detachment>,
-    /// Force of the spring that pulls, summed over the steps since the last row.
+    /// Force of the pulling spring, summed over the steps since the last row.
     pull: (f64, u64),
     /// Its mean between the last two rows.
     mean_pull: f64,
     largest_pull: f64,
-    /// Sum of the resistances to rolling, of what the law says of them, and their number.
+    /// Sums of the measured rolling resistance and of its value by the law, and the number of summands.
     resistance: (f64, f64, u64),
-    /// Least distance of a released pair, and when it was last far from rest.
+    /// Smallest distance of a released pair, and the last time at which it was not settled.
     swing: (f64, f64),
 }
 
-/// A tangential spring at the end of its period.
+/// A slip: a tangential spring that has reached its period.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 struct Slip {
     moved: f64,
@@ -94,15 +94,15 @@ fn ids(simulation: &Simulation<Titania>, pair: &Pair<Titania>) -> (u32, u32) {
 }
 
 impl Watch {
-    /// Begins to watch.
+    /// Starts observing.
     pub fn begin(simulation: &Simulation<Titania>) -> Self {
         let mut bonds: Vec<_> = simulation.pairs().map(|pair| (ids(simulation, &pair), Vec3::zero())).collect();
         bonds.sort_unstable_by_key(|bond| bond.0);
         Self { bonds, swing: (f64::INFINITY, simulation.system().time), ..Self::default() }
     }
 
-    /// Sees a step; says what happened in it.
-    pub fn follow(&mut self, act: &Act, simulation: &Simulation<Titania>) -> Vec<String> {
+    /// Observes a step and returns its events.
+    pub fn follow(&mut self, act: &StageAct, simulation: &Simulation<Titania>) -> Vec<String> {
         self.measure(act, simulation);
         let mut events = Vec::new();
         let (law, dt) = (simulation.model(), simulation.settings().dt);
@@ -146,18 +146,18 @@ impl Watch {
         events
     }
 
-    /// Numbers that are means or extremes over steps.
-    fn measure(&mut self, act: &Act, simulation: &Simulation<Titania>) {
+    /// Updates means and extremes over steps.
+    fn measure(&mut self, act: &StageAct, simulation: &Simulation<Titania>) {
         let system = simulation.system();
         match act {
-            Act::Approach { diameters: [first, second], .. } => {
+            StageAct::Approach { diameters: [first, second], .. } => {
                 let d = distance(simulation);
                 self.swing.0 = self.swing.0.min(d);
                 if (d - 0.5 * (first + second)).abs() > SETTLED {
                     self.swing.1 = system.time;
                 }
             }
-            Act::Drag { rolls: true, .. } => {
+            StageAct::Drag { rolls: true, .. } => {
                 if let Some(pair) = simulation.pairs().next() {
                     let law = simulation.model();
                     self.resistance.0 += rolling_resistance(simulation);
@@ -165,7 +165,7 @@ impl Watch {
                     self.resistance.2 += 1;
                 }
             }
-            Act::Pull { .. } => {
+            StageAct::Pull { .. } => {
                 self.pull.0 += system.steerings[DRAWN].force.0[0];
                 self.pull.1 += 1;
             }
@@ -173,17 +173,17 @@ impl Watch {
         }
     }
 
-    /// Mean force of the spring that pulls, between the last two looks, pN.
+    /// Mean force of the pulling spring between the last two rows, pN.
     pub fn mean_pull(&self) -> f64 {
         self.mean_pull
     }
 
-    /// The largest of these means, once the drawn particles have been set in motion, pN.
+    /// The largest of these means after the initial oscillation of the pulled particles, pN.
     pub fn largest_pull(&self) -> f64 {
         self.largest_pull
     }
 
-    /// How far the end of that spring has been drawn, nm.
+    /// Displacement of the far end of the pulling spring, nm.
     pub fn pulled(&self, simulation: &Simulation<Titania>) -> f64 {
         simulation.system().steerings.get(DRAWN).map_or(0.0, |spring| spring.drawn().0[0])
     }
@@ -215,26 +215,26 @@ impl Watch {
         cells
     }
 
-    /// What it amounts to.
-    pub fn findings(&self, act: &Act, simulation: &Simulation<Titania>) -> Vec<Finding> {
+    /// The findings of the stage.
+    pub fn findings(&self, act: &StageAct, simulation: &Simulation<Titania>) -> Vec<Finding> {
         let law = simulation.model();
         let slips = self.slips.len() as f64;
         match act {
-            Act::Approach { diameters: [first, second], .. } => {
+            StageAct::Approach { diameters: [first, second], .. } => {
                 let begin = simulation.system().time - simulation.system().step as f64 * simulation.settings().dt;
                 let rest = 0.5 * (first + second);
                 vec![
-                    Finding::number("distance at last", distance(simulation), "nm", Some(rest)),
-                    Finding::number("least distance", self.swing.0, "nm", None),
+                    Finding::number("final distance", distance(simulation), "nm", Some(rest)),
+                    Finding::number("smallest distance", self.swing.0, "nm", None),
                     Finding::number("time to settle within 5 pm", self.swing.1 - begin, "ns", None),
                 ]
             }
-            Act::Drag { rolls: false, .. } => {
+            StageAct::Drag { rolls: false, .. } => {
                 let mean = |of: fn(&Slip) -> f64| self.slips.iter().map(of).sum::<f64>() / slips;
                 let mut found = vec![Finding::number("slips", slips, "", None)];
                 if let [first, .., last] = self.slips[..] {
                     let period = (last.moved - first.moved) / (slips - 1.0);
-                    found.push(Finding::number("period of stick and slip", period, "nm", Some(law.lambda_t)));
+                    found.push(Finding::number("stick-slip period", period, "nm", Some(law.lambda_t)));
                 }
                 if !self.slips.is_empty() {
                     let strength = Some(mean(|slip| slip.strength));
@@ -242,12 +242,12 @@ impl Watch {
                 }
                 found
             }
-            Act::Drag { rolls: true, .. } => {
+            StageAct::Drag { rolls: true, .. } => {
                 let (resistance, strength, n) = self.resistance;
                 let n = n as f64;
                 vec![Finding::number("rolling resistance", resistance / n, "pN", Some(strength / n))]
             }
-            Act::Pull { .. } => {
+            StageAct::Pull { .. } => {
                 let count = |name: &str, n: usize| Finding::number(name, n as f64, "", None);
                 let mut found = vec![
                     count("slidings", self.slips.len()),
@@ -256,23 +256,25 @@ impl Watch {
                     Finding::number("largest pulling force", self.largest_pull, "pN", None),
                 ];
                 for Detachment { ids: (i, j), pulled, force } in &self.detachments {
-                    let name = format!("pulling force when {i} and {j} came apart, pulled by {pulled:.2} nm");
+                    let name = format!(
+                        "pulling force at the detachment of {i} and {j}, after a displacement of {pulled:.2} nm"
+                    );
                     found.push(Finding::number(&name, *force, "pN", None));
                 }
                 found
             }
-            Act::Press { .. } | Act::Relax { .. } => Vec::new(),
+            StageAct::Press { .. } | StageAct::Relax { .. } => Vec::new(),
         }
     }
 }
 
-/// Distance of the centres of two particles.
+/// Centre distance of two particles.
 fn distance(simulation: &Simulation<Titania>) -> f64 {
     let x = &simulation.system().particles.x;
     (x[0] - x[1]).norm()
 }
 
-/// The torque that the slab resists rolling with, as a force at the centre of the particle.
+/// The rolling resistance torque of the slab, as a force at the centre of the particle.
 pub fn rolling_resistance(simulation: &Simulation<Titania>) -> f64 {
     let system = simulation.system();
     let (particle, slab, radius) = (system.place(0), system.place(1), &system.particles.radius);

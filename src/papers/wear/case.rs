@@ -12,7 +12,7 @@ use std::path::PathBuf;
 pub type InDiameters = Scaled<Length, ModeDiameter>;
 /// A stress, or a multiple of Young's modulus.
 pub type InModuli = Scaled<Pressure, YoungModulus>;
-/// A time step, or a multiple of the critical one.
+/// A time step, or a multiple of the critical time step.
 pub type InCriticalSteps = Scaled<Time, CriticalStep>;
 /// A drag on every particle, or a multiple of the critical damping.
 pub type InCriticalDampings = Scaled<Drag, CriticalDamping>;
@@ -29,7 +29,7 @@ choice! {
 }
 
 section! {
-    /// A material of the wear model: the macroscopic properties that the particles together are to have.
+    /// A material of the wear model: the macroscopic properties that the assembly of particles is to have.
     pub struct Material {
         /// Young's modulus E.
         young_modulus: Quantity<Pressure>,
@@ -43,22 +43,22 @@ section! {
         surface_energy: Quantity<SurfaceEnergy>,
         /// Restitution coefficient of a collision.
         restitution: f64,
-        /// Density of the whole solid, voids included.
+        /// Bulk density of the solid, voids included.
         density: Quantity<Density>,
-        /// Exponent s by which strength falls with diameters beyond d_c: 0 keeps the strength, 1/2 the surface energy.
+        /// Exponent s with which the strength falls for diameters above d_c: 0 preserves the strength, 1/2 the surface energy.
         scaling: f64,
-        /// Drops the tangential springs of pairs that do not touch whenever neighbours are listed, as the authors' published
+        /// Resets the tangential springs of pairs that do not touch whenever the neighbour list is rebuilt, as the authors' published
         /// program does; for comparison only.
         forget_stretched_springs: bool = false,
     }
 }
 
 choice! {
-    /// How the particles are arranged.
+    /// The initial arrangement of the particles.
     pub enum Sample {
         /// A hexagonal close-packed lattice of equal particles.
         Hcp = "hcp": Hcp,
-        /// A relaxed random packing of many sizes.
+        /// A relaxed, polydisperse random packing.
         Amorphous = "amorphous": Amorphous,
     }
 }
@@ -68,7 +68,7 @@ section! {
     pub struct Hcp {
         /// Diameter d_0 of the particles.
         diameter: Scaled<Length, CriticalDiameter>,
-        /// Sides of the box; the load acts along the second.
+        /// Side lengths of the box; the load acts along the second axis.
         size: [InDiameters; 3] = [Scaled::times(25.0), Scaled::times(25.0), Scaled::times(3.0)],
     }
 }
@@ -82,15 +82,15 @@ section! {
         smallest: InDiameters = Scaled::times(0.75),
         /// Largest diameter d_l.
         largest: InDiameters = Scaled::times(1.25),
-        /// Sides of the box before the relaxation.
+        /// Side lengths of the box before the relaxation.
         size: [InDiameters; 3] = [Scaled::times(100.0), Scaled::times(100.0), Scaled::times(3.0)],
-        /// Volume of all particles over volume of the box, before the relaxation.
+        /// Volume fraction of the particles in the box before the relaxation.
         volume_fraction: f64 = 0.75,
-        /// How the random particles come to rest.
+        /// Relaxation of the random packing.
         relaxation: Relaxation = defaults(),
-        /// File to keep the equilibrated sample in.
+        /// File in which the equilibrated sample is saved.
         save: Option<PathBuf> = None,
-        /// File with an equilibrated sample to start from; it must have been made with the same keys above and model.
+        /// File with an equilibrated sample to start from; it must have been made with the same model and the same values of the keys above.
         load: Option<PathBuf> = None,
     }
 }
@@ -104,21 +104,21 @@ section! {
         repulsion_steps: u64 = 3000,
         /// Damping of the first phase.
         repulsion_damping: InCriticalDampings = Scaled::times(1.0),
-        /// Damping of the second phase: cohesion too, moving box.
+        /// Damping of the second phase: with cohesion, deformable box.
         cohesion_damping: InCriticalDampings = Scaled::times(0.02),
-        /// The second phase ends when all stresses are below this.
+        /// Stress below which all stresses must fall for the second phase to end.
         residual_stress: InModuli = Scaled::times(1e-14),
-        /// The second phase has failed after this many steps.
+        /// Largest number of steps of the second phase; a sample that is not relaxed by then is an error.
         max_steps: u64 = 200_000,
     }
 }
 
 choice! {
-    /// What is done to a sample.
+    /// The experiment.
     pub enum Experiment {
         /// Mechanical tests between two walls, Section 3.
         Patch = "patch": Patch,
-        /// A junction between two bodies is sheared, Section 4.
+        /// Shearing of a junction between two bodies, Section 4.
         Junction = "junction": Junction,
     }
 }
@@ -126,13 +126,13 @@ choice! {
 section! {
     /// Mechanical tests, each starting from the same sample.
     pub struct Patch {
-        /// Thickness of the two rigid walls.
+        /// Thickness of each rigid wall.
         walls: InDiameters = Scaled::times(1.5),
-        /// Elasticity under a small load.
+        /// Compression under a small load, for the elastic constants.
         compression: Option<Compression> = None,
-        /// Pulling the walls apart.
+        /// Tension: the walls are pulled apart.
         tension: Option<Deformation> = None,
-        /// Moving the upper wall sideways.
+        /// Simple shear: the upper wall moves sideways.
         shear: Option<Deformation> = None,
     }
 }
@@ -142,11 +142,11 @@ section! {
     pub struct Compression {
         /// The pressure.
         stress: InModuli = Scaled::times(0.01),
-        /// How long the sample has to come to rest.
+        /// Time that the sample is given to come to rest.
         duration: InSteps = Scaled::times(20_000.0),
         /// Time step.
         dt: InCriticalSteps = Scaled::times(0.1),
-        /// Drag on every particle.
+        /// Drag coefficient of every particle.
         damping: InCriticalDampings = Scaled::times(0.2),
     }
 }
@@ -154,13 +154,13 @@ section! {
 section! {
     /// A deformation at constant rate up to failure.
     pub struct Deformation {
-        /// Strain of one time step.
+        /// Strain increment of one time step.
         strain_per_step: f64 = 1e-5,
         /// Strain at which the test ends.
         strain: f64 = 0.5,
         /// Time step.
         dt: InCriticalSteps = Scaled::times(0.1),
-        /// Drag on every particle.
+        /// Drag coefficient of every particle.
         damping: InCriticalDampings = Scaled::times(0.01),
     }
 }
@@ -172,17 +172,17 @@ section! {
         diameter: Quantity<Length>,
         /// Height of the cylinder.
         height: Scaled<Length, JunctionDiameter> = Scaled::times(0.5),
-        /// Thickness of the two rigid walls.
+        /// Thickness of each rigid wall.
         walls: InDiameters = Scaled::times(1.5),
         /// Velocity of the upper wall.
         shear_velocity: Quantity<Velocity>,
         /// Pressure on the upper wall.
         normal_stress: InModuli,
-        /// How long it is sheared.
+        /// Duration of the shearing.
         duration: InSteps,
         /// Time step.
         dt: InCriticalSteps = Scaled::times(0.1),
-        /// Drag on every particle.
+        /// Drag coefficient of every particle.
         damping: InCriticalDampings = Scaled::times(0.0),
     }
 }
@@ -196,7 +196,7 @@ pub fn reads(case: &Case) -> Vec<PathBuf> {
     }
 }
 
-/// The file that a case keeps its equilibrated sample in, with the section that asks for it.
+/// The file in which a case saves its equilibrated sample, with the section that asks for it.
 pub fn saves(case: &Case) -> Vec<(String, PathBuf)> {
     match &case.sample {
         Sample::Amorphous(Amorphous { save: Some(file), .. }) => vec![("sample.amorphous".into(), file.clone())],

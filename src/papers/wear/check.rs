@@ -1,16 +1,16 @@
-//! What a case of the wear paper must satisfy beyond its grammar.
+//! Checks of a case of the wear paper beyond its grammar.
 
 use super::case::{Case, Deformation, Experiment, Sample};
 use super::derived::{Critical, Scales, dampings, material, time_steps};
 use crate::case::check::{Found, expect};
 use crate::case::units::{decimal, in_unit, rounded};
 
-/// All that is wrong with a case.
+/// Checks a case.
 pub fn problems(case: &Case, found: &mut Found) {
     properties(case, found);
     sample(case, found);
     if found.is_empty() {
-        // Scales follow from the material and the sample: they make sense only when those do.
+        // Scales follow from the material and the sample, which must be valid first.
         experiment(case, found);
         stepping(case, found);
     }
@@ -29,7 +29,7 @@ fn properties(case: &Case, found: &mut Found) {
         expect(found, value > 0.0, &at(key), text, "more than zero");
     }
     let nu = m.poisson_ratio;
-    let limit = "more than -1 and at most 1/4: beyond 1/4 the tangential stiffness would be negative";
+    let limit = "more than -1 and at most 1/4: above 1/4 the tangential stiffness would be negative";
     expect(found, nu > -1.0 && nu <= 0.25, &at("poisson_ratio"), decimal(nu), limit);
     expect(found, (0.0..=1.0).contains(&m.restitution), &at("restitution"), decimal(m.restitution), "0 to 1");
     expect(found, m.scaling >= 0.0 && m.scaling.is_finite(), &at("scaling"), decimal(m.scaling), "zero or more");
@@ -88,7 +88,7 @@ fn experiment(case: &Case, found: &mut Found) {
                 2.0 * walls < height,
                 key,
                 &patch.walls,
-                &format!("less than half the box, {}", nm(0.5 * height)),
+                &format!("less than half the height of the box, {}", nm(0.5 * height)),
             );
             if patch.compression.is_none() && patch.tension.is_none() && patch.shear.is_none() {
                 let what = "expected at least one of the keys `compression`, `tension`, `shear`";
@@ -118,11 +118,11 @@ fn experiment(case: &Case, found: &mut Found) {
             let d = junction.diameter.value;
             expect(found, d > 0.0, &at("diameter"), &junction.diameter, "more than zero");
             let width = length.min(depth);
-            let fits = format!("less than the box is wide, {}", nm(width));
+            let fits = format!("less than the width of the box, {}", nm(width));
             expect(found, d < width, &at("diameter"), &junction.diameter, &fits);
             let bodies = junction.height.value(d) + 2.0 * walls;
             expect(found, junction.height.number() > 0.0, &at("height"), &junction.height, "more than zero");
-            let fits = format!("to fit with both walls into the box, {} high", nm(height));
+            let fits = format!("a height that fits between the walls in the box of height {}", nm(height));
             expect(found, bodies < height, &at("height"), &junction.height, &fits);
             expect(found, walls > 0.0, &at("walls"), &junction.walls, "more than zero");
             expect(found, junction.duration.number() > 0.0, &at("duration"), &junction.duration, "more than zero");

@@ -1,4 +1,4 @@
-//! What follows from a case of the wear paper: its scales in engine units, and the values it is resolved to.
+//! Derived values of a case of the wear paper: its scales in engine units, and the resolved keys.
 
 use super::case::{Amorphous, Case, Experiment, InCriticalDampings, InCriticalSteps, Material, Model, Sample};
 use crate::case::units::{in_unit, rounded};
@@ -36,7 +36,7 @@ pub fn material(case: &Case) -> &Material {
     material
 }
 
-/// The scales that quantities of a case may be multiples of, in engine units.
+/// The scales of which quantities of a case may be multiples, in engine units.
 #[derive(Clone, Copy, Debug)]
 pub struct Scales {
     /// Critical diameter, Eq. 18.
@@ -47,7 +47,7 @@ pub struct Scales {
     pub d_s: f64,
     /// Largest diameter.
     pub d_l: f64,
-    /// Sides of the box.
+    /// Side lengths of the box.
     pub size: [f64; 3],
     /// Thickness of the walls.
     pub walls: f64,
@@ -76,14 +76,14 @@ impl Scales {
     }
 }
 
-/// What time steps and dampings are multiples of: set by one sphere, the one with the least critical time step.
+/// The scales of time steps and dampings, set by the sphere with the smallest critical time step.
 #[derive(Clone, Copy, Debug)]
 pub struct Critical {
     /// Critical time step, Eq. 6.
     pub dt: f64,
     /// Critical damping, Eq. 21.
     pub damping: f64,
-    /// The largest stable time step: also dashpots and sliding with rotation have their limits.
+    /// The largest stable time step, limited also by dashpots and by sliding coupled with rotation.
     pub limit: f64,
 }
 
@@ -94,7 +94,7 @@ impl Critical {
         Self { dt: critical_time_step(m, k_n), damping: critical_damping(k_n, m), limit: law.critical_time_step(r, m) }
     }
 
-    /// Of the smallest sphere of a case, before masses are rescaled.
+    /// For the smallest sphere of a case, before masses are rescaled.
     pub fn of_case(case: &Case) -> Self {
         let (r, material) = (0.5 * Scales::of(case).d_s, material(case));
         Self::of(&material.law(wear::Interaction::Full), r, sphere_mass(material.density.value, r))
@@ -138,7 +138,7 @@ pub fn dampings(case: &Case) -> Vec<(&'static str, &InCriticalDampings)> {
     experiments.into_iter().flatten().chain(relaxation).collect()
 }
 
-/// What follows from a case, with units.
+/// The derived values of a case, with units.
 pub fn derived(case: &Case) -> Vec<(String, String)> {
     let (scales, own) = (Scales::of(case), material(case));
     let material = own.spec();
@@ -153,27 +153,27 @@ pub fn derived(case: &Case) -> Vec<(String, String)> {
     let size = scales.size.map(|side| in_unit(side, "nm")).join(" x ");
     let rows = [
         ("critical diameter d_c", in_unit(scales.d_c, "nm")),
-        ("least diameter d_min", in_unit(minimum_diameter(surface_energy, tensile_strength), "nm")),
-        ("critical junction d*", in_unit(d_star, "nm")),
+        ("minimum diameter d_min", in_unit(minimum_diameter(surface_energy, tensile_strength), "nm")),
+        ("critical junction size d*", in_unit(d_star, "nm")),
         ("most frequent diameter d_0", in_unit(scales.d_0, "nm")),
         ("smallest diameter d_s", in_unit(scales.d_s, "nm")),
         ("largest diameter d_l", in_unit(scales.d_l, "nm")),
         ("box", size),
-        ("walls", in_unit(scales.walls, "nm")),
-        ("mass of d_s", in_unit(mass(scales.d_s), "kg")),
-        ("mass of d_0", in_unit(mass(scales.d_0), "kg")),
-        ("mass of d_l", in_unit(mass(scales.d_l), "kg")),
-        ("normal stiffness of two d_0", in_unit(pair.k_n, "N/m")),
-        ("tangential stiffness of two d_0", in_unit(pair.k_t, "N/m")),
-        ("elastic separation of two d_0", in_unit(pair.delta_e, "nm")),
-        ("fracture separation of two d_0", in_unit(pair.delta_f, "nm")),
+        ("thickness of a wall", in_unit(scales.walls, "nm")),
+        ("mass of a sphere of d_s", in_unit(mass(scales.d_s), "kg")),
+        ("mass of a sphere of d_0", in_unit(mass(scales.d_0), "kg")),
+        ("mass of a sphere of d_l", in_unit(mass(scales.d_l), "kg")),
+        ("normal stiffness of a pair of d_0", in_unit(pair.k_n, "N/m")),
+        ("tangential stiffness of a pair of d_0", in_unit(pair.k_t, "N/m")),
+        ("elastic separation of a pair of d_0", in_unit(pair.delta_e, "nm")),
+        ("fracture separation of a pair of d_0", in_unit(pair.delta_f, "nm")),
         ("critical time step dt_c", in_unit(dt, "fs")),
         ("largest stable time step", in_unit(limit, "fs")),
         ("critical damping c_c", in_unit(damping, "kg/s")),
     ];
     let steps = time_steps(case).into_iter().map(|(key, step)| {
         let value = step.value(dt);
-        (key.into(), format!("{} = {} of the largest stable step", in_unit(value, "fs"), rounded(value / limit)))
+        (key.into(), format!("{} = {} of the largest stable time step", in_unit(value, "fs"), rounded(value / limit)))
     });
     rows.into_iter().map(|(key, value)| (key.to_string(), value)).chain(steps).collect()
 }

@@ -1,63 +1,63 @@
-//! What became of a junction: the series that a run records, and the verdict drawn from it.
+//! The fate of a junction: the series that a run records, and the verdict derived from it.
 
-use super::junction::Body;
+use super::junction::JunctionPart;
 use crate::observe::third_body::{Motions, Mover, Window};
 use crate::observe::{Link, upper_wall};
 use crate::spec::Vec3;
 use crate::system::System;
 use serde::{Deserialize, Serialize};
 
-/// Sliding after which the third body is looked for again, nm.
+/// Sliding distance between two searches for the third body, nm.
 pub const WINDOW: f64 = 1.0;
 
-/// One row of the record: what happened over one window of sliding.
+/// One row of the record: the motion within one window of sliding.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Row {
     /// Displacement of the upper body along x since the beginning, nm.
     pub slid: f64,
     /// Displacement of the upper body along x in this window, nm.
     pub window: f64,
-    /// Distance of the two bodies' surfaces: the junction's height, and how far the upper wall has risen since, nm.
+    /// Distance between the surfaces of the two bodies: the initial height of the junction plus the rise of the upper wall, nm.
     pub separation: f64,
-    /// Force that drags the upper wall, pN: positive resists the sliding.
+    /// Friction force on the upper wall, pN: positive if it resists the sliding.
     pub friction: f64,
-    /// Force that the spheres push the upper wall away with, pN.
+    /// Normal force of the spheres on the upper wall, pN.
     pub normal: f64,
-    /// Spheres in the third body.
+    /// Number of spheres in the third body.
     pub third_size: usize,
-    /// Those of them that were the junction.
+    /// Number of them that belonged to the junction.
     pub third_from_junction: usize,
     /// Mass of the third body, ag.
     pub third_mass: f64,
-    /// Its extent along the normal, nm.
+    /// Its height along the normal, nm.
     pub third_height: f64,
     /// Rotation of the third body in this window, rad.
     pub rolled: f64,
     /// Rotations of the third body since the beginning.
     pub turns: f64,
-    /// Share of the third body's motion that a rotation explains.
+    /// Fraction of the third body's motion explained by a rigid rotation.
     pub rigidity: f64,
-    /// Links between the third body and the lower body.
+    /// Number of links between the third body and the lower body.
     pub links_to_bottom: usize,
-    /// Links between the third body and the upper body.
+    /// Number of links between the third body and the upper body.
     pub links_to_top: usize,
-    /// Links between the two bodies themselves.
+    /// Number of direct links between the two bodies.
     pub links_direct: usize,
 }
 
-/// Watches a junction while it is sheared.
+/// Observes a junction during shearing.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Witness {
     height: f64,
     start: [f64; 3],
     mark: [f64; 3],
     before: Vec<[f64; 3]>,
-    /// What was seen so far.
+    /// The rows so far.
     pub rows: Vec<Row>,
 }
 
 impl Witness {
-    /// Begins to watch: `height` is the distance of the bodies at the beginning, nm.
+    /// Starts observing; `height` is the initial distance between the bodies, nm.
     pub fn new(system: &System, height: f64) -> Self {
         let start = upper_wall(system).0;
         Self { height, start, mark: start, before: by_id(system), rows: Vec::new() }
@@ -81,7 +81,10 @@ impl Witness {
             friction: -wall.0[0],
             normal: wall.0[1],
             third_size: members.len(),
-            third_from_junction: members.iter().filter(|&&i| Body::is_junction(system.particles.tag[i])).count(),
+            third_from_junction: members
+                .iter()
+                .filter(|&&i| JunctionPart::is_junction(system.particles.tag[i]))
+                .count(),
             third_mass: third.map_or(0.0, |t| t.mass),
             third_height: third.map_or(0.0, |t| t.height),
             rolled,
@@ -96,7 +99,7 @@ impl Witness {
         &self.rows[self.rows.len() - 1]
     }
 
-    /// What became of the junction.
+    /// The fate of the junction.
     pub fn fate(&self) -> Fate {
         Fate::of(&self.rows, self.height)
     }
@@ -111,33 +114,33 @@ fn by_id(system: &System) -> Vec<[f64; 3]> {
     x
 }
 
-/// What became of a junction.
+/// The fate of a junction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Fate {
-    /// The bodies came closer than [`FLAT`] of the junction's height: it was squeezed between them.
+    /// The bodies came closer than [`FLAT`] of the junction's height: it was squeezed flat between them.
     Flattened,
-    /// A third body turned by [`ROLLED`] between the bodies as a rolling one does, and held them apart meanwhile.
+    /// A third body rolled by [`ROLLED`] between the bodies and kept them apart.
     Rolls,
-    /// Neither, and at the end nothing joins the bodies: the junction was cut.
+    /// Neither, and the bodies are separated at the end: the junction was cut.
     Cut,
     /// Neither, and the junction still joins the bodies.
     Attached,
 }
 
-/// A junction that keeps its volume and loses a third of its height has spread to one and a half times its section. One
-/// that rolls lifts the bodies instead: rolled into a ball, a cylinder twice as wide as high is 1.8 times as high.
+/// A junction that keeps its volume and loses a third of its height has spread to one and a half times its cross-section. A
+/// rolling junction lifts the bodies instead: rolled into a ball, a cylinder twice as wide as high becomes 1.8 times as high.
 pub const FLAT: f64 = 2.0 / 3.0;
 /// Turns after which a body has rolled: by a quarter, the faces that were torn off the two bodies stand upright.
 pub const ROLLED: f64 = 0.25;
-/// The least rotation, times height over sliding, that is rolling: halfway between 1/2, by which simple shear turns a
-/// round body, and 1 for one that rolls.
+/// The smallest rotation, times height over sliding distance, that counts as rolling: midway between 1/2, the value of a round
+/// body in simple shear, and 1, the value of a rolling body.
 pub const ROLLING: f64 = 0.75;
-/// Sliding over which the separation is averaged, in heights: the bodies vibrate.
+/// Sliding distance over which the separation is averaged, in heights, because the bodies vibrate.
 const SMOOTHING: f64 = 0.5;
 
 impl Fate {
-    /// The verdict: whichever of flattening and rolling came first.
+    /// The verdict: flattening or rolling, whichever came first.
     pub fn of(rows: &[Row], height: f64) -> Self {
         let (mut slid, mut swept) = (0.0, 0.0);
         for (k, row) in rows.iter().enumerate() {

@@ -1,12 +1,12 @@
-//! Two bodies linked by a cylinder (Section 4), carved out of a relaxed box.
+//! Two bodies joined by a cylinder (Section 4), carved out of a relaxed sample.
 
 use crate::spec::Vec3;
 use crate::system::{Domain, Motion, System};
 
-/// The body that a sphere belongs to at the beginning; its colour from then on.
+/// The initial body of a sphere, shown by its colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u32)]
-pub enum Body {
+pub enum JunctionPart {
     /// The lower slab.
     Bottom = 1,
     /// The upper slab.
@@ -17,8 +17,8 @@ pub enum Body {
     JunctionTop = 4,
 }
 
-impl Body {
-    /// True for the tag of a sphere of the junction.
+impl JunctionPart {
+    /// Whether a tag marks a sphere of the junction.
     pub fn is_junction(tag: u32) -> bool {
         tag == Self::JunctionBottom as u32 || tag == Self::JunctionTop as u32
     }
@@ -29,13 +29,13 @@ impl Body {
 pub struct Junction {
     /// Diameter of the cylinder, nm.
     pub diameter: f64,
-    /// Distance of the two bodies, nm.
+    /// Distance between the two bodies, nm.
     pub height: f64,
     /// Thickness of the rigid layers at the lower and the upper end, nm.
     pub wall: f64,
     /// Velocity of the upper wall along x, m/s.
     pub velocity: f64,
-    /// Normal stress on the upper wall, MPa; positive presses.
+    /// Normal stress on the upper wall, MPa; positive in compression.
     pub pressure: f64,
 }
 
@@ -62,16 +62,16 @@ impl Junction {
         system
     }
 
-    /// What a sphere centred at `x` becomes part of; none if it is carved away.
-    fn body(&self, x: Vec3<f64>, sides: [f64; 3]) -> Option<Body> {
+    /// The body that a sphere centred at `x` belongs to; none if it is removed.
+    fn body(&self, x: Vec3<f64>, sides: [f64; 3]) -> Option<JunctionPart> {
         let [x, y, z] = std::array::from_fn(|a| x.0[a] - 0.5 * sides[a]);
         let radius = 0.5 * self.diameter;
         if y <= -0.5 * self.height {
-            Some(Body::Bottom)
+            Some(JunctionPart::Bottom)
         } else if y >= 0.5 * self.height {
-            Some(Body::Top)
+            Some(JunctionPart::Top)
         } else if x * x + z * z <= radius * radius {
-            Some(if y < 0.0 { Body::JunctionBottom } else { Body::JunctionTop })
+            Some(if y < 0.0 { JunctionPart::JunctionBottom } else { JunctionPart::JunctionTop })
         } else {
             None
         }
@@ -92,20 +92,20 @@ mod tests {
     #[test]
     fn a_cylinder_of_the_given_diameter_and_height_links_two_slabs() {
         let system = carved();
-        let count = |body: Body| system.particles.tag.iter().filter(|&&tag| tag == body as u32).count() as f64;
-        let density = 2f64.sqrt(); // spheres of diameter 1 per volume
+        let count = |body: JunctionPart| system.particles.tag.iter().filter(|&&tag| tag == body as u32).count() as f64;
+        let density = 2f64.sqrt(); // spheres of diameter 1 per unit volume
         let [lx, ly, lz] = system.domain.sides;
         let slab = density * lx * lz * 0.5 * (ly - 5.0);
         let half = density * f64::pi() * 25.0 * 2.5;
-        // Rows are counted whole: a face is off by half a row distance at most, the cylinder's edge by its own surface.
+        // Only whole rows are counted: a face is off by half the row spacing at most, the edge of the cylinder by its surface.
         assert!(
-            (count(Body::Bottom) / slab - 1.0).abs() < 0.5 * 0.87 / (0.5 * (ly - 5.0)),
+            (count(JunctionPart::Bottom) / slab - 1.0).abs() < 0.5 * 0.87 / (0.5 * (ly - 5.0)),
             "{}",
-            count(Body::Bottom) / slab
+            count(JunctionPart::Bottom) / slab
         );
-        assert!((count(Body::Top) / slab - 1.0).abs() < 0.5 * 0.87 / (0.5 * (ly - 5.0)));
-        assert!((count(Body::JunctionBottom) / half - 1.0).abs() < 0.2);
-        assert!((count(Body::JunctionTop) / half - 1.0).abs() < 0.2);
+        assert!((count(JunctionPart::Top) / slab - 1.0).abs() < 0.5 * 0.87 / (0.5 * (ly - 5.0)));
+        assert!((count(JunctionPart::JunctionBottom) / half - 1.0).abs() < 0.2);
+        assert!((count(JunctionPart::JunctionTop) / half - 1.0).abs() < 0.2);
         assert_eq!(system.particles.tag.iter().filter(|&&tag| tag == 0).count(), 0);
     }
 

@@ -1,7 +1,7 @@
-//! What is done to a sample, stage by stage: the relaxation of Section 3.2, the tests of Section 3, the shearing of Section 4.
+//! The stages of a run: the relaxation of Section 3.2, the tests of Section 3, the shearing of Section 4.
 //!
-//! A stage says how the system is set up, which forces act, how it is advanced and when it ends. Whoever runs it decides what
-//! is watched and written.
+//! A stage defines how the system is set up, which forces act, how it is advanced and when it ends. The caller decides what is
+//! observed and written.
 
 use super::case::{InCriticalDampings, InCriticalSteps};
 use super::junction::Junction;
@@ -18,60 +18,60 @@ use crate::spec::wear::{Interaction, Material, Wear};
 use crate::spec::{PairModel, Vec3};
 use crate::system::{Motion, System};
 
-/// A part of a run, with one model and one way to be advanced.
+/// A part of a run with one model and one integration scheme.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stage {
     /// Its name in the records of a run.
     pub name: &'static str,
-    /// What is changed before it begins.
+    /// The set-up of the system before it begins.
     pub setup: Setup,
-    /// Which forces act.
+    /// The forces that act.
     pub interaction: Interaction,
     /// Time step.
     pub dt: InCriticalSteps,
     /// Global damping.
     pub damping: InCriticalDampings,
-    /// Whether the sides of the box follow the stress until none is left.
+    /// Whether the box relaxes: its sides follow the stress until it vanishes.
     pub relax_box: bool,
-    /// When it ends.
+    /// The condition for its end.
     pub stop: Stop,
-    /// Density of the whole box to which the masses are rescaled at its end, ag/nm^3.
+    /// Bulk density to which the masses are rescaled at its end, ag/nm^3.
     pub final_density: Option<f64>,
 }
 
-/// What a stage changes before it begins.
+/// The set-up of a stage.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Setup {
     /// Nothing.
     None,
-    /// Two rigid walls of this thickness, nm, at the ends of y; the upper one is driven.
+    /// Two rigid walls of this thickness, nm, at the two ends of the y axis; the upper one is driven.
     Walls {
         /// Thickness of each.
         thickness: f64,
-        /// What the upper wall does.
+        /// The drive of the upper wall.
         drive: Drive,
     },
-    /// A junction is carved.
+    /// Carves a junction.
     Junction(Junction),
 }
 
-/// What the upper wall of a test does.
+/// The drive of the upper wall of a test.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Drive {
-    /// Presses with this stress, MPa.
+    /// A compressive stress, MPa.
     Compress(f64),
-    /// Moves away by this strain in every step.
+    /// Extension by this strain in every step.
     Stretch(f64),
-    /// Moves sideways by this strain in every step.
+    /// Shear by this strain in every step.
     Shear(f64),
 }
 
-/// When a stage ends.
+/// The condition for the end of a stage.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Stop {
     /// After a time or a number of steps.
     After(InSteps),
-    /// When all diagonal stresses are below `stress`, MPa; it has failed after `most` steps.
+    /// All normal stresses are below `stress`, MPa; the stage has failed after `most` steps.
     Relaxed {
         /// The largest residual stress.
         stress: f64,
@@ -92,12 +92,12 @@ pub fn critical_scales(system: &System, material: &Material) -> (f64, f64) {
     })
 }
 
-/// How much farther than their range neighbours are listed, in mean diameters: what a sample in slow motion takes thousands
-/// of steps to cross, at the price of a fifth more pairs.
+/// Skin of the neighbour list, in mean diameters: particles of a slowly moving sample take thousands of steps to cross it, at the
+/// price of a fifth more pairs.
 const SKIN: f64 = 0.1;
 
 impl Stage {
-    /// Changes a system as the stage wants it.
+    /// Sets up a system for the stage.
     pub fn set_up(&self, mut system: System, material: &Material) -> System {
         if let Setup::Junction(junction) = self.setup {
             system = junction.carve(&system);
@@ -109,7 +109,7 @@ impl Stage {
         system
     }
 
-    /// How it advances a system.
+    /// The settings of its simulation.
     pub fn settings(&self, system: &System, material: &Material, max_overlap: f64) -> Settings {
         let (critical_step, critical_damping) = critical_scales(system, material);
         let p = &system.particles;
@@ -122,7 +122,7 @@ impl Stage {
         }
     }
 
-    /// Whether it has come to its end.
+    /// Whether the stage has ended.
     pub fn progress(&self, simulation: &Simulation<Wear>) -> Progress {
         let step = simulation.system().step;
         match &self.stop {
@@ -133,7 +133,7 @@ impl Stage {
         }
     }
 
-    /// The number of steps it takes, at most.
+    /// The largest number of steps.
     pub fn steps(&self, dt: f64) -> u64 {
         match &self.stop {
             Stop::After(duration) => (duration.value(dt) / dt).round() as u64,
@@ -141,12 +141,12 @@ impl Stage {
         }
     }
 
-    /// Takes the system out at its end.
+    /// Returns the system at the end of the stage.
     pub fn end(&self, simulation: Simulation<Wear>) -> System {
         let mut system = simulation.into_system();
         if let Some(density) = self.final_density {
             set_system_density(&mut system, density);
-            // The relaxed state is at rest: what is left of the motion is below the residual stress.
+            // The relaxed state is at rest: the remaining motion is below the residual stress.
             for i in 0..system.particles.len() {
                 system.particles.v[i] = Vec3::zero();
                 system.particles.w[i] = Vec3::zero();
@@ -156,7 +156,7 @@ impl Stage {
     }
 }
 
-/// Opens the box along y and makes the two walls of the spheres that are there, the lower one held, the upper one driven.
+/// Opens the box along y and makes the two walls from the spheres at its ends; the lower one is held, the upper one driven.
 fn add_walls(system: &mut System, thickness: f64, drive: Drive, dt: f64) {
     let held = Motion::Velocity(0.0);
     let [lx, ly, lz] = system.domain.sides;
@@ -174,7 +174,7 @@ fn add_walls(system: &mut System, thickness: f64, drive: Drive, dt: f64) {
     system.add_wall(driven, |p, i| p.x[i].0[1] > ly - thickness);
 }
 
-/// Stages one after another without a case: a study whose observer is its sink.
+/// A study without a case: stages in succession, observed by its sink only.
 pub struct Protocol<'a> {
     /// The stages.
     pub stages: &'a [Stage],
@@ -182,7 +182,7 @@ pub struct Protocol<'a> {
     pub initial: System,
     /// The material.
     pub material: &'a Material,
-    /// Largest overlap allowed, as a part of the sum of the radii.
+    /// Largest overlap, as a fraction of the sum of the radii.
     pub max_overlap: f64,
 }
 

@@ -1,4 +1,4 @@
-//! The stages that the sections of a case file ask for.
+//! The stages requested by the sections of a case file.
 
 use super::case;
 use super::junction::Junction;
@@ -6,7 +6,7 @@ use super::protocol::{Drive, Setup, Stage, Stop};
 use crate::case::InSteps;
 use crate::spec::wear::Interaction;
 
-/// The two phases of relaxation. At their end all stresses are below the residual one and the box has the material's density.
+/// The two phases of relaxation. At their end all stresses are below the residual stress and the box has the material's density.
 pub fn relaxation(case: &case::Relaxation, young_modulus: f64, density: f64) -> [Stage; 2] {
     let repulsion = Stage {
         name: "repulsion",
@@ -39,12 +39,12 @@ pub fn compression(case: &case::Compression, thickness: f64, young_modulus: f64)
     }
 }
 
-/// The walls pulled apart.
+/// Tension: the walls are pulled apart.
 pub fn tension(case: &case::Deformation, thickness: f64) -> Stage {
     deformation("tension", case, thickness, Drive::Stretch)
 }
 
-/// The upper wall moved sideways.
+/// Simple shear: the upper wall moves sideways.
 pub fn shear(case: &case::Deformation, thickness: f64) -> Stage {
     deformation("shear", case, thickness, Drive::Shear)
 }
@@ -67,7 +67,7 @@ fn test(name: &'static str, thickness: f64, drive: Drive, dt: &case::InCriticalS
     }
 }
 
-/// The junction carved and sheared; `d_0` is the most frequent diameter, nm.
+/// Carving and shearing of the junction; `d_0` is the most frequent diameter, nm.
 pub fn junction(case: &case::Junction, d_0: f64, young_modulus: f64) -> Stage {
     let diameter = case.diameter.value;
     let junction = Junction {

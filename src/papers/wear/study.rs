@@ -1,4 +1,4 @@
-//! The stages that a case of the wear paper asks for, and the particles they begin with.
+//! The stages of a case of the wear paper, and their initial particles.
 
 use super::case::{Amorphous, Case, Experiment, Sample};
 use super::derived::{Scales, material};
@@ -9,23 +9,23 @@ use crate::error::Error;
 use crate::initial::lattice::hcp_cells;
 use crate::initial::{Sizes, hcp, random_packing};
 use crate::interrupt::Interrupt;
-use crate::output::{Cell, Column, Finding, Kept, keep, kept};
+use crate::output::{Cell, Column, Finding, SavedKind, load_state, save_state};
 use crate::run::{Progress, Study};
 use crate::simulation::{Settings, Simulation};
 use crate::spec::wear::{Interaction, Wear};
 use crate::system::System;
 use serde::{Deserialize, Serialize};
 
-/// The stages of a case: those that make the sample, one after another, then those that each start from the sample.
+/// The stages of a case: those that prepare the sample, one after the other, then the tests, each of which starts from the sample.
 pub struct Plan {
     case: Case,
     scales: Scales,
-    /// Those that make the sample.
+    /// The stages that prepare the sample.
     preparation: usize,
     stages: Vec<Stage>,
 }
 
-/// An equilibrated sample on disk, with what it was made from.
+/// An equilibrated sample on disk, with the parameters from which it was made.
 #[derive(Serialize, Deserialize)]
 struct Equilibrated {
     origin: String,
@@ -56,7 +56,7 @@ impl Plan {
         Self { case: case.clone(), scales, preparation: preparation.len(), stages: [preparation, experiments].concat() }
     }
 
-    /// Everything that a sample depends on.
+    /// All parameters that determine a sample.
     fn origin(&self) -> String {
         let mut sample = self.case.sample.clone();
         if let Sample::Amorphous(amorphous) = &mut sample {
@@ -84,7 +84,7 @@ impl Study for Plan {
         match &self.case.sample {
             Sample::Hcp(_) => Ok(hcp(d_0, hcp_cells(d_0, size), density)),
             Sample::Amorphous(Amorphous { load: Some(path), .. }) => {
-                let Equilibrated { origin, system } = kept(path, Kept::Sample)?;
+                let Equilibrated { origin, system } = load_state(path, SavedKind::Sample)?;
                 if origin != self.origin() {
                     return Err(Error::input(path, "was made with another model, sample or seed"));
                 }
@@ -104,7 +104,7 @@ impl Study for Plan {
     fn keep_sample(&self, system: &System) -> Result<(), Error> {
         match &self.case.sample {
             Sample::Amorphous(Amorphous { save: Some(path), .. }) => {
-                keep(path, Kept::Sample, &Equilibrated { origin: self.origin(), system: system.clone() })
+                save_state(path, SavedKind::Sample, &Equilibrated { origin: self.origin(), system: system.clone() })
             }
             _ => Ok(()),
         }
@@ -120,7 +120,7 @@ impl Study for Plan {
 
     fn settings(&self, stage: usize, system: &System) -> Settings {
         let stage = &self.stages[stage];
-        // Random spheres overlap without limit until they have been pushed apart.
+        // The overlap of random spheres has no limit until the repulsion has separated them.
         let pushed_apart = stage.interaction != Interaction::Repulsive;
         let max_overlap = if pushed_apart { self.case.limits.overlap } else { f64::INFINITY };
         stage.settings(system, &material(&self.case).spec(), max_overlap)

@@ -1,4 +1,4 @@
-//! What is measured in each stage, row by row, and what it amounts to in the end.
+//! The measurements of each stage, row by row, and its findings.
 
 use super::case::Case;
 use super::derived::material;
@@ -14,15 +14,15 @@ use serde::{Deserialize, Serialize};
 /// The observer of a stage.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub enum Watch {
-    /// A sample comes to rest.
+    /// Relaxation of a sample.
     Relaxation,
-    /// A sample is tested between two walls.
+    /// A mechanical test between two walls.
     Test(Test),
-    /// A junction is sheared.
+    /// Shearing of a junction.
     Junction(Sheared),
 }
 
-/// A test between two walls: strain and stress, and where the stress was largest.
+/// A test between two walls: strain and stress, and the peak stress.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Test {
     kind: Kind,
@@ -45,7 +45,7 @@ pub struct Sheared {
     witness: Witness,
     height: f64,
     start: [f64; 3],
-    /// Sliding at which the next window closes, nm.
+    /// Sliding distance at which the next window closes, nm.
     next: f64,
     window: f64,
     friction: f64,
@@ -56,23 +56,23 @@ pub struct Sheared {
 pub mod columns {
     use crate::output::Column;
 
-    /// Volume of all spheres over volume of the box.
+    /// Volume fraction of the spheres in the box.
     pub const VOLUME_FRACTION: Column = Column::pure("volume fraction");
-    /// Strain along the normal of the walls.
+    /// Strain normal to the walls.
     pub const NORMAL_STRAIN: Column = Column::pure("normal strain");
-    /// Strain along the walls.
+    /// Shear strain parallel to the walls.
     pub const SHEAR_STRAIN: Column = Column::pure("shear strain");
-    /// Stress along the normal of the walls.
+    /// Stress normal to the walls.
     pub const NORMAL_STRESS: Column = Column::new("normal stress", "MPa");
     /// Shear stress.
     pub const SHEAR_STRESS: Column = Column::new("shear stress", "MPa");
     /// Displacement of the upper wall.
     pub const SLID: Column = Column::new("slid", "nm");
-    /// Distance of the bodies.
+    /// Distance between the bodies.
     pub const SEPARATION: Column = Column::new("separation", "nm");
-    /// Force that resists the sliding.
+    /// Friction force.
     pub const FRICTION: Column = Column::new("friction", "pN");
-    /// Turns of the third body.
+    /// Revolutions of the third body.
     pub const TURNS: Column = Column::pure("third body turns");
 
     /// Columns of a relaxation.
@@ -106,7 +106,7 @@ pub mod columns {
 use columns::{JUNCTION, RELAXATION, TEST};
 
 impl Watch {
-    /// Begins to watch a stage.
+    /// Starts observing a stage.
     pub fn begin(stage: &Stage, case: &Case, simulation: &Simulation<Wear>) -> Self {
         let system = simulation.system();
         match &stage.setup {
@@ -135,7 +135,7 @@ impl Watch {
         }
     }
 
-    /// Measures: the cells of the columns of all observers, those of other stages empty.
+    /// Measures a row: the cells of the columns of all observers, empty for other stages.
     pub fn look(&mut self, simulation: &Simulation<Wear>) -> Vec<Cell> {
         let system = simulation.system();
         let nothing = |columns: usize| vec![Cell::Nothing; columns];
@@ -149,12 +149,12 @@ impl Watch {
         [relaxation, test, junction].concat()
     }
 
-    /// Whether there is nothing more to see.
+    /// Whether the stage may end early.
     pub fn ended(&self) -> bool {
         matches!(self, Self::Test(Test { failed: true, .. }))
     }
 
-    /// What it amounts to.
+    /// The findings of the stage.
     pub fn findings(&self, stage: &Stage, case: &Case, simulation: &Simulation<Wear>) -> Vec<Finding> {
         match self {
             Self::Relaxation => {
@@ -178,7 +178,7 @@ impl Test {
         if stress > self.peak[1] {
             self.peak = [strain, stress];
         }
-        // Past the peak for good: strained half as much again, and less than half the stress left.
+        // Failure: the strain exceeds the strain at the peak by half, and the stress is below half the peak.
         self.failed = self.kind != Kind::Compression
             && strain > 0.01
             && strain > 1.5 * self.peak[0]
@@ -192,7 +192,7 @@ impl Test {
         match self.kind {
             Kind::Compression => {
                 let Some(elasticity) = self.gauge.elasticity(simulation.system(), &links(simulation)) else {
-                    return vec![Finding::words("elasticity", "the sample did not keep its shape")];
+                    return vec![Finding::words("elasticity", "not measured: the sample did not keep its shape")];
                 };
                 vec![
                     Finding::number(
@@ -253,11 +253,11 @@ impl Sheared {
         if let Some(row) = self.witness.rows.last() {
             findings.extend([
                 Finding::number("sliding distance", row.slid, "nm", None),
-                Finding::number("distance of the bodies", row.separation, "nm", None),
+                Finding::number("distance between the bodies", row.separation, "nm", None),
                 Finding::number("mean friction force", self.friction / self.rows as f64, "pN", None),
                 Finding::number("particles in the third body", row.third_size as f64, "", None),
                 Finding::number("turns of the third body", row.turns, "", None),
-                Finding::number("rigidity of its motion", row.rigidity, "", None),
+                Finding::number("rigidity of the third body's motion", row.rigidity, "", None),
             ]);
         }
         findings

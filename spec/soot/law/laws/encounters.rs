@@ -64,18 +64,18 @@ impl Encounter {
             for (j, b) in self.spheres[..i].iter().enumerate() {
                 let contact = Contact::new(a.x - b.x, a.v - b.v, a.omega, b.omega, a.r, b.r);
                 let memory = memory.next().unwrap();
-                let grip = self.law.pair(&contact, &Coefficients { bonded: 0.0 }, *memory, dt);
-                *memory = grip.memory;
-                add(i, grip.wrench.force, grip.wrench.torque_i);
-                add(j, -grip.wrench.force, grip.wrench.torque_j);
+                let evaluate = self.law.pair(&contact, &Coefficients { bonded: 0.0 }, *memory, dt);
+                *memory = evaluate.memory;
+                add(i, evaluate.wrench.force, evaluate.wrench.torque_i);
+                add(j, -evaluate.wrench.force, evaluate.wrench.torque_j);
             }
             for &(height, facing) in &self.planes {
                 let gap = facing * (a.x.0[2] - height) - a.r;
                 let touch = Touch { n: UP * facing, gap, v: a.v, omega: a.omega, r: a.r };
                 let memory = memory.next().unwrap();
-                let grip = self.law.walls[SUBSTRATE].grip(Order::StretchFirst, &touch, *memory, dt);
-                *memory = grip.memory;
-                add(i, grip.wrench.force, grip.wrench.torque_i);
+                let evaluate = self.law.walls[SUBSTRATE].evaluate(Order::StretchFirst, &touch, *memory, dt);
+                *memory = evaluate.memory;
+                add(i, evaluate.wrench.force, evaluate.wrench.torque_i);
             }
         }
         for (s, (force, torque)) in self.spheres.iter_mut().zip(loads) {

@@ -52,7 +52,8 @@ impl<const N: usize, S: Reading> Spheres<N, S> {
         let mut on = [(Vec3::zero(), Vec3::zero()); N];
         for (i, j) in Self::pairs() {
             let k = Coefficients { bonded: self.bonded };
-            let Grip { wrench, memory, losses } = self.law.pair(&self.contact(i, j), &k, self.springs[i * N + j], dt);
+            let SpringsOutcome { wrench, memory, losses } =
+                self.law.pair(&self.contact(i, j), &k, self.springs[i * N + j], dt);
             self.springs[i * N + j] = memory;
             on[i] = (on[i].0 + wrench.force, on[i].1 + wrench.torque_i);
             on[j] = (on[j].0 - wrench.force, on[j].1 + wrench.torque_j);

@@ -32,7 +32,7 @@ pub fn detect(source: &Source) -> Result<Format, Error> {
         _ => Err(source.problem(
             None,
             "format",
-            "is missing, expected `mstm` (r x y z) or `fracval` (x y z r): the rows do not tell",
+            "is missing, expected `mstm` (r x y z) or `fracval` (x y z r): the rows do not identify it",
         )),
     }
 }
@@ -55,7 +55,7 @@ pub fn xyz(source: &Source) -> Result<Raw, Error> {
     let mut raw = Raw::default();
     for _ in 0..number {
         let Some((k, line)) = lines.next().filter(|(_, line)| !line.is_empty()) else {
-            let what = format!("found {} spheres, expected {number} as the first line says", raw.centres.len());
+            let what = format!("found {} spheres, expected {number}, the number in the first line", raw.centres.len());
             return Err(source.at(raw.centres.len() + 3, &what));
         };
         let words: Vec<&str> = line.split_whitespace().collect();

@@ -43,7 +43,7 @@ pub fn read(source: &Source) -> Result<Raw, Error> {
         let shift = match sides {
             _ if copy == [0; 3] => [0.0; 3],
             Some(sides) => std::array::from_fn(|a| copy[a] as f64 * sides[a]),
-            None => return Err(source.at(k, "found image flags, expected none: the box is tilted or is not told")),
+            None => return Err(source.at(k, "found image flags, expected none: the box is tilted or missing")),
         };
         rows.push((whole(id)?, k, diameter, [x, y, z], shift));
     }
@@ -56,7 +56,7 @@ pub fn read(source: &Source) -> Result<Raw, Error> {
     }
     rows.sort_unstable_by_key(|row| (row.0, row.1));
     if let Some(pair) = rows.windows(2).find(|pair| pair[0].0 == pair[1].0) {
-        return Err(source.at(pair[1].1, &format!("found the id {} again, expected it once", pair[1].0)));
+        return Err(source.at(pair[1].1, &format!("found the id {} twice", pair[1].0)));
     }
     let mut raw = Raw::default();
     for (place, (_, k, diameter, x, shift)) in rows.into_iter().enumerate() {
@@ -69,7 +69,7 @@ pub fn read(source: &Source) -> Result<Raw, Error> {
     Ok(raw)
 }
 
-/// The sides of the box; none if they are not told or it is tilted.
+/// The side lengths of the box; none if they are missing or it is tilted.
 fn sides(source: &Source) -> Result<Option<[f64; 3]>, Error> {
     let (mut sides, mut upright) = ([None; 3], true);
     for (k, line) in source.lines() {

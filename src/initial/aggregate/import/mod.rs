@@ -40,13 +40,13 @@ words! {
 /// What the file does not say.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Options {
-    /// The format, where it is not told by the content.
+    /// The format, if the content does not identify it.
     pub format: Option<Format>,
     /// The unit of length of the file, nm.
     pub unit: Option<f64>,
     /// The radius of all spheres, nm.
     pub radius: Option<f64>,
-    /// Whether spheres that do not hang together are accepted.
+    /// Whether spheres that do not form one connected aggregate are accepted.
     pub disconnected: bool,
 }
 
@@ -160,7 +160,10 @@ fn scaled(source: &Source, raw: &Raw, options: &Options) -> Result<Vec<Sphere>, 
     let equal = raw.radii.windows(2).all(|pair| pair[0] == pair[1]);
     let unit = match (options.unit, options.radius) {
         (Some(_), Some(_)) if known || raw.in_radii => {
-            return missing("radius", "found `unit` and `radius`, expected one of them: the file tells their ratio");
+            return missing(
+                "radius",
+                "found `unit` and `radius`, expected only one of them: the file defines their ratio",
+            );
         }
         (Some(unit), _) => unit,
         (None, Some(radius)) if known && equal => radius / raw.radii[0],
@@ -169,7 +172,10 @@ fn scaled(source: &Source, raw: &Raw, options: &Options) -> Result<Vec<Sphere>, 
             return missing("unit", "is missing, expected the unit of length of the file: its radii differ");
         }
         _ if raw.in_radii => {
-            return missing("radius", "is missing, expected the radius of the spheres: the file counts in it");
+            return missing(
+                "radius",
+                "is missing, expected the radius of the spheres, which is the unit of length of the file",
+            );
         }
         _ => return missing("unit", "is missing, expected the unit of length of the file, such as `1 nm`"),
     };
@@ -180,7 +186,7 @@ fn scaled(source: &Source, raw: &Raw, options: &Options) -> Result<Vec<Sphere>, 
         _ => {
             return missing(
                 "radius",
-                "is missing, expected the radius of the spheres: XYZ tells it in a fifth column that is the last, or in one that `Properties` names",
+                "is missing, expected the radius of the spheres: an XYZ file gives it in a fifth and last column, or in a column named by `Properties`",
             );
         }
     };

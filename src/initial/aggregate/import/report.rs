@@ -1,7 +1,7 @@
-//! What an imported aggregate looks like.
+//! A description of an imported aggregate.
 
 use crate::geometry::Sphere;
-use crate::geometry::{Extent, gyration_radius, pairs_within};
+use crate::geometry::{SphereExtent, gyration_radius, pairs_within};
 use crate::spec::Real;
 use serde::Serialize;
 use std::fmt;
@@ -41,7 +41,7 @@ impl Report {
             })
             .collect();
         let largest = spheres.iter().flat_map(|s| s.centre.0).map(f64::abs).fold(0.0, f64::max);
-        let r_g = gyration_radius(spheres, Extent::Centres);
+        let r_g = gyration_radius(spheres, SphereExtent::Centres);
         let n = spheres.len() as f64;
         let mean = Real::exp(spheres.iter().map(|s| Real::ln(s.radius)).sum::<f64>() / n);
         let d_f = dimension(spheres, mean, r_g);

@@ -21,7 +21,7 @@ pub fn read(source: &Source) -> Result<Raw, Error> {
     let mut raw = Raw { in_radii: true, ..Raw::default() };
     for k in 0..number {
         let mut coordinate =
-            || next(source, &mut words, &format!("coordinates of {number} points, of which {k} are there"));
+            || next(source, &mut words, &format!("coordinates of {number} points, {k} of which are present"));
         let (x, y, z) = (coordinate()?, coordinate()?, coordinate()?);
         raw.push(source, x.0, [x.1, y.1, z.1], None)?;
     }

@@ -7,41 +7,41 @@ use crate::initial::aggregate::necks::NECK_DISTANCE;
 use std::path::PathBuf;
 
 section! {
-    /// A fractal aggregate of touching spheres, by cluster-cluster aggregation: N = k_f (R_g / r)^D_f.
+    /// A fractal aggregate of touching spheres, grown by cluster-cluster aggregation: N = k_f (R_g / r)^D_f.
     pub struct Aggregate {
         /// Number of spheres N.
         spheres: u64 = 150,
-        /// Their radius r.
+        /// Radius r of the spheres.
         radius: Quantity<Length> = quantity("14 nm"),
         /// Fractal dimension D_f.
         fractal_dimension: f64 = 1.8,
         /// Fractal prefactor k_f.
         prefactor: f64 = 1.4,
-        /// Geometric standard deviation of the radii, whose median is r; 1 for equal spheres. None is more than two of it from the median.
+        /// Geometric standard deviation of the radii about their median r, truncated at two standard deviations; 1 for equal spheres.
         deviation: f64 = 1.0,
-        /// In which order the spheres come together.
+        /// Order of aggregation.
         growth: Growth = Growth::Clusters,
-        /// Reads the spheres from a file instead of growing them; the keys above then have no meaning.
+        /// Imports the spheres from a file instead of growing the aggregate; the keys above are then ignored.
         import: Option<Import> = None,
-        /// File with a deposited aggregate to start from; it must have been made with the same keys beside this one and the same model. Another
-        /// seed then breaks other necks and indents another sphere.
+        /// File with a deposited aggregate to start from; it must have been made with the same model and the same values of the other keys. A different
+        /// seed removes different necks and indents a different sphere.
         deposited: Option<PathBuf> = None,
-        /// Part of the contacts that are necks; which ones is drawn from the seed.
+        /// Fraction of the contacts that are necks, chosen at random.
         neck_fraction: f64 = 0.5,
-        /// Largest gap that a neck bridges: enough for rounding. A neck across a real gap, whose springs are relaxed at contact, would begin
-        /// stretched; the authors bridge up to 1 nm.
+        /// Largest gap of a neck; the default allows for rounding only. The springs of a neck are relaxed at contact, so a neck across a finite gap is
+        /// stretched from the beginning; the authors allow 1 nm.
         neck_distance: Quantity<Length> = quantity(&format!("{NECK_DISTANCE} nm")),
-        /// Whether necks may close a ring; the authors leave out a neck between spheres that hang together by others.
+        /// Whether necks may form closed rings; the authors omit a neck between spheres that other necks already connect.
         neck_cycles: bool = false,
     }
 }
 
 words! {
-    /// In which order the spheres of an aggregate come together.
+    /// Order of aggregation.
     pub enum Growth {
-        /// Clusters of like size are joined.
+        /// Cluster-cluster aggregation: clusters of similar size are joined.
         Clusters = "clusters",
-        /// One sphere after the other: the way to compact aggregates.
+        /// Particle-cluster aggregation: one sphere after the other, for compact aggregates.
         Spheres = "spheres",
     }
 }
@@ -51,15 +51,15 @@ section! {
     pub struct Import {
         /// The file.
         file: PathBuf,
-        /// Its format, where the content does not tell.
+        /// File format, if the content does not identify it.
         format: Option<Format> = None,
-        /// A file of necks that soot-dem wrote beside the spheres: of these, not of all contacts, a part is kept.
+        /// The file of necks that soot-dem writes beside the spheres; `neck_fraction` then applies to these necks instead of all contacts.
         necks: Option<PathBuf> = None,
-        /// Its unit of length, where it has none of its own.
+        /// Unit of length, if the format does not define one.
         unit: Option<Quantity<Length>> = None,
-        /// The radius of all spheres, where it has none.
+        /// Radius of all spheres, if the file gives none.
         radius: Option<Quantity<Length>> = None,
-        /// Accepts spheres that do not hang together.
+        /// Whether spheres that do not form one connected aggregate are accepted.
         disconnected: bool = false,
     }
 }

@@ -1,4 +1,4 @@
-//! What is done to an aggregate of soot.
+//! The stages of an experiment with an aggregate of soot.
 
 use crate::case::InSteps;
 use crate::case::quantity::{Length, Quantity, Rate, Scaled, SphereRadius, Time, Velocity, quantity};
@@ -10,87 +10,87 @@ use std::path::PathBuf;
 pub type InRadii = Scaled<Length, SphereRadius>;
 
 section! {
-    /// An aggregate falls on the substrate, the plane z = 0, Section 3.1.1.
+    /// Deposition on the substrate, the plane z = 0, Section 3.1.1.
     pub struct Deposition {
-        /// Velocity of all its spheres, downwards.
+        /// Initial downward velocity of the aggregate.
         velocity: Quantity<Velocity> = quantity("1 m/s"),
-        /// Gap between the lowest sphere and the substrate at the beginning.
+        /// Initial gap between the lowest sphere and the substrate.
         gap: InRadii = Scaled::times(0.1),
-        /// A triangulated substrate instead of the plane; its highest point is put at z = 0, its middle below that of the aggregate.
+        /// A triangulated substrate instead of the plane, centred below the aggregate with its highest point at z = 0.
         substrate: Option<Solid> = None,
-        /// File to keep the deposited aggregate in.
+        /// File in which the deposited aggregate is saved.
         save: Option<PathBuf> = None,
-        /// How long it is watched.
+        /// Duration.
         duration: InSteps = Scaled::Absolute(quantity("500 ns")),
         /// Time step.
         dt: Quantity<Time> = quantity("50 fs"),
-        /// How velocities go with positions.
+        /// Time integration: velocities staggered by half a step, or synchronous with the positions.
         integrator: Integrator = Integrator::HalfStep,
-        /// Number of steps for which spheres that cannot touch go on attracting each other as they did.
+        /// Interval, in steps, at which the attraction of non-touching pairs is recomputed.
         attraction_every: u64 = 1,
     }
 }
 
 section! {
-    /// The tip of a force microscope comes down on a sphere that no other hides and that it meets first, and is drawn back, Section 3.1.2.
+    /// Indentation by the tip of an atomic force microscope, which approaches an exposed sphere and is retracted, Section 3.1.2.
     pub struct Indentation {
-        /// Part of the necks that are kept; which ones is drawn from the seed.
+        /// Fraction of the necks that are kept, chosen at random; the others are removed when the stage begins.
         keep_necks: f64 = 0.98,
-        /// Gap between the tip and the sphere at the beginning.
+        /// Initial gap between the tip and the sphere.
         gap: InRadii = Scaled::times(0.5),
-        /// A triangulated tip instead of the tetrahedron; its lowest point is put above the sphere.
+        /// A triangulated tip instead of the tetrahedron, placed with its lowest point above the sphere.
         tip: Option<Solid> = None,
-        /// Final velocity of the tip, Eq. 25.
+        /// Final retraction velocity of the tip, Eq. 25.
         velocity: Quantity<Velocity> = quantity("1.5 m/s"),
-        /// How fast it turns round.
+        /// Rate of the reversal, Eq. 25.
         turn_rate: Quantity<Rate> = quantity("0.1 1/ns"),
-        /// When it turns round.
+        /// Time of the reversal.
         turn: Quantity<Time> = quantity("10.8 ns"),
-        /// Natural frequency of the cantilever, in cycles: the angular frequency of Eq. 30 is 2 pi times as large.
+        /// Natural frequency of the cantilever, in cycles per time; the angular frequency of Eq. 30 is 2 pi times as large.
         cantilever: Quantity<Rate> = quantity("0.07 1/ns"),
-        /// How long it is watched.
+        /// Duration.
         duration: InSteps = Scaled::Absolute(quantity("500 ns")),
         /// Time step.
         dt: Quantity<Time> = quantity("50 fs"),
-        /// How velocities go with positions.
+        /// Time integration: velocities staggered by half a step, or synchronous with the positions.
         integrator: Integrator = Integrator::HalfStep,
-        /// Number of steps for which spheres that cannot touch go on attracting each other as they did.
+        /// Interval, in steps, at which the attraction of non-touching pairs is recomputed.
         attraction_every: u64 = 1,
     }
 }
 
 section! {
-    /// A coating pulls the spheres together.
+    /// Restructuring under the capillary force of a coating.
     pub struct Restructuring {
-        /// Part of the necks that are kept; which ones is drawn from the seed.
+        /// Fraction of the necks that are kept, chosen at random; the others are removed when the stage begins.
         keep_necks: f64 = 1.0,
-        /// How long it is watched.
+        /// Duration.
         duration: InSteps = Scaled::Absolute(quantity("50 ns")),
         /// Time step.
         dt: Quantity<Time> = quantity("5 fs"),
-        /// How velocities go with positions.
+        /// Time integration: velocities staggered by half a step, or synchronous with the positions.
         integrator: Integrator = Integrator::HalfStep,
-        /// Number of steps for which spheres that cannot touch go on attracting each other as they did.
+        /// Interval, in steps, at which the attraction of non-touching pairs is recomputed.
         attraction_every: u64 = 1,
     }
 }
 
 words! {
-    /// How velocities go with positions.
+    /// Time integration.
     pub enum Integrator {
-        /// Half a step behind them, as in the published program.
+        /// Velocities lag the positions by half a step, as in the published program.
         HalfStep = "half-step",
-        /// At the same time: velocity Verlet. Forces see the same positions and velocities as with `half-step`.
+        /// Velocities and positions belong to the same time: velocity Verlet. Forces are evaluated with the same positions and velocities as with `half-step`.
         VelocityVerlet = "velocity-verlet",
     }
 }
 
 section! {
-    /// A triangulated surface. A closed one bounds a body and acts on its outside, an open one on both sides.
+    /// A triangulated surface. A closed surface bounds a body and acts on its outside, an open surface acts on both sides.
     pub struct Solid {
-        /// A file in the STL format, ASCII or binary.
+        /// STL file, ASCII or binary.
         stl: PathBuf,
-        /// Its unit of length: the format has none.
+        /// Unit of length of the file; the format does not define one.
         unit: Quantity<Length>,
     }
 }
@@ -98,17 +98,17 @@ section! {
 choice! {
     /// A stage of a sequence: each starts from the end of the one before.
     pub enum SootStage {
-        /// An aggregate falls on a substrate.
+        /// Deposition of an aggregate on a substrate.
         Deposition = "deposition": Deposition,
-        /// A deposited aggregate is indented.
+        /// Indentation of a deposited aggregate.
         Indentation = "indentation": Indentation,
-        /// A coated aggregate collapses.
+        /// Restructuring of a coated aggregate.
         Restructuring = "restructuring": Restructuring,
     }
 }
 
 impl Integrator {
-    /// The same for the engine.
+    /// The corresponding integrator of the engine.
     pub fn engine(self) -> motion::Integrator {
         match self {
             Self::HalfStep => motion::Integrator::HalfStep,
@@ -145,7 +145,7 @@ impl SootStage {
         }
     }
 
-    /// How its velocities go with its positions.
+    /// Its time integration.
     pub fn integrator(&self) -> Integrator {
         match self {
             Self::Deposition(Deposition { integrator, .. })
@@ -154,7 +154,7 @@ impl SootStage {
         }
     }
 
-    /// Number of steps after which the attraction of spheres that cannot touch is evaluated anew.
+    /// Interval, in steps, at which the attraction of non-touching pairs is recomputed.
     pub fn attraction_every(&self) -> u64 {
         match self {
             Self::Deposition(Deposition { attraction_every, .. })
@@ -163,7 +163,7 @@ impl SootStage {
         }
     }
 
-    /// How long it lasts.
+    /// Its duration.
     pub fn duration(&self) -> &InSteps {
         match self {
             Self::Deposition(Deposition { duration, .. })

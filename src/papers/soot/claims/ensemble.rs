@@ -1,4 +1,4 @@
-//! Aggregates that differ only in their seed, under one coating.
+//! Ensembles of aggregates that differ only in their seed, under a coating.
 
 use crate::error::Error;
 use crate::observe::statistics::Mean;
@@ -12,62 +12,62 @@ use crate::run::sweep::{Point, set};
 use serde_yaml::Value;
 use std::path::Path;
 
-/// The case that all are made of.
+/// The case from which all members are derived.
 const CASE: &str = include_str!("../../../../cases/soot/restructuring.yaml");
 const FILE: &str = "cases/soot/restructuring.yaml";
 
-/// What is done to every aggregate.
+/// The protocol of every aggregate.
 #[derive(Clone, Copy, Debug)]
 pub struct Protocol<'a> {
     /// Number of aggregates.
     pub aggregates: u64,
-    /// Where the case is another.
+    /// Keys that differ from the case, with their values.
     pub keys: &'a [(&'a str, &'a str)],
 }
 
-/// How often they are looked at, ns.
+/// Interval between measurements, ns.
 pub const LOOK: f64 = 0.5;
 
-/// The members of an ensemble share this.
+/// The parameters shared by the members of an ensemble.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Kind {
-    /// Part of the contacts that are necks.
+    /// Fraction of the contacts that are necks.
     pub neck_fraction: f64,
-    /// How a twist is resisted.
+    /// Resistance to torsion.
     pub torsion: Torsion,
 }
 
-/// What became of the members on average: at the beginning, and after every [`LOOK`].
+/// Averages over the members, at the beginning and after every [`LOOK`].
 #[derive(Clone, Debug)]
 pub struct Ensemble {
-    /// What they share.
+    /// The shared parameters.
     pub kind: Kind,
-    /// How many there are.
+    /// Number of members.
     pub members: usize,
     /// Coordination number.
     pub coordination: Vec<Mean>,
     /// Convexity.
     pub convexity: Vec<Mean>,
-    /// Rise of the coordination number from beginning to end, over its beginning.
+    /// Relative increase of the coordination number from beginning to end.
     pub rise: Mean,
 }
 
-/// One ensemble of each kind; the aggregates of all are the same, and each runs on one core. Whoever stops it gets the ensembles of those
-/// aggregates of which all kinds have finished, two at least.
+/// One ensemble of each kind, with the same aggregates in all, each run on one core. If stopped, it returns the ensembles of those
+/// aggregates of which all kinds have finished, at least two.
 pub fn ensembles(protocol: &Protocol, kinds: &[Kind], setting: &Setting) -> Result<Vec<Ensemble>, Error> {
-    let kept = setting.keep(&points(protocol, kinds, setting.read)?)?;
-    let courses = kept.folders.iter().map(|folder| folder.as_ref().map(course).transpose());
-    let courses: Vec<Option<Course>> = courses.collect::<Result<_, Error>>()?;
-    let whole: Vec<&[Option<Course>]> =
+    let runs = setting.run_all(&points(protocol, kinds, setting.read)?)?;
+    let courses = runs.folders.iter().map(|folder| folder.as_ref().map(course).transpose());
+    let courses: Vec<Option<RunState>> = courses.collect::<Result<_, Error>>()?;
+    let whole: Vec<&[Option<RunState>]> =
         courses.chunks(kinds.len()).filter(|kinds| kinds.iter().all(Option::is_some)).collect();
-    if kept.stopped && whole.len() < 2 {
+    if runs.stopped && whole.len() < 2 {
         return Err(Error::Stopped(None));
     }
     let of_kind = |k: usize| whole.iter().filter_map(|kinds| kinds[k].as_ref()).collect::<Vec<_>>();
     Ok(kinds.iter().enumerate().map(|(k, &kind)| Ensemble::of(kind, &of_kind(k))).collect())
 }
 
-/// All kinds of the first aggregate, then of the next: whoever stops has whole ones.
+/// All kinds of the first aggregate, then of the next, so that a stopped computation has complete sets.
 fn points(protocol: &Protocol, kinds: &[Kind], read: Reader) -> Result<Vec<Point>, Error> {
     let mut base: Value = serde_yaml::from_str(CASE).expect("the case is well formed");
     let look = format!("{LOOK} ns");
@@ -92,17 +92,17 @@ fn word(torsion: Torsion) -> String {
 }
 
 /// Coordination number and convexity of one aggregate.
-type Course = [Vec<f64>; 2];
+type RunState = [Vec<f64>; 2];
 
-/// What is recorded of a run.
-fn course(folder: &RunFolder) -> Result<Course, Error> {
+/// The record of a run.
+fn course(folder: &RunFolder) -> Result<RunState, Error> {
     let series = Series::read(folder)?;
     let column = |column| series.curve("", TIME, column).into_iter().map(|point| point.1).collect();
     Ok([COORDINATION, CONVEXITY].map(column))
 }
 
 impl Ensemble {
-    fn of(kind: Kind, courses: &[&Course]) -> Self {
+    fn of(kind: Kind, courses: &[&RunState]) -> Self {
         let looks = courses.iter().map(|course| course[0].len()).min().unwrap_or(0);
         let mean = |of: usize| {
             let at = |look: usize| Mean::of(&courses.iter().map(|course| course[of][look]).collect::<Vec<_>>());
@@ -116,10 +116,10 @@ impl Ensemble {
 
 /// The mean at the end.
 pub fn terminal(means: &[Mean]) -> Mean {
-    *means.last().expect("an ensemble is looked at before its first step")
+    *means.last().expect("an ensemble is measured before its first step")
 }
 
-/// Time after which no less than 95 % of the change are done, ns.
+/// Time after which at least 95 % of the change have occurred, ns.
 pub fn settled(means: &[Mean]) -> f64 {
     let (first, last) = (means[0].value, terminal(means).value);
     let under_way = |mean: &Mean| (last - mean.value).abs() > 0.05 * (last - first).abs();

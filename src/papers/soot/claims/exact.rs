@@ -1,7 +1,7 @@
-//! What the equations alone give.
+//! Claims that follow from the equations alone.
 
 use crate::case::section::defaults;
-use crate::geometry::{Extent, gyration_radius};
+use crate::geometry::{SphereExtent, gyration_radius};
 use crate::initial::aggregate::necks::necks;
 use crate::initial::aggregate::{Method, Radii, Recipe, aggregate};
 use crate::interrupt::Interrupt;
@@ -22,14 +22,14 @@ use crate::spec::soot::eq26_coordination::coordination_number;
 const RADIUS: f64 = 14.0;
 /// Density of soot, ag/nm^3.
 const DENSITY: f64 = 1.7e-3;
-/// Hamaker constant between spheres, zJ; with the tip ten times as much.
+/// Hamaker constant of two spheres, zJ; ten times as large for a sphere and the tip.
 const HAMAKER: f64 = 100.0;
-/// Spheres touch whose gap is rounding, nm.
+/// Gap of spheres that touch up to rounding, nm.
 const TOUCH: f64 = 1e-6;
-/// What the authors give inputs for, but no result.
+/// Remark on claims for which the authors give inputs but no result.
 const ALONE: &str = "calculated independently";
 
-/// Masses, sizes, the way of the tip, falls, and time steps, in nm, ns, ag.
+/// Masses, sizes, displacements of the tip, falls, and time steps, in nm, ns, ag.
 pub fn chapter() -> Evidence {
     let m = sphere_mass(DENSITY, RADIUS);
     let mut claims = vec![
@@ -50,13 +50,13 @@ pub fn chapter() -> Evidence {
     Evidence { claims: claims.into_iter().map(Claim::exact).collect(), ..Evidence::default() }
 }
 
-/// Section 3.2: the law of the aggregates, and one that was grown by it.
+/// Section 3.2: the fractal law of the aggregates, and an aggregate grown by it.
 fn grown() -> Vec<Claim> {
     let (number, k_f, d_f) = (150, 1.4, 1.8);
     let law = eq24_fractal::gyration_radius(k_f, number as f64, RADIUS, d_f);
     let recipe = Recipe { number, d_f, k_f, radii: Radii::Equal(RADIUS), method: Method::Clusters };
     let spheres = aggregate(&recipe, 1, &Interrupt::default()).expect("an ordinary aggregate");
-    let radius = gyration_radius(&spheres, Extent::Centres);
+    let radius = gyration_radius(&spheres, SphereExtent::Centres);
     let contacts = necks(&spheres, TOUCH, false).len();
     let claim = |what: &str| format!("{what}, {ALONE}");
     vec![
@@ -64,7 +64,7 @@ fn grown() -> Vec<Claim> {
         Claim::number("Eq. 24", claim("R_g of a grown aggregate of 150 spheres"), "187.88", radius, "nm", 2.0),
         Claim::number(
             "Fig. 8a",
-            claim("coordination number of that aggregate, whose contacts form a tree, near misses not counted"),
+            claim("coordination number of that aggregate, whose contacts form a tree, near misses excluded"),
             "1.98667",
             coordination_number(2.0 * contacts as f64, number as f64),
             "",
@@ -73,18 +73,18 @@ fn grown() -> Vec<Claim> {
     ]
 }
 
-/// Section 3.1.2: the way of the tip, which begins half a radius above a sphere.
+/// Section 3.1.2: displacement of the tip, which starts half a radius above a sphere.
 fn tip() -> Vec<Claim> {
     let way = |t: f64| tip_way(t, 1.5, 0.1, 10.8);
     let claim = |what: &str| format!("{what}, {ALONE}");
     vec![
-        Claim::number("Eq. 25", claim("lowest point of the tip"), "-7.440", way(10.8), "nm", 3.0),
-        Claim::number("Eq. 25", claim("how deep it would dent"), "0.44", -way(10.8) - 0.5 * RADIUS, "nm", 2.0),
-        Claim::number("Eq. 25", claim("tip after 500 ns"), "715.96", way(500.0), "nm", 2.0),
+        Claim::number("Eq. 25", claim("largest downward displacement of the tip"), "-7.440", way(10.8), "nm", 3.0),
+        Claim::number("Eq. 25", claim("indentation depth"), "0.44", -way(10.8) - 0.5 * RADIUS, "nm", 2.0),
+        Claim::number("Eq. 25", claim("displacement of the tip after 500 ns"), "715.96", way(500.0), "nm", 2.0),
     ]
 }
 
-/// Van der Waals attraction: at saturation, and what it does to a sphere that is let go.
+/// Van der Waals attraction: the force at saturation, and the fall of a released sphere.
 fn attraction(m: f64) -> Vec<Claim> {
     let claim = |what: &str| format!("{what}, {ALONE}");
     let spheres = |gap| equal_hamaker_energy(RADIUS, gap, HAMAKER);
@@ -94,21 +94,28 @@ fn attraction(m: f64) -> Vec<Claim> {
     let (near, speed) = fall(0.5 * m, 5.0, 1.0, spheres);
     let (to_the_tip, _) = fall(m, 7.0, 1.0, tip);
     vec![
-        Claim::number("Eq. 20", claim("pull of two spheres at and below a gap of 1 nm"), "101.357", pull, "pN", 3.0),
+        Claim::number(
+            "Eq. 20",
+            claim("attraction of two spheres at and below a gap of 1 nm"),
+            "101.357",
+            pull,
+            "pN",
+            3.0,
+        ),
         Claim::number("Eq. 19", claim("fall of two spheres from a gap of 14 nm to 1 nm"), "34.3594", far, "ns", 4.0),
         Claim::number("Eq. 19", claim("fall of two spheres from a gap of 5 nm to 1 nm"), "4.60581", near, "ns", 5.0),
-        Claim::number("Eq. 19", claim("their relative velocity then"), "3.8210", speed, "m/s", 4.0),
+        Claim::number("Eq. 19", claim("relative velocity at the end of this fall"), "3.8210", speed, "m/s", 4.0),
         Claim::number("Eq. 21", claim("fall onto the tip from 7 nm to 1 nm"), "2.22949", to_the_tip, "ns", 5.0),
     ]
 }
 
-/// Intervals that a fall is cut into.
+/// Number of intervals of the quadrature of a fall.
 const INTERVALS: u32 = 20_000;
 
 /// Duration and final velocity of a fall from rest at the gap `from` to the gap `to`, by conservation of energy.
 fn fall(mass: f64, from: f64, to: f64, energy: impl Fn(f64) -> f64) -> (f64, f64) {
     let speed = |gap: f64| speed_of_fall(mass, energy(from), energy(gap));
-    // The way is as s^2: the velocity, zero at first, is as s, and the integrand smooth.
+    // The substitution of s^2 for the distance makes the integrand smooth, as the velocity is proportional to s at first.
     let ds = 1.0 / f64::from(INTERVALS);
     let duration = |k: u32| {
         let s = (f64::from(k) + 0.5) * ds;
@@ -117,7 +124,7 @@ fn fall(mass: f64, from: f64, to: f64, energy: impl Fn(f64) -> f64) -> (f64, f64
     ((0..INTERVALS).map(duration).sum(), speed(to))
 }
 
-/// The published springs of a neck, the time step that they are stable at and their name.
+/// The published springs of a neck, the time step at which they are stable, and their name.
 const NECKS: [(NeckSet, f64, &str); 2] = [(NeckSet::S, 50e-6, "S"), (NeckSet::P, 5e-6, "P")];
 
 /// Section 3: the softer necks are stable at the longer of the published steps, the stiffer ones only at the shorter.

@@ -1,4 +1,4 @@
-//! Section 3.1: aggregates are deposited, and torn at by a tip.
+//! Section 3.1: deposition and indentation of aggregates.
 
 use crate::case::Limits;
 use crate::case::quantity::{Scaled, quantity};
@@ -12,27 +12,27 @@ use crate::papers::soot::Plan;
 use crate::papers::soot::case::{Aggregate, Indentation, NeckSet, Soot, SootStage};
 use crate::papers::soot::watch::{Deposit, height};
 use crate::reproduce::{Claim, Evidence, Figure, Setting};
-use crate::run::{Course, Driver, Sink, Stage, Step};
+use crate::run::{Driver, RunState, RunningStage, Sink, Step};
 use crate::spec::soot::Along;
 use crate::spec::soot::eq21_hamaker_plane::plane_force;
 use rayon::prelude::*;
 use std::ops::ControlFlow;
 
-/// How often the force curve is kept, ns: a fraction of the time constant of the cantilever.
+/// Interval at which the force curve is recorded, ns: a fraction of the time constant of the cantilever.
 const LOOK: f64 = 0.5;
-/// Aggregates.
+/// Number of aggregates.
 const AGGREGATES: u64 = 20;
-/// Curves that are drawn.
+/// Number of curves in the figure.
 const DRAWN: usize = 4;
 
-/// What is done to every aggregate. All else are the authors' published inputs.
+/// The protocol of every aggregate. Everything else is as in the authors' published inputs.
 struct Protocol {
     spheres: u64,
     keep_necks: f64,
     indentation: &'static str,
 }
 
-/// What became of one aggregate.
+/// The results of one aggregate.
 struct Member {
     deposit: Deposit,
     kinetic: f64,
@@ -43,7 +43,7 @@ struct Member {
 /// Claims and force curves of Figs. 4 and 6.
 pub fn chapter(setting: &Setting) -> Result<Evidence, Error> {
     let extent = setting.extent;
-    let reduced = "aggregates of 60 spheres instead of 120, 90 % of the necks kept instead of 98 %, so that more are broken, \
+    let reduced = "aggregates of 60 spheres instead of 120, 90 % of the necks kept instead of 98 %, so that more are removed, \
                    indentations of 200 ns instead of 500 ns";
     let protocol = Protocol {
         spheres: extent.of(60, 120),
@@ -79,7 +79,7 @@ fn plan(protocol: &Protocol, seed: u64) -> Plan<Along> {
     }
 }
 
-/// One aggregate, deposited and indented.
+/// Deposits and indents one aggregate.
 fn member(plan: &Plan<Along>, interrupt: &Interrupt) -> Result<Member, Error> {
     let mut observer = Observer::default();
     Driver::new(plan, interrupt).run(&mut observer)?;
@@ -88,30 +88,35 @@ fn member(plan: &Plan<Along>, interrupt: &Interrupt) -> Result<Member, Error> {
     Ok(Member { deposit, kinetic, lowered: first - lowered, curve: curve.expect("an indentation has a force curve") })
 }
 
-/// What is seen of one aggregate.
+/// The observer of one aggregate.
 #[derive(Default)]
 struct Observer {
-    /// Height of the centre of mass at the beginning and the end of the deposition.
+    /// Height of the centre of mass at the beginning and at the end of the deposition.
     first: f64,
     lowered: f64,
-    /// What became of the deposition, and the kinetic energy that it began with.
+    /// The outcome of the deposition, and its initial kinetic energy.
     deposit: Option<(Deposit, f64)>,
     curve: Option<ForceCurve>,
 }
 
 impl Sink<Plan<Along>> for Observer {
-    fn begin(&mut self, stage: &mut Stage<'_, Plan<Along>>, _: &Course) -> Result<(), Error> {
+    fn begin(&mut self, stage: &mut RunningStage<'_, Plan<Along>>, _: &RunState) -> Result<(), Error> {
         if stage.number == 0 {
             self.first = height(stage.simulation.system());
         }
         Ok(())
     }
 
-    /// Keeps a point of the force curve now and then, and ends the deposition when the aggregate rests.
-    fn step(&mut self, stage: &mut Stage<'_, Plan<Along>>, _: &Course, _: &Step) -> Result<ControlFlow<()>, Error> {
+    /// Records points of the force curve at intervals, and ends the deposition when the aggregate is at rest.
+    fn step(
+        &mut self,
+        stage: &mut RunningStage<'_, Plan<Along>>,
+        _: &RunState,
+        _: &Step,
+    ) -> Result<ControlFlow<()>, Error> {
         let every = (LOOK / stage.simulation.settings().dt).round() as u64;
         if stage.simulation.system().step.is_multiple_of(every) {
-            stage.watch.keep(&stage.simulation);
+            stage.watch.record(&stage.simulation);
             if stage.number == 0 && stage.watch.deposit(&stage.simulation).rests {
                 return Ok(ControlFlow::Break(()));
             }
@@ -119,7 +124,7 @@ impl Sink<Plan<Along>> for Observer {
         Ok(ControlFlow::Continue(()))
     }
 
-    fn end(&mut self, stage: &mut Stage<'_, Plan<Along>>, _: &Course) -> Result<(), Error> {
+    fn end(&mut self, stage: &mut RunningStage<'_, Plan<Along>>, _: &RunState) -> Result<(), Error> {
         if stage.number == 0 {
             self.lowered = height(stage.simulation.system());
             self.deposit = Some((stage.watch.deposit(&stage.simulation), stage.watch.kinetic()));
@@ -147,42 +152,45 @@ fn claims(members: &[Member]) -> Vec<Claim> {
     vec![
         Claim::new(
             "Fig. 4",
-            "aggregates come to rest on the substrate: 0.1 % of their kinetic energy is left within 500 ns",
+            "aggregates come to rest on the substrate: less than 0.1 % of the initial kinetic energy remains within 500 ns",
             "adhesion by dissipation",
-            format!("{rested} of {}; {dissipated:.2} times the kinetic energy turned into heat", members.len()),
+            format!("{rested} of {}; {dissipated:.2} times the initial kinetic energy dissipated", members.len()),
             rested == members.len() && dissipated.value > 0.0,
         ),
         Claim::new(
             "Section 3.1.1",
-            "they turn until they adhere at several contacts",
+            "they topple until they adhere at several contacts",
             "all",
-            format!("{anchored} of {} on two spheres at least, {spheres:.1} on average", members.len()),
+            format!("{anchored} of {} on at least two spheres, {spheres:.1} spheres on average", members.len()),
             anchored == members.len(),
         ),
         Claim::new(
             "Section 3.1.1",
-            "they go on towards the substrate after one branch has adhered: the centre of mass sinks by more than the gap at first, 1.4 nm",
+            "they continue to move towards the substrate after one branch has adhered: the centre of mass sinks by more than the initial gap, 1.4 nm",
             "motion continues",
             format!("{lowered:.1} nm"),
             lowered.value - lowered.margin > 1.4,
         ),
         Claim::new(
             "Fig. 6a",
-            "the force curve is a saw: more than one peak on average",
+            "the force curve is saw-toothed: more than one peak on average",
             "several",
             format!("{peaks:.1}"),
             peaks.value > 1.0,
         ),
         Claim::new(
             "Fig. 6a",
-            format!("the highest peak pulls, and less than what parts a sphere from the tip, {:.2} nN", 1e-3 * tip),
+            format!(
+                "the highest peak is attractive, and below the pull-off force of a sphere from the tip, {:.2} nN",
+                1e-3 * tip
+            ),
             "a picture",
             format!("{highest:.2} nN"),
             within,
         ),
         Claim::new(
             "Fig. 6a",
-            "in the end the tip, or what it holds, is severed from the substrate, at a displacement of more than a sphere",
+            "in the end the tip, or a fragment on it, is severed from the substrate, at a displacement larger than a sphere",
             "severed",
             format!("{} of {}, at {rupture:.0} nm", parted.len(), members.len()),
             parted.len() == members.len() && rupture.value > 28.0,
@@ -192,14 +200,14 @@ fn claims(members: &[Member]) -> Vec<Claim> {
 
 fn figure(members: &[Member]) -> Figure {
     let curves = members.iter().take(DRAWN).enumerate().map(|(k, member)| {
-        // A tip that hits a sphere which cannot give way presses a thousand times as hard as it ever pulls.
+        // A tip that hits a sphere which cannot yield is loaded a thousand times as much as it is ever pulled.
         let presses = |point: &&(f64, f64)| point.1 < -member.curve.highest();
         let points = member.curve.retraction().iter().skip_while(presses);
         let points = points.map(|&(displacement, reading)| (displacement, 1e-3 * reading));
         Curve::new(format!("aggregate {}", k + 1), Mark::Line, points.collect())
     });
-    let title = "force on the tip as it is drawn back, as the cantilever reads it (Fig. 6a)".to_string();
-    let (x, y) = (Axis::linear("tip displacement [nm]"), Axis::linear("pull [nN]"));
+    let title = "force on the tip during its retraction, filtered by the cantilever (Fig. 6a)".to_string();
+    let (x, y) = (Axis::linear("tip displacement [nm]"), Axis::linear("pulling force [nN]"));
     let plot = Plot { title: title.clone(), x, y, curves: curves.collect() };
     Figure { name: "soot-force-curves".into(), caption: title, svg: plot.svg() }
 }

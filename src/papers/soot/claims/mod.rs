@@ -9,16 +9,21 @@ use crate::reproduce::Chapter;
 
 /// The chapters.
 pub const CHAPTERS: &[Chapter] = &[
-    Chapter { name: "exact", about: "equations alone", title: "Equations alone", compute: |_| Ok(exact::chapter()) },
+    Chapter {
+        name: "exact",
+        about: "consequences of the equations",
+        title: "Consequences of the equations",
+        compute: |_| Ok(exact::chapter()),
+    },
     Chapter {
         name: "indentation",
-        about: "aggregates deposited and indented by a tip, Section 3.1",
+        about: "deposition and indentation of aggregates, Section 3.1",
         title: "Deposition and indentation",
         compute: |setting| indentation::chapter(setting),
     },
     Chapter {
         name: "restructuring",
-        about: "aggregates under a coating, Section 3.2",
+        about: "restructuring of coated aggregates, Section 3.2",
         title: "Restructuring",
         compute: |setting| restructuring::chapter(setting),
     },

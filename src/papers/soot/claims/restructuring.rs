@@ -1,4 +1,4 @@
-//! Section 3.2: aggregates collapse under their coating.
+//! Section 3.2: restructuring of coated aggregates.
 
 use super::ensemble::{Ensemble, Kind, LOOK, Protocol, ensembles, settled, terminal};
 use crate::error::Error;
@@ -7,7 +7,7 @@ use crate::observe::statistics::Mean;
 use crate::papers::soot::case::Torsion;
 use crate::reproduce::{Claim, Evidence, Extent, Figure, Setting, near};
 
-/// What is computed without asking for all: necks of set S, which bear longer steps.
+/// The reduced protocol: necks of set S, which are stable at longer time steps.
 const REDUCED: Protocol = Protocol {
     aggregates: 4,
     keys: &[
@@ -34,14 +34,14 @@ pub fn chapter(setting: &Setting) -> Result<Evidence, Error> {
                 .into()
         }
         Extent::Full if members < 50 => {
-            format!("{members} of 50 aggregates, those that had finished; the same command goes on")
+            format!("{members} of 50 aggregates have finished; the same command resumes the others")
         }
         Extent::Full => String::new(),
     };
     Ok(Evidence { note, claims: claims(&found), figures: figures(&found) })
 }
 
-/// What an ensemble is called.
+/// The name of an ensemble.
 fn name(kind: Kind) -> String {
     let torsion = match kind.torsion {
         Torsion::Spring => "",
@@ -68,14 +68,14 @@ fn claims(found: &[Ensemble]) -> Vec<Claim> {
     let mut claims = vec![
         Claim::new(
             "Section 3.2",
-            "terminal coordination number without necks, in the confidence interval or within 10 %",
+            "terminal coordination number without necks, within the confidence interval or 10 %",
             "4.48",
             format!("{loose}"),
             loose.covers(4.48) || near(loose.value, 4.48, 0.1),
         ),
         Claim::new(
             "Fig. 8b",
-            "the terminal coordination number falls with the fraction of necks, confidence intervals apart",
+            "the terminal coordination number decreases with the fraction of necks; confidence intervals do not overlap",
             "falling",
             listed(&sprung, &|ensemble| format!("{}", end(ensemble))),
             sprung.windows(2).all(|pair| {
@@ -85,14 +85,14 @@ fn claims(found: &[Ensemble]) -> Vec<Claim> {
         ),
         Claim::new(
             "Fig. 8b",
-            "it stays below that of jammed spheres without friction",
+            "it stays below the coordination number of jammed frictionless spheres",
             "below 6",
             format!("at most {highest:.2}"),
             highest < 6.0,
         ),
         Claim::new(
             "Section 3.2",
-            "without necks all is over within tens of nanoseconds: 95 % of both rises after 10 to 50 ns",
+            "without necks restructuring ends within tens of nanoseconds: 95 % of both increases after 10 to 50 ns",
             "tens of ns",
             format!("coordination {local} ns, convexity {global} ns"),
             local.max(global) >= 10.0 && local.max(global) < 50.0,
@@ -109,7 +109,7 @@ fn claims(found: &[Ensemble]) -> Vec<Claim> {
         ),
         Claim::new(
             "Fig. 8b, d",
-            "the convexity differs more from aggregate to aggregate: confidence intervals over means",
+            "the convexity varies more between aggregates: confidence intervals relative to the means",
             "more",
             listed(&breaking, &|ensemble| {
                 let (local, global) = spreads(ensemble);
@@ -121,15 +121,15 @@ fn claims(found: &[Ensemble]) -> Vec<Claim> {
     for ensemble in found.iter().filter(|ensemble| ensemble.kind.neck_fraction == 1.0) {
         let Mean { value, margin } = ensemble.rise;
         let torsion = match ensemble.kind.torsion {
-            Torsion::Spring => "a torsion spring resists a twist",
-            Torsion::AsPrinted => "torsion springs are turned into the contact plane, as printed",
+            Torsion::Spring => "torsion springs along the normal",
+            Torsion::AsPrinted => "torsion springs rotated into the contact plane, as printed",
             Torsion::AsPublished => {
-                "torsion springs as printed, and all act before they are stretched, as in the authors' program"
+                "torsion springs as printed, and all springs lag by one step, as in the authors' program"
             }
         };
         claims.push(Claim::new(
             "Section 3.2",
-            format!("the coordination number rises, by less than 10 %, if all contacts are necks: the whole confidence interval; {torsion}"),
+            format!("the coordination number increases by less than 10 % if all contacts are necks (whole confidence interval); {torsion}"),
             "below 10 %",
             format!("{:.1} ± {:.1} % to {}", 100.0 * value, 100.0 * margin, end(ensemble)),
             value - margin > 0.0 && value + margin < 0.1,
@@ -183,7 +183,7 @@ fn figures(found: &[Ensemble]) -> Vec<Figure> {
     figures
 }
 
-/// A curve of means over the band of their margins.
+/// A curve of means with a band of their confidence intervals.
 fn banded(label: String, mark: Mark, points: &[(f64, f64, f64)]) -> Vec<Curve> {
     vec![Curve::band(points), Curve::new(label, mark, points.iter().map(|&(x, y, _)| (x, y)).collect())]
 }

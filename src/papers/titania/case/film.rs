@@ -7,29 +7,29 @@ use crate::initial::film::{Diameters, FilmPlan, Gas, Numbers};
 use std::path::PathBuf;
 
 section! {
-    /// Aggregates that came down one by one and stayed where they touched, Section 5.3.
+    /// A film of aggregates deposited one after the other, each of which sticks where it first touches, Section 5.3.
     pub struct Film {
         /// Number of particles.
         particles: u64 = 200_000,
-        /// Sides of the column.
+        /// Side lengths of the base of the periodic column.
         sides: [Quantity<Length>; 2] = [quantity("1.5814 µm"), quantity("1.5814 µm")],
-        /// Nominal diameters of the particles, whole nanometres.
+        /// Nominal diameters of the particles, in whole nanometres.
         diameters: DiametersOfFilm = defaults(),
-        /// Numbers of particles of the aggregates.
+        /// Number of particles per aggregate.
         aggregates: NumbersOfFilm = defaults(),
-        /// Particles of the clusters that aggregates are joined of.
+        /// Number of particles in the clusters from which aggregates are assembled.
         cluster: u64 = 6,
         /// Prefactor of the fractal law.
         prefactor: f64 = 1.0,
         /// Fractal dimension.
         dimension: f64 = 1.8,
-        /// The gas that they came down in.
+        /// The gas through which the aggregates are deposited.
         gas: GasOfFilm = defaults(),
-        /// Velocity at which they drifted down.
+        /// Drift velocity of the deposition.
         drift: Quantity<Velocity> = quantity("0.1 m/s"),
-        /// File to keep the relaxed film in.
+        /// File in which the relaxed film is saved.
         save: Option<PathBuf> = None,
-        /// File with a relaxed film to start from; it must have been made with the same keys above, model, relaxation and seed.
+        /// File with a relaxed film to start from; it must have been made with the same model, relaxation, seed and values of the keys above.
         load: Option<PathBuf> = None,
     }
 }
@@ -49,7 +49,7 @@ section! {
 }
 
 section! {
-    /// A log-normal distribution of numbers.
+    /// A log-normal distribution of the number of particles.
     pub struct NumbersOfFilm {
         /// Median.
         median: f64 = 36.0,
@@ -65,7 +65,7 @@ section! {
     pub struct GasOfFilm {
         /// Temperature.
         temperature: Quantity<Temperature> = quantity("300 K"),
-        /// Viscosity.
+        /// Dynamic viscosity.
         viscosity: Quantity<Viscosity> = quantity("1.85e-5 Pa s"),
         /// Mean free path of its molecules.
         free_path: Quantity<Length> = quantity("68 nm"),
@@ -73,25 +73,25 @@ section! {
 }
 
 section! {
-    /// A film under the tip of a force microscope, Section 5.4.
+    /// Force spectroscopy of a film with the tip of an atomic force microscope, Section 5.4.
     pub struct Spectroscopy {
-        /// How long the film has to come to rest before.
+        /// Duration of the relaxation of the film before.
         relaxation: InSteps = Scaled::Absolute(quantity("100 ns")),
-        /// Drag on every particle meanwhile.
+        /// Drag coefficient of every particle during the relaxation.
         drag: Quantity<Drag> = quantity("1e-11 kg/s"),
         /// The tip.
         tip: Tip = defaults(),
-        /// Speed at which the tip comes down and goes up.
+        /// Speed of the tip during loading and unloading.
         speed: Quantity<Velocity> = quantity("0.5 m/s"),
-        /// Force at which it turns.
+        /// Force at which loading ends.
         setpoint: Quantity<Force> = quantity("2 nN"),
-        /// How long it takes to turn.
+        /// Time that the reversal of the motion takes.
         reversal: Quantity<Time> = quantity("0.2 us"),
-        /// Time over which forces are averaged.
+        /// Averaging time of the force.
         average: Quantity<Time> = quantity("10 ns"),
-        /// How far it comes down at most.
+        /// Largest displacement of the tip during loading.
         depth: Quantity<Length>,
-        /// How far it goes up at most; 50 nm after the rupture of the film it stops.
+        /// Largest displacement of the tip during unloading; it stops 50 nm after the film has ruptured.
         retraction: Quantity<Length> = quantity("2 um"),
         /// Time step.
         dt: Quantity<Time> = quantity("0.5 ps"),
@@ -105,13 +105,13 @@ section! {
         radius: Quantity<Length> = quantity("20 nm"),
         /// Side of its base.
         side: Quantity<Length> = quantity("0.8 um"),
-        /// How far above the film it begins.
+        /// Initial height above the film.
         clearance: Quantity<Length> = quantity("2 nm"),
     }
 }
 
 impl Film {
-    /// How it is built, in engine units.
+    /// The parameters of its construction, in engine units.
     pub fn plan(&self) -> FilmPlan {
         let Self { particles, sides, diameters, aggregates, cluster, prefactor, dimension, gas, drift, .. } = self;
         let whole = |d: &Quantity<Length>| d.value.round() as u32;
@@ -141,7 +141,7 @@ impl Film {
         }
     }
 
-    /// All nominal diameters that its particles may have, nm.
+    /// All admissible nominal diameters of its particles, nm.
     pub fn sizes(&self) -> Vec<f64> {
         let Diameters { smallest, largest, .. } = self.plan().diameters;
         (smallest..=largest).map(f64::from).collect()

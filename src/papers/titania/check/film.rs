@@ -1,11 +1,11 @@
-//! What a film and its test must satisfy.
+//! Checks of a film and its test.
 
 use crate::case::check::{Found, expect};
 use crate::case::units::decimal;
 use crate::initial::film::column::Column;
 use crate::papers::titania::case::{Film, Spectroscopy};
 
-/// All that is wrong with the film; diameters must be `thick`.
+/// Checks the film; diameters must be `thick`.
 pub fn sample(film: &Film, thick: &str, core_gap: f64, found: &mut Found) {
     let at = |key: &str| format!("sample.film.{key}");
     let most = "1 to 10000000";
@@ -53,7 +53,7 @@ pub fn sample(film: &Film, thick: &str, core_gap: f64, found: &mut Found) {
     expect(found, d_f > 1.0 && d_f <= 3.0, &at("dimension"), decimal(d_f), range);
 }
 
-/// All that is wrong with the test.
+/// Checks the test.
 pub fn test(film: &Film, test: &Spectroscopy, thick: &str, core_gap: f64, found: &mut Found) {
     let at = |key: &str| format!("experiment.spectroscopy.{key}");
     for (key, value, text) in [
@@ -70,13 +70,14 @@ pub fn test(film: &Film, test: &Spectroscopy, thick: &str, core_gap: f64, found:
     }
     let (average, dt) = (&test.average, &test.dt);
     let down = test.depth.value / test.speed.value;
-    let window = format!("at least a time step, {dt}, and less than the tip takes for its depth");
+    let window = format!("at least the time step, {dt}, and less than the time in which the tip reaches its depth");
     expect(found, (dt.value..down).contains(&average.value), &at("average"), average, &window);
     expect(found, test.drag.value >= 0.0, &at("drag"), &test.drag, "zero or more");
     let (radius, side) = (&test.tip.radius, &test.tip.side);
     expect(found, 2.0 * radius.value > core_gap, &at("tip.radius"), radius, &format!("half of a diameter {thick}"));
     let width = film.sides[0].value.min(film.sides[1].value);
-    let narrow = format!("at least the diameter of its spheres and less than the column, {} nm", decimal(width));
+    let narrow =
+        format!("at least the diameter of its spheres and less than the width of the column, {} nm", decimal(width));
     let fits = side.value >= 2.0 * radius.value && side.value < width;
     expect(found, fits, &at("tip.side"), side, &narrow);
 }

@@ -1,4 +1,4 @@
-//! Section 3.1 of the titania paper, Fig. 9: a chain of 14 particles drawn apart.
+//! Section 3.1 of the titania paper, Fig. 9: stretching of a chain of 14 particles.
 
 use crate::error::Error;
 use crate::figures::{Axis, Curve, Mark, Plot};
@@ -10,15 +10,15 @@ use crate::reproduce::{Claim, Evidence, Figure, Setting};
 use rayon::prelude::*;
 use std::path::Path;
 
-/// The case, and what becomes of it for the other water.
+/// The case, and the names of its variants with both waters.
 const CASE: &str = include_str!("../../../../cases/titania/agglomerate.yaml");
 const WATERS: [(&str, &str); 2] = [("experimental", "experimental"), ("tip3p", "TIP3P")];
-/// What contacts do.
+/// The contact events.
 const EVENTS: [&str; 3] = ["sliding", "rolling", "detachment"];
 /// Forces are means over this time, ns.
 const EVERY: f64 = 0.05;
 
-/// The force that draws a chain apart, for both waters.
+/// The pulling force of a chain, for both waters.
 pub fn chapter(setting: &Setting) -> Result<Evidence, Error> {
     let pulls: Vec<Pull> = WATERS
         .into_par_iter()
@@ -32,25 +32,25 @@ pub fn chapter(setting: &Setting) -> Result<Evidence, Error> {
         let counts = EVENTS.map(|what| pull.events.iter().filter(|(_, event)| event.starts_with(what)).count());
         chapter.claims.push(Claim::new(
             "Fig. 9",
-            format!("contacts of a stretched agglomerate slide, roll and come apart, {name} water"),
-            "all three are seen",
-            format!("{} slidings, {} rollings, {} detachments", counts[0], counts[1], counts[2]),
+            format!("contacts of a stretched agglomerate slide, roll and detach, {name} water"),
+            "all three occur",
+            format!("{} sliding events, {} rolling events, {} detachments", counts[0], counts[1], counts[2]),
             counts.iter().all(|&count| count > 0),
         ));
         let forces: Vec<String> = pull.at_detachments().iter().map(|force| format!("{:.1}", force * 1e-3)).collect();
         chapter.claims.push(Claim::new(
             "Fig. 9",
             format!("pulling forces are a few nanonewtons (1 to 10 nN), {name} water"),
-            "in the picture only",
-            format!("at most {:.2} nN; at the detachments {} nN", pull.largest * 1e-3, forces.join(", ")),
+            "in the figure only",
+            format!("at most {:.2} nN; at detachments {} nN", pull.largest * 1e-3, forces.join(", ")),
             (1e3..1e4).contains(&pull.largest),
         ));
         chapter.figures.push(figure(name, pull));
     }
     chapter.claims.push(Claim::new(
         "Fig. 9",
-        "the lower surface tension of TIP3P water lets go at a lower force",
-        "in the picture only",
+        "with the lower surface tension of TIP3P water the largest pulling force is smaller",
+        "in the figure only",
         format!("at most {:.2} nN instead of {:.2} nN", pulls[1].largest * 1e-3, pulls[0].largest * 1e-3),
         pulls[1].largest < pulls[0].largest,
     ));
@@ -65,9 +65,8 @@ fn figure(name: &str, pull: &Pull) -> Figure {
         let points = events.filter_map(|(drawn, _)| Some((*drawn, between(&force, *drawn)?))).collect();
         curves.push(Curve::new(what, Mark::Points, points));
     }
-    let (x, y) = (Axis::linear("spring drawn [nm]"), Axis::linear("pulling force [nN]"));
+    let (x, y) = (Axis::linear("displacement of the spring [nm]"), Axis::linear("pulling force [nN]"));
     let plot = Plot { title: format!("{name} water"), x, y, curves };
-    let caption =
-        format!("Fig. 9: force that draws an agglomerate of 14 particles apart, {name} surface tension of water");
+    let caption = format!("Fig. 9: pulling force of an agglomerate of 14 particles, {name} surface tension of water");
     Figure { name: format!("fig-9-{}", name.to_lowercase()), caption, svg: plot.svg() }
 }

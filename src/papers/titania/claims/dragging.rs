@@ -10,22 +10,22 @@ use crate::papers::titania::rolling_resistance;
 use crate::papers::titania::stage::Stage;
 use crate::papers::titania::study::Plan;
 use crate::reproduce::{Claim, Evidence, Figure, near};
-use crate::run::{self, Course, Driver, Sink, Step};
+use crate::run::{self, Driver, RunState, Sink, Step};
 use crate::simulation::Simulation;
 use crate::spec::titania::Titania;
 use rayon::prelude::*;
 use std::ops::ControlFlow;
 
-/// How long a particle is pressed on the slab before it is dragged, in steps.
+/// Number of steps for which a particle is pressed onto the slab before it is dragged.
 const SETTLING: f64 = 6000.0;
 const DT: f64 = 5e-4;
-/// How far it slides and rolls, nm.
+/// Sliding and rolling distances, nm.
 const SLID: f64 = 1.7;
 const ROLLED: f64 = 1.0;
-/// Farther than both.
+/// A distance larger than both.
 const FARTHEST: &str = "2 nm";
 
-/// A particle pressed on the slab and dragged; `see` is shown the states while it is dragged, the one at the beginning too, and ends it.
+/// Presses a particle onto the slab and drags it; `see` observes the states while it is dragged, the initial one included, and ends the run.
 fn drag(
     load: f64,
     velocity: f64,
@@ -48,13 +48,18 @@ fn drag(
 struct Dragged<F>(F);
 
 impl<F: FnMut(&Simulation<Titania>) -> ControlFlow<()>> Sink<Plan> for Dragged<F> {
-    fn begin(&mut self, stage: &mut run::Stage<'_, Plan>, _: &Course) -> Result<(), Error> {
+    fn begin(&mut self, stage: &mut run::RunningStage<'_, Plan>, _: &RunState) -> Result<(), Error> {
         if stage.number == 1 {
             let _ = (self.0)(&stage.simulation);
         }
         Ok(())
     }
-    fn step(&mut self, stage: &mut run::Stage<'_, Plan>, _: &Course, _: &Step) -> Result<ControlFlow<()>, Error> {
+    fn step(
+        &mut self,
+        stage: &mut run::RunningStage<'_, Plan>,
+        _: &RunState,
+        _: &Step,
+    ) -> Result<ControlFlow<()>, Error> {
         Ok(if stage.number == 1 { (self.0)(&stage.simulation) } else { ControlFlow::Continue(()) })
     }
 }
@@ -63,7 +68,7 @@ fn travel(simulation: &Simulation<Titania>) -> f64 {
     simulation.system().walls[1].travel.0[0]
 }
 
-/// Stick and slip of a particle that slides.
+/// Stick-slip motion of a sliding particle.
 struct Slid {
     load: f64,
     velocity: f64,
@@ -71,9 +76,9 @@ struct Slid {
     period: f64,
     /// Mean force at a slip, pN.
     peak: f64,
-    /// Mean of shear strength times contact area there, pN.
+    /// Mean of shear strength times contact area at a slip, pN.
     strength: f64,
-    /// Force against the way, pN and nm.
+    /// Force against displacement, pN and nm.
     curve: Vec<(f64, f64)>,
 }
 
@@ -103,9 +108,9 @@ fn slide(load: f64, velocity: f64, interrupt: &Interrupt) -> Result<Slid, Error>
 struct Rolled {
     load: f64,
     velocity: f64,
-    /// Least, mean and largest resistance, as a force at its centre, pN.
+    /// Smallest, mean and largest rolling resistance, as a force at the centre, pN.
     range: [f64; 3],
-    /// The resistance against the way, pN and nm.
+    /// Rolling resistance against displacement, pN and nm.
     curve: Vec<(f64, f64)>,
 }
 
@@ -113,7 +118,7 @@ fn roll(load: f64, velocity: f64, interrupt: &Interrupt) -> Result<Rolled, Error
     let mut curve = Vec::new();
     drag(load, velocity, true, interrupt, |simulation| {
         let way = travel(simulation);
-        // At the beginning nothing has been measured yet.
+        // Nothing has been measured before the first step.
         if simulation.system().step > 0 {
             curve.push((way, rolling_resistance(simulation)));
         }
@@ -125,12 +130,12 @@ fn roll(load: f64, velocity: f64, interrupt: &Interrupt) -> Result<Rolled, Error
     Ok(Rolled { load, velocity, range, curve })
 }
 
-/// Loads, pN, and velocities, m/s; the last is the third again, slowly.
+/// Loads, pN, and velocities, m/s; the last repeats the third at a lower velocity.
 const RUNS: [(f64, f64); 6] =
     [(500.0, 1.0), (1000.0, 1.0), (2000.0, 1.0), (4000.0, 1.0), (8000.0, 1.0), (2000.0, 0.25)];
 const TYPICAL: usize = 2;
 
-/// What becomes of a particle that is dragged.
+/// The results of a dragged particle.
 pub fn dragging(chapter: &mut Evidence, interrupt: &Interrupt) -> Result<(), Error> {
     let slid: Vec<Slid> =
         RUNS.into_par_iter().map(|(load, velocity)| slide(load, velocity, interrupt)).collect::<Result<_, _>>()?;
@@ -142,7 +147,7 @@ pub fn dragging(chapter: &mut Evidence, interrupt: &Interrupt) -> Result<(), Err
     Ok(())
 }
 
-/// Force over load, with its load; and whether it falls to less than a half.
+/// Force relative to load at each load, and whether it decreases to less than half.
 fn over_load(points: impl Iterator<Item = (f64, f64)> + Clone) -> (String, bool) {
     let ratios: Vec<f64> = points.clone().map(|(load, force)| force / load).collect();
     let listed = points.map(|(load, force)| format!("{:.2} at {} nN", force / load, load * 1e-3));
@@ -150,13 +155,13 @@ fn over_load(points: impl Iterator<Item = (f64, f64)> + Clone) -> (String, bool)
     (listed.collect::<Vec<_>>().join(", "), falls)
 }
 
-/// Stick and slip, and the upper half of Fig. 6.
+/// Stick-slip motion, and the upper half of Fig. 6.
 fn sliding(chapter: &mut Evidence, runs: &[Slid]) {
     let (loads, slow) = runs.split_at(5);
     let all = |of: fn(&Slid) -> String| runs.iter().map(of).collect::<Vec<_>>().join(", ");
     chapter.claims.push(Claim::new(
         "Section 2.4",
-        "stick and slip keeps the period of the law, whatever load (0.5 to 8 nN) and velocity (0.25 and 1 m/s)",
+        "the stick-slip period is that of the law for every load (0.5 to 8 nN) and velocity (0.25 and 1 m/s)",
         "about 0.5 nm",
         all(|run| format!("{:.4}", run.period)) + " nm",
         runs.iter().all(|run| near(run.period, 0.5, 0.01)),
@@ -164,14 +169,14 @@ fn sliding(chapter: &mut Evidence, runs: &[Slid]) {
     let (fast, slow) = (&loads[TYPICAL], &slow[0]);
     chapter.claims.push(Claim::new(
         "Section 2.4",
-        "peak friction does not depend on the velocity",
+        "peak friction is independent of the velocity",
         "negligible influence",
         format!("{:.1} pN at {} m/s, {:.1} pN at {} m/s", fast.peak, fast.velocity, slow.peak, slow.velocity),
         near(fast.peak, slow.peak, 0.01),
     ));
     chapter.claims.push(Claim::new(
         "Eq. 10",
-        "peak friction is shear strength times contact area, on a slab that is a sphere of 1 µm",
+        "peak friction is shear strength times contact area, on a slab represented by a sphere of 1 µm",
         "0.65 GPa",
         loads.iter().map(|run| format!("{:.4}", 0.65 * run.peak / run.strength)).collect::<Vec<_>>().join(", ")
             + " GPa",
@@ -180,14 +185,14 @@ fn sliding(chapter: &mut Evidence, runs: &[Slid]) {
     let (ratios, falls) = over_load(loads.iter().map(|run| (run.load, run.peak)));
     chapter.claims.push(Claim::new(
         "Fig. 6",
-        "peak friction over load falls with the load: no law of Amontons",
+        "the ratio of peak friction to load decreases with the load: Amontons' law does not hold",
         "falls",
         ratios,
         falls,
     ));
 }
 
-/// The resistance to rolling, and the lower half of Fig. 6.
+/// Rolling resistance, and the lower half of Fig. 6.
 fn rolling(chapter: &mut Evidence, runs: &[Rolled], slid: &Slid) {
     let (loads, slow) = runs.split_at(5);
     let (typical, slow) = (&loads[TYPICAL], &slow[0]);
@@ -196,7 +201,7 @@ fn rolling(chapter: &mut Evidence, runs: &[Rolled], slid: &Slid) {
     });
     chapter.claims.push(Claim::new(
         "Fig. 8",
-        "the resistance to rolling, as a force at the centre, is the same all the way of 1 nm and at both velocities",
+        "the rolling resistance, as a force at the centre, is constant over 1 nm and the same at both velocities",
         "a pure slider (Eq. 13)",
         listed.collect::<Vec<_>>().join(", "),
         runs.iter().all(|Rolled { range: [least, mean, most], .. }| most - least < 0.01 * mean)
@@ -205,7 +210,7 @@ fn rolling(chapter: &mut Evidence, runs: &[Rolled], slid: &Slid) {
     let (ratios, falls) = over_load(loads.iter().map(|run| (run.load, run.range[1])));
     chapter.claims.push(Claim::new(
         "Fig. 6",
-        "resistance to rolling over load falls with the load",
+        "the ratio of rolling resistance to load decreases with the load",
         "falls",
         ratios,
         falls,
@@ -213,7 +218,7 @@ fn rolling(chapter: &mut Evidence, runs: &[Rolled], slid: &Slid) {
     let higher = slid.peak / typical.range[1];
     chapter.claims.push(Claim::new(
         "Section 2.4",
-        "peaks of sliding are significantly higher than the resistance to rolling, under 2 nN",
+        "peak sliding friction is significantly larger than rolling resistance, under 2 nN",
         "0.65 GPa to 0.25 GPa: 2.6",
         format!("{:.1} pN to {:.1} pN: {higher:.2}", slid.peak, typical.range[1]),
         near(higher, 2.6, 0.05),
@@ -229,7 +234,7 @@ fn figures(chapter: &mut Evidence, slid: &[Slid], rolled: &[Rolled]) {
     };
     draw(
         "friction",
-        "Fig. 6: peak friction, and resistance to rolling, of a particle of 8 nm on a slab against the load",
+        "Fig. 6: peak friction and rolling resistance of a particle of 8 nm on a slab against the load",
         "load [nN]",
         "force [nN]",
         vec![
@@ -243,8 +248,8 @@ fn figures(chapter: &mut Evidence, slid: &[Slid], rolled: &[Rolled]) {
     };
     draw(
         "dragging",
-        "Fig. 8: a particle of 8 nm slides and rolls over a slab under 2 nN",
-        "way [nm]",
+        "Fig. 8: sliding and rolling of a particle of 8 nm over a slab under 2 nN",
+        "displacement [nm]",
         "force [nN]",
         vec![against_way("sliding", &slid[TYPICAL].curve), against_way("rolling", &rolled[TYPICAL].curve)],
     );

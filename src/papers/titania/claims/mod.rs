@@ -43,10 +43,10 @@ pub const CHAPTERS: &[Chapter] = &[
 
 /// Nominal diameters of the two sizes of Figs. 3 and 6, nm.
 const SIZES: [f64; 2] = [8.0, 16.0];
-/// Nominal diameter of the sphere that stands for the slab, nm.
+/// Nominal diameter of the sphere that represents the slab, nm.
 const SLAB: f64 = 1000.0;
 
-/// Rest, stiffness, approach, stick and slip, friction, the structure of a film.
+/// Equilibrium, stiffness, approach, stick-slip motion, friction, the structure of a film.
 pub fn chapter(setting: &Setting) -> Result<Evidence, Error> {
     let mut chapter = Evidence::default();
     constants(&mut chapter);
@@ -68,7 +68,7 @@ fn stiffness(d: f64) -> f64 {
     titania.law().parameters(r, r, m, m).k_n * 1e-3
 }
 
-/// Force that pulls two equal particles apart, nN, against the stretch from rest, nm.
+/// Force required to separate two equal particles, nN, against the distance beyond equilibrium, nm.
 fn pull(d: f64) -> Vec<(f64, f64)> {
     let (titania, none) = (paper(), Vec3::zero());
     let (law, (r, m)) = (titania.law(), titania.particle(d));
@@ -97,7 +97,7 @@ fn constants(chapter: &mut Evidence) {
     chapter.figures.push(Figure::linear("stiffness", caption, axes, vec![Curve::new("", Mark::Dots, table)]));
     for (d, figure) in SIZES.into_iter().zip([24.5, 33.7]) {
         let k_n = stiffness(d);
-        let claim = format!("contact stiffness of particles with a nominal radius of {} nm, within a tenth", 0.5 * d);
+        let claim = format!("contact stiffness of particles with a nominal radius of {} nm, within 10 %", 0.5 * d);
         chapter.claims.push(Claim::new(
             "Fig. 6",
             claim,
@@ -111,18 +111,18 @@ fn constants(chapter: &mut Evidence) {
     let [small, large] = pulls.each_ref().map(largest);
     chapter.claims.push(Claim::new(
         "Fig. 8",
-        "force that pulls two particles of 8 and of 16 nm apart: grows with the size",
-        "in the picture only",
-        format!("{:.2} nN at {:.2} nm from rest, {:.2} nN at {:.2} nm", small.1, small.0, large.1, large.0),
+        "pull-off force of two particles of 8 nm and of 16 nm: increases with the size",
+        "in the figure only",
+        format!("{:.2} nN at {:.2} nm beyond equilibrium, {:.2} nN at {:.2} nm", small.1, small.0, large.1, large.0),
         large.1 > small.1,
     ));
     let curves = SIZES.into_iter().zip(pulls);
     let curves = curves.map(|(d, pull)| Curve::new(format!("{d} nm"), Mark::Line, pull)).collect();
-    let caption = "Fig. 8: the force that holds two equal particles, at rest relative to each other";
-    chapter.figures.push(Figure::linear("pull", caption, ["stretch from rest [nm]", "force [nN]"], curves));
+    let caption = "Fig. 8: quasi-static force between two equal particles";
+    chapter.figures.push(Figure::linear("pull", caption, ["distance beyond equilibrium [nm]", "force [nN]"], curves));
 }
 
-/// Fig. 4: what is left of the force on a particle on the slab when the attraction is taken away.
+/// Fig. 4: the force on a particle on the slab without the attraction.
 fn repulsion(chapter: &mut Evidence) {
     let (titania, none) = (paper(), Vec3::zero());
     let (law, [(r, m), (big, heavy)]) = (titania.law(), [SIZES[0], SLAB].map(|d| titania.particle(d)));
@@ -140,10 +140,10 @@ fn repulsion(chapter: &mut Evidence) {
     let order = (force(4.0 * rest) / force(rest)).log(4.0);
     chapter.claims.push(Claim::new(
         "Fig. 4",
-        "repulsion of a particle with a radius of 4 nm from a slab, here a sphere of 1 µm, in the few Å around rest where it is below 5 nN: 2 to 5 Å",
+        "range around equilibrium in which the repulsion of a particle with a radius of 4 nm from a slab, here a sphere of 1 µm, is below 5 nN: 2 to 5 Å",
         "a few Å",
         format!(
-            "{:.1} Å, from {:.1} Å above to {:.1} Å below rest, where it is {:.2} nN; of order {order:.2} in the overlap",
+            "{:.1} Å, from {:.1} Å above to {:.1} Å below equilibrium, where it is {:.2} nN; a power of {order:.2} of the overlap",
             10.0 * (rest + pressed),
             10.0 * rest,
             10.0 * pressed,
@@ -152,7 +152,8 @@ fn repulsion(chapter: &mut Evidence) {
         (0.2..0.5).contains(&(rest + pressed)),
     ));
     let caption = "Fig. 4: repulsion of a particle with a radius of 4 nm from a slab";
-    let (axes, curves) = (["distance from rest [nm]", "repulsion [nN]"], vec![Curve::new("", Mark::Line, curve)]);
+    let (axes, curves) =
+        (["distance from equilibrium [nm]", "repulsion [nN]"], vec![Curve::new("", Mark::Line, curve)]);
     chapter.figures.push(Figure::linear("repulsion", caption, axes, curves));
 }
 
@@ -176,7 +177,7 @@ fn approach(chapter: &mut Evidence, setting: &Setting) -> Result<(), Error> {
             titania.damping_constant.value *= factor;
             let plan = plan(&titania, DT, vec![Stage::approach(&test, [d; 2], DT)]);
             let (mut least, mut settled, mut points) = (f64::INFINITY, 0.0, vec![(0.0, 0.5)]);
-            let mut see = Each(|stage: &mut run::Stage<'_, Plan>, _: &run::Step| {
+            let mut see = Each(|stage: &mut run::RunningStage<'_, Plan>, _: &run::Step| {
                 let system = stage.simulation.system();
                 let (distance, time) = (apart(system), system.time);
                 least = least.min(distance);
@@ -191,10 +192,10 @@ fn approach(chapter: &mut Evidence, setting: &Setting) -> Result<(), Error> {
             let end = apart(&Driver::new(&plan, setting.interrupt).run(&mut see)?.system);
             chapter.claims.push(Claim::new(
                 "Fig. 3",
-                format!("two particles of {d} nm released 0.5 nm from rest swing about it and settle; damping constant of the {who}"),
-                "quickly, by a damped oscillation; times in the picture only",
+                format!("two particles of {d} nm released 0.5 nm from equilibrium oscillate about it and settle; damping constant of the {who}"),
+                "quickly, by a damped oscillation; times in the figure only",
                 format!(
-                    "least distance {:.3} nm below rest, within 5 pm of it after {settled:.2} ns, at last {:.1e} nm off",
+                    "smallest distance {:.3} nm below equilibrium, within 5 pm of it after {settled:.2} ns, final deviation {:.1e} nm",
                     d - least,
                     (end - d).abs()
                 ),
@@ -203,7 +204,7 @@ fn approach(chapter: &mut Evidence, setting: &Setting) -> Result<(), Error> {
             curves.push(Curve::new(format!("{d} nm, {who}"), Mark::Line, points));
         }
     }
-    let caption = "Fig. 3: two particles released 0.5 nm from rest";
-    chapter.figures.push(Figure::linear("approach", caption, ["time [ps]", "distance from rest [nm]"], curves));
+    let caption = "Fig. 3: two particles released 0.5 nm from equilibrium";
+    chapter.figures.push(Figure::linear("approach", caption, ["time [ps]", "distance from equilibrium [nm]"], curves));
     Ok(())
 }

@@ -1,4 +1,4 @@
-//! What contacts do: they slide, come about and come apart, and those of rigid bodies roll.
+//! Contact events: sliding, formation and detachment, and the rolling of rigid bodies.
 
 use super::Law;
 use crate::simulation::Simulation;
@@ -9,16 +9,16 @@ use crate::spec::titania::def_radius::effective_radius;
 use crate::system::{Pose, System};
 use serde::{Deserialize, Serialize};
 
-/// Contacts as they were at the last look, and what has happened since the first.
+/// The contacts at the last examination, and the number of events since the first.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Contacts {
-    /// In the order of the ids.
+    /// The contacts, in the order of their ids.
     known: Vec<Known>,
-    /// Contacts that slipped.
+    /// Number of contacts that slipped.
     pub slidings: u64,
-    /// Contacts that rolled by the period of stick and slip.
+    /// Number of contacts that rolled by the stick-slip period.
     pub rollings: u64,
-    /// Contacts that came apart.
+    /// Number of contacts that detached.
     pub detachments: u64,
 }
 
@@ -28,20 +28,20 @@ struct Known {
     ids: (u32, u32),
     /// Length of the tangential spring.
     spring: f64,
-    /// How the first lay as seen from the second when it last had rolled.
+    /// Orientation of the first relative to the second at the last rolling event.
     lay: (f64, Vec3<f64>),
 }
 
 impl Contacts {
-    /// Looks for the first time.
+    /// Records the initial contacts.
     pub fn begin<M: Law>(simulation: &Simulation<M>) -> Self {
         let mut contacts = Self::default();
         contacts.look(simulation);
         contacts
     }
 
-    /// Looks at all contacts; says what has happened to them since the last look. A spring that has lost more than half a period between
-    /// two looks has slipped.
+    /// Examines all contacts and returns the events since the last examination. A spring that has shortened by more than half a period in
+    /// between has slipped.
     pub fn look<M: Law>(&mut self, simulation: &Simulation<M>) -> Vec<String> {
         let (system, period) = (simulation.system(), simulation.model().tables().law().lambda_t);
         let id = &system.particles.id;
@@ -86,13 +86,13 @@ impl Contacts {
         events
     }
 
-    /// How many pairs were in range at the last look.
+    /// Number of pairs in range at the last examination.
     pub fn count(&self) -> usize {
         self.known.len()
     }
 }
 
-/// How the body of a sphere lies; how a sphere by itself lies nobody keeps, and it is not seen to roll.
+/// The orientation of the body of a sphere; single spheres have no stored orientation, so their rolling is not observed.
 fn pose(system: &System, sphere: usize) -> Pose {
     match system.particles.body[sphere] as usize {
         0 => Pose { x: Vec3::zero(), q_0: 1.0, q: Vec3::zero() },
@@ -100,7 +100,7 @@ fn pose(system: &System, sphere: usize) -> Pose {
     }
 }
 
-/// The orientation of `a` as seen from `b`.
+/// The orientation of `a` relative to `b`.
 fn seen(a: &Pose, b: &Pose) -> (f64, Vec3<f64>) {
     product(b.q_0, -b.q, a.q_0, a.q)
 }

@@ -1,4 +1,4 @@
-//! A film under the tip of a force microscope: it comes to rest, the tip comes down to its setpoint, and goes up again.
+//! A film under the tip of an atomic force microscope: relaxation, approach to the setpoint, and retraction.
 
 mod contacts;
 mod law;
@@ -11,10 +11,10 @@ pub use spectrum::Spectrum;
 
 use super::case::{self, Case, Spectroscopy, TitaniaTest, checked};
 use crate::error::{Error, Halt};
-use crate::initial::film::{Film, FilmSphere};
+use crate::initial::film::{DepositedFilm, FilmSphere};
 use crate::interrupt::Interrupt;
 use crate::observe::film::Structure;
-use crate::output::{Cell, Column, Finding, Kept, keep, kept};
+use crate::output::{Cell, Column, Finding, SavedKind, load_state, save_state};
 use crate::run::{Progress, Study};
 use crate::simulation::{EXAMINED, Settings, Simulation};
 use crate::spec::Vec3;
@@ -31,11 +31,11 @@ pub struct Plan<M> {
     test: Spectroscopy,
     seed: u64,
     overlap: f64,
-    stages: Vec<Stage>,
+    stages: Vec<FilmStage>,
     model: OnceLock<M>,
 }
 
-/// A relaxed film on disk, with what it was made from.
+/// A relaxed film on disk, with the parameters from which it was made.
 #[derive(Serialize, Deserialize)]
 struct Relaxed {
     origin: String,
@@ -44,16 +44,16 @@ struct Relaxed {
 
 /// A stage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stage {
-    /// The film comes to rest.
+pub enum FilmStage {
+    /// Relaxation of the film.
     Relaxation,
-    /// The tip comes down.
+    /// Approach of the tip.
     Approach,
-    /// It turns and goes up.
+    /// Reversal and retraction of the tip.
     Retraction,
 }
 
-impl Stage {
+impl FilmStage {
     const ALL: [Self; 3] = [Self::Relaxation, Self::Approach, Self::Retraction];
 
     fn name(self) -> &'static str {
@@ -65,35 +65,35 @@ impl Stage {
     }
 }
 
-/// Places of the two walls.
+/// Indices of the two walls.
 const FIXED: usize = 0;
 const TIP: usize = 1;
-/// How much farther than their range neighbours are listed, nm.
+/// Skin of the neighbour list, nm.
 const SKIN: f64 = 3.0;
-/// How far the tables of the attraction may be off, pN.
+/// Largest error of the tables of the attraction, pN.
 const TOLERANCE: f64 = 0.1;
 const AT_REST: [Motion; 3] = [Motion::Velocity(0.0); 3];
 
 impl<M: Law> Plan<M> {
-    /// The plan of a case that is about a film.
+    /// The plan of a case with a film.
     pub fn of(case: &Case) -> Self {
         let (titania, TitaniaTest::Spectroscopy(film, test)) = checked(case) else {
             unreachable!("asked only of cases that are about a film")
         };
         let (titania, film, test) = (titania.clone(), film.clone(), test.clone());
-        let stages = if film.load.is_some() { &Stage::ALL[1..] } else { &Stage::ALL[..] }.to_vec();
+        let stages = if film.load.is_some() { &FilmStage::ALL[1..] } else { &FilmStage::ALL[..] }.to_vec();
         let (seed, overlap) = (case.seed, case.limits.overlap);
         Self { titania, film, test, seed, overlap, stages, model: OnceLock::new() }
     }
 
-    /// Everything that a relaxed film depends on.
+    /// All parameters that determine a relaxed film.
     fn origin(&self) -> String {
         let film = case::Film { save: None, load: None, ..self.film.clone() };
         let Spectroscopy { relaxation, drag, dt, .. } = &self.test;
         serde_json::to_string(&(&self.titania, film, relaxation, drag, dt, self.seed)).expect("a case is plain data")
     }
 
-    /// What the film is like now; spheres touch where their water layers do.
+    /// The present structure of the film; spheres touch if their water layers do.
     fn structure(&self, system: &System) -> Structure {
         let p = &system.particles;
         let sizes: Vec<(f64, f64)> = self.film.sizes().into_iter().map(|d| (self.titania.particle(d).0, d)).collect();
@@ -105,11 +105,11 @@ impl<M: Law> Plan<M> {
         (0..p.len()).filter(|&i| p.wall[i] > 0).for_each(|i| on_floor[p.tag[i] as usize] = true);
         let thickness = spheres.iter().map(|s| s.centre.0[2] + 0.5 * s.diameter).fold(0.0, f64::max);
         let [width, depth, _] = system.domain.sides;
-        let film = Film { spheres, on_floor, sides: [width, depth], thickness };
+        let film = DepositedFilm { spheres, on_floor, sides: [width, depth], thickness };
         Structure::of(&film, 2.0 * sizes[0].0 - sizes[0].1, self.seed)
     }
 
-    /// Places the tip above the middle of the film, and lets it come down.
+    /// Places the tip above the middle of the film, and starts the approach.
     fn add_tip(&self, system: &mut System) {
         let case::Tip { radius, side, clearance } = &self.test.tip;
         let [width, depth, _] = system.domain.sides;
@@ -118,7 +118,7 @@ impl<M: Law> Plan<M> {
         let centres: Vec<_> = tip::pyramid(radius, side.value).into_iter().map(|c| c + middle).collect();
         let lifted = tip::lift(&centres, radius, &system.particles, &system.domain, clearance.value);
         let first = system.particles.len();
-        // Ids go on behind those that are there: places are not names any more.
+        // The ids continue those of the film, because indices no longer equal ids.
         let tag = system.particles.tag.iter().copied().max().map_or(0, |tag| tag + 1);
         for c in centres {
             system.particles.push(c + Vec3([0.0, 0.0, lifted]), radius, mass, tag);
@@ -128,7 +128,7 @@ impl<M: Law> Plan<M> {
         let down = [AT_REST[0], AT_REST[1], Motion::Velocity(-self.test.speed.value)];
         system.add_wall(down, |p, i| p.body[i] == tip);
         let top = system.particles.x.iter().map(|x| x.0[2]).fold(0.0, f64::max);
-        // Pictures are to show the tip on its way up too.
+        // Pictures are to show the tip during its retraction too.
         system.domain.sides[2] = top + radius + 0.5 * self.test.retraction.value;
     }
 }
@@ -143,7 +143,7 @@ impl<M: Law> Study for Plan<M> {
 
     fn initial(&self, interrupt: &Interrupt) -> Result<System, Error> {
         if let Some(path) = &self.film.load {
-            let Relaxed { origin, system } = kept(path, Kept::Sample)?;
+            let Relaxed { origin, system } = load_state(path, SavedKind::Sample)?;
             if origin != self.origin() {
                 return Err(Error::input(path, "was made with another model, film, relaxation or seed"));
             }
@@ -155,9 +155,9 @@ impl<M: Law> Study for Plan<M> {
 
     fn set_up(&self, stage: usize, mut system: System) -> Result<System, Error> {
         match self.stages[stage] {
-            Stage::Relaxation => {}
-            Stage::Approach => self.add_tip(&mut system),
-            Stage::Retraction => {
+            FilmStage::Relaxation => {}
+            FilmStage::Approach => self.add_tip(&mut system),
+            FilmStage::Retraction => {
                 let turning = Motion::Return { speed: self.test.speed.value, turn: self.test.reversal.value };
                 system.walls[TIP].redirect([AT_REST[0], AT_REST[1], turning]);
             }
@@ -178,25 +178,25 @@ impl<M: Law> Study for Plan<M> {
     }
 
     fn settings(&self, stage: usize, _: &System) -> Settings {
-        let damping = if self.stages[stage] == Stage::Relaxation { self.test.drag.value } else { 0.0 };
+        let damping = if self.stages[stage] == FilmStage::Relaxation { self.test.drag.value } else { 0.0 };
         Settings { damping, skin: SKIN, max_overlap: self.overlap, ..Settings::new(self.test.dt.value) }
     }
 
     fn steps(&self, stage: usize, dt: f64) -> u64 {
         let test = &self.test;
         let time = match self.stages[stage] {
-            Stage::Relaxation => test.relaxation.value(dt),
-            Stage::Approach => test.depth.value / test.speed.value,
-            Stage::Retraction => test.reversal.value + test.retraction.value / test.speed.value,
+            FilmStage::Relaxation => test.relaxation.value(dt),
+            FilmStage::Approach => test.depth.value / test.speed.value,
+            FilmStage::Retraction => test.reversal.value + test.retraction.value / test.speed.value,
         };
         ((time / dt).round() as u64).max(1)
     }
 
     fn progress(&self, stage: usize, watch: &Watch, simulation: &Simulation<M>) -> Progress {
         let done = match self.stages[stage] {
-            Stage::Relaxation => false,
-            Stage::Approach => watch.force() >= self.test.setpoint.value,
-            Stage::Retraction => watch.parted_by(AFTER),
+            FilmStage::Relaxation => false,
+            FilmStage::Approach => watch.force() >= self.test.setpoint.value,
+            FilmStage::Retraction => watch.parted_by(AFTER),
         };
         let last = self.steps(stage, simulation.settings().dt);
         if done || simulation.system().step >= last { Progress::Done } else { Progress::Going }
@@ -204,14 +204,14 @@ impl<M: Law> Study for Plan<M> {
 
     fn end(&self, stage: usize, simulation: Simulation<M>) -> Result<System, Error> {
         let system = simulation.into_system_with_springs();
-        if let (Stage::Relaxation, Some(path)) = (self.stages[stage], &self.film.save) {
-            keep(path, Kept::Sample, &Relaxed { origin: self.origin(), system: system.clone() })?;
+        if let (FilmStage::Relaxation, Some(path)) = (self.stages[stage], &self.film.save) {
+            save_state(path, SavedKind::Sample, &Relaxed { origin: self.origin(), system: system.clone() })?;
         }
         Ok(system)
     }
 
     fn parts(&self, stage: usize) -> u64 {
-        if self.stages[stage] == Stage::Retraction { 4 } else { 1 }
+        if self.stages[stage] == FilmStage::Retraction { 4 } else { 1 }
     }
 
     fn upwards(&self) -> usize {
@@ -245,22 +245,27 @@ impl<M: Law> Study for Plan<M> {
 
     fn findings(&self, stage: usize, watch: &Watch, simulation: &Simulation<M>) -> Result<Vec<Finding>, Error> {
         let mut found = watch.findings(self.stages[stage], self.test.setpoint.value, simulation);
-        if self.stages[stage] == Stage::Relaxation {
+        if self.stages[stage] == FilmStage::Relaxation {
             let structure = self.structure(simulation.system());
             found.extend([
                 Finding::number("porosity of the relaxed film", structure.porosity, "", Some(0.98)),
                 Finding::number("thickness of the relaxed film", structure.thickness, "nm", None),
-                Finding::number("contacts of an aggregate with others", structure.contacts_between, "", None),
-                Finding::number("contacts of a sphere in its aggregate", structure.contacts_within, "", None),
+                Finding::number(
+                    "mean number of contacts between an aggregate and others",
+                    structure.contacts_between,
+                    "",
+                    None,
+                ),
+                Finding::number("mean coordination number within an aggregate", structure.contacts_within, "", None),
             ]);
             let listed = |values: &[f64], scale: f64| {
                 values.iter().map(|value| format!("{:.1}", scale * value)).collect::<Vec<_>>().join(", ")
             };
             let layer = structure.thickness / structure.profile.len() as f64;
             found.extend([
-                Finding::words("pore diameters that 10, 50 and 90 % do not reach [nm]", listed(&structure.pores, 1.0)),
+                Finding::words("pore diameter, 10th, 50th and 90th percentile [nm]", listed(&structure.pores, 1.0)),
                 Finding::words(
-                    &format!("density profile: solid in layers of {layer:.0} nm from the floor up [%]"),
+                    &format!("density profile: solid fraction of layers of {layer:.0} nm, from the bottom [%]"),
                     listed(&structure.profile, 100.0),
                 ),
             ]);
@@ -269,5 +274,5 @@ impl<M: Law> Study for Plan<M> {
     }
 }
 
-/// How far the tip goes on once the film has let go, nm.
+/// Displacement of the tip after the rupture at which the retraction ends, nm.
 const AFTER: f64 = 50.0;

@@ -1,54 +1,54 @@
-//! A force curve, from the folder of a run.
+//! The force curve of a run, read from its folder.
 
-use super::Stage;
+use super::FilmStage;
 use crate::error::Error;
 use crate::output::columns::TIME;
 use crate::output::{Column, Event, Finding, RunFolder, Series, between};
 
-/// What comes out of a film under a tip.
+/// The result of the force spectroscopy of a film.
 #[derive(Clone, Debug, Default)]
 pub struct Spectrum {
-    /// How far the tip had moved, nm, and the mean force on it, pN: coming down.
+    /// Displacement of the tip, nm, and mean force on it, pN, during the approach.
     pub approach: Vec<(f64, f64)>,
-    /// The same going up.
+    /// The same during the retraction.
     pub retraction: Vec<(f64, f64)>,
-    /// What happened while it went up, and how far it had moved then.
+    /// Events during the retraction, with the displacement of the tip at which they occurred.
     pub events: Vec<(f64, String)>,
-    /// Largest pull, last peak of the pull, pN, and the way from the setpoint to the rupture, nm; what there was.
+    /// The largest pulling force, pN.
     pub largest: f64,
-    /// The last peak before nothing pulls any more.
+    /// The last peak of the pulling force before the tip is free, pN, if any.
     pub last: Option<f64>,
-    /// The way.
+    /// Displacement of the tip from the setpoint to the rupture, nm, if the film ruptured.
     pub rupture: Option<f64>,
 }
 
-/// How far the tip has moved.
+/// Displacement of the tip.
 pub const MOVED: Column = Column::new("tip moved", "nm");
-/// Mean force on it.
+/// Mean force on the tip.
 pub const FORCE: Column = Column::new("force on the tip", "pN");
-/// A finding that a spectrum holds.
-pub const LARGEST: &str = "largest pull on the tip";
+/// Name of a finding: the largest pulling force.
+pub const LARGEST: &str = "largest pulling force on the tip";
 /// Another.
-pub const LAST: &str = "last peak of the pull";
+pub const LAST: &str = "last peak of the pulling force";
 /// Another.
-pub const WAY: &str = "way of the tip from the setpoint to the rupture";
+pub const WAY: &str = "displacement of the tip from the setpoint to the rupture";
 
 impl Spectrum {
-    /// How far the tip had moved at the last peak of the pull, nm.
+    /// Displacement of the tip at the last peak of the pulling force, nm.
     pub fn peak(&self) -> f64 {
         self.retraction.iter().rev().find(|point| self.last == Some(-point.1)).map_or(0.0, |point| point.0)
     }
 
-    /// What a run has left that has finished; its series must be as fine as the force is averaged.
+    /// Reads a finished run, the rows of whose series must be as close as the averaging time of the force.
     pub fn read(folder: &RunFolder) -> Result<Self, Error> {
         let (series, findings) = (Series::read(folder)?, Finding::of_run(folder)?);
-        let up = Stage::Retraction.name();
+        let up = FilmStage::Retraction.name();
         let moved = series.curve(up, TIME, MOVED);
         let going_up = Event::all(folder)?.into_iter().filter(|event| event.stage == up);
         let found =
             |name| findings.iter().find(|finding| finding.name == name).and_then(|found| found.value.parse().ok());
         Ok(Self {
-            approach: series.curve(Stage::Approach.name(), MOVED, FORCE),
+            approach: series.curve(FilmStage::Approach.name(), MOVED, FORCE),
             retraction: series.curve(up, MOVED, FORCE),
             events: going_up
                 .filter_map(|Event { time_ns, event, .. }| Some((between(&moved, time_ns)?, event)))

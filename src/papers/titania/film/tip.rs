@@ -1,4 +1,4 @@
-//! The tip of a force microscope: a pyramid of spheres.
+//! The tip of an atomic force microscope: a pyramid of spheres.
 
 use crate::spec::{Real, Vec3};
 use crate::system::{Domain, Particles};

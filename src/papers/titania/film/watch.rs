@@ -1,8 +1,8 @@
-//! What is watched of a film under a tip: the force on the tip, and what contacts do.
+//! The measurements of a film under a tip: the force on the tip, and the events at contacts.
 
 use super::contacts::Contacts;
 use super::spectrum::{FORCE, LARGEST, LAST, MOVED, WAY};
-use super::{FIXED, Law, Stage, TIP};
+use super::{FIXED, FilmStage, Law, TIP};
 use crate::geometry::clusters::Clusters;
 use crate::initial::film::Bonding;
 use crate::output::{Cell, Column, Finding};
@@ -22,40 +22,40 @@ pub const COLUMNS: [Column; 8] = [
     Column::pure("necks"),
 ];
 
-/// Time between two looks at all contacts, ns.
+/// Interval at which all contacts are examined, ns.
 const LOOK: f64 = 0.05;
-/// Below this a pulling force is none, pN.
+/// Pulling force below which the tip counts as free, pN.
 const NOTHING: f64 = 50.0;
 
-/// What has been seen in a stage.
+/// The observer of a stage.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Watch {
     contacts: Contacts,
-    /// Force up on the tip, summed since the last mean was taken, and over how many steps.
+    /// Upward force on the tip, summed since the last mean was taken, and the number of steps.
     window: (f64, u64),
-    /// How far the tip had moved, and the mean force on it.
+    /// Displacement of the tip, and the mean force on it.
     curve: Vec<(f64, f64)>,
-    /// How far the tip had moved when the stage began.
+    /// Displacement of the tip when the stage began.
     from: f64,
-    /// Necks when the stage began.
+    /// Number of necks when the stage began.
     necks: u64,
-    /// Bodies, or spheres by themselves, that hang together with the tip, and whether the fixed ones do.
+    /// Number of bodies and single spheres connected to the tip, and whether the fixed ones are among them.
     on_tip: u64,
     holds: bool,
-    /// How far the tip had moved when nothing connected it with the bottom any more.
+    /// Displacement of the tip when it lost its connection to the bottom.
     rupture: Option<f64>,
 }
 
 impl Watch {
-    /// Begins to watch.
+    /// Starts observing.
     pub fn begin<M: Law>(simulation: &Simulation<M>) -> Self {
         let System { walls, necks, .. } = simulation.system();
         let from = walls.get(TIP).map_or(0.0, |tip| tip.travel.0[2]);
         Self { contacts: Contacts::begin(simulation), from, necks: necks.len() as u64, ..Self::default() }
     }
 
-    /// Sees a step; says what happened since the last look. Forces are averaged over `average`, ns.
-    pub fn follow<M: Law>(&mut self, stage: Stage, average: f64, simulation: &Simulation<M>) -> Vec<String> {
+    /// Observes a step and returns the events since the last examination. Forces are averaged over `average`, ns.
+    pub fn follow<M: Law>(&mut self, stage: FilmStage, average: f64, simulation: &Simulation<M>) -> Vec<String> {
         let (system, dt) = (simulation.system(), simulation.settings().dt);
         let due = |interval: f64| system.step.is_multiple_of(((interval / dt).round() as u64).max(1));
         let mut events = if due(LOOK) { self.contacts.look(simulation) } else { Vec::new() };
@@ -65,18 +65,18 @@ impl Watch {
             self.curve.push((tip.travel.0[2], self.window.0 / self.window.1 as f64));
             self.window = (0.0, 0);
             self.hang_together(simulation);
-            if stage == Stage::Retraction && !self.holds && self.rupture.is_none() {
+            if stage == FilmStage::Retraction && !self.holds && self.rupture.is_none() {
                 self.rupture = Some(tip.travel.0[2]);
-                events.push(format!("rupture, the tip takes {} bodies along", self.on_tip));
+                events.push(format!("rupture, {} bodies stay on the tip", self.on_tip));
             }
         }
         events
     }
 
-    /// What is connected with the tip.
+    /// Finds the bodies connected to the tip.
     fn hang_together<M: Law>(&mut self, simulation: &Simulation<M>) {
         let system = simulation.system();
-        // Spheres by themselves are counted behind the bodies; the places of members stay unused.
+        // Single spheres are numbered after the bodies; the numbers of members stay unused.
         let (body, bodies) = (&system.particles.body, system.bodies.len());
         let part = |sphere: usize| (body[sphere] as usize).checked_sub(1).unwrap_or(bodies + sphere);
         let links = simulation.contacts().map(|(i, j, ..)| (part(i), part(j)));
@@ -88,7 +88,7 @@ impl Watch {
         self.on_tip = roots.iter().filter(|&&root| Some(root) == tip).count() as u64 - 1;
     }
 
-    /// Whether the tip has gone on by so much since the rupture, nm.
+    /// Whether the tip has moved by `way` since the rupture, nm.
     pub fn parted_by(&self, way: f64) -> bool {
         self.rupture.zip(self.curve.last()).is_some_and(|(rupture, now)| now.0 >= rupture + way)
     }
@@ -113,17 +113,17 @@ impl Watch {
         tip.into_iter().chain([menisci, on_tip, slidings, rollings, detachments, necks]).collect()
     }
 
-    /// What it amounts to.
-    pub fn findings<M: Law>(&self, stage: Stage, setpoint: f64, simulation: &Simulation<M>) -> Vec<Finding> {
+    /// The findings of the stage.
+    pub fn findings<M: Law>(&self, stage: FilmStage, setpoint: f64, simulation: &Simulation<M>) -> Vec<Finding> {
         let Contacts { slidings, rollings, detachments, .. } = self.contacts;
         let named = |what: &str| format!("{what} during {}", stage.name());
         let mut found = match stage {
-            Stage::Relaxation => Vec::new(),
-            Stage::Approach => vec![
+            FilmStage::Relaxation => Vec::new(),
+            FilmStage::Approach => vec![
                 Finding::words(
                     "end of the approach",
                     if self.force() < setpoint {
-                        "at its greatest depth, below the setpoint"
+                        "at the largest depth, below the setpoint"
                     } else {
                         "at the setpoint"
                     },
@@ -131,7 +131,7 @@ impl Watch {
                 Finding::number("force at the end of the approach", self.force(), "pN", Some(setpoint)),
                 Finding::number("depth of the approach", -self.curve.last().map_or(0.0, |point| point.0), "nm", None),
             ],
-            Stage::Retraction => self.peaks(),
+            FilmStage::Retraction => self.peaks(),
         };
         let broken = self.necks - simulation.system().necks.len() as u64;
         let third = match M::BONDING {
@@ -143,7 +143,7 @@ impl Watch {
         found
     }
 
-    /// The largest pull on the tip, and the last peak of it before nothing pulls any more, pN.
+    /// The largest pulling force on the tip, and its last peak before the tip is free, pN.
     fn largest_and_last_pull(&self) -> (f64, Option<f64>) {
         let pull = |k: usize| -self.curve[k].1;
         let pulled = (0..self.curve.len()).rev().find(|&k| pull(k) > NOTHING);
@@ -152,7 +152,7 @@ impl Watch {
         ((0..self.curve.len()).map(pull).fold(0.0, f64::max), last)
     }
 
-    /// The largest pull, the last one, and where the film let go.
+    /// The largest pulling force, the last peak, and the rupture distance.
     fn peaks(&self) -> Vec<Finding> {
         let (largest, last) = self.largest_and_last_pull();
         let mut found = vec![Finding::number(LARGEST, largest, "pN", None)];
@@ -161,7 +161,7 @@ impl Watch {
             Some(height) => Finding::number(WAY, height - self.from, "nm", None),
             None => Finding::words("rupture of the film", "not within the retraction"),
         });
-        found.push(Finding::number("bodies that the tip has taken along", self.on_tip as f64, "", None));
+        found.push(Finding::number("bodies left on the tip", self.on_tip as f64, "", None));
         found
     }
 }

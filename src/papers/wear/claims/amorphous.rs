@@ -13,11 +13,11 @@ use crate::spec::wear::eq18_critical_diameter::critical_diameter;
 use crate::spec::wear::eq20_matched_strength::matched_strength;
 use rayon::prelude::*;
 
-/// What one sample showed; sizes in critical diameters, none where it failed under the compression of 0.01.
+/// The results of one sample; sizes in critical diameters, no elastic constants if it failed under the compression of 0.01.
 struct Shown {
     size: f64,
     s: f64,
-    /// Under the law as published in the paper, or as in the authors' program, which forgets stretched springs.
+    /// Results under the law of the paper, and under the law of the authors' program, which resets stretched springs.
     forgetful: bool,
     relaxed: Relaxed,
     elastic: Option<Elasticity>,
@@ -55,7 +55,7 @@ pub fn chapter(setting: &Setting) -> Result<Evidence, Error> {
     Ok(chapter)
 }
 
-/// One sample, tested with springs kept and forgotten; they have no part in its relaxation.
+/// One sample, tested with and without the reset of springs, which does not matter during the relaxation.
 fn show(size: f64, s: f64, setting: &Setting) -> Result<[Shown; 2], Error> {
     let (d, side, steps) = (size * d_c(), setting.extent.of(20.0, 100.0), setting.extent.of(20_000, 200_000));
     let material = patch_material(0.15, s);
@@ -73,7 +73,7 @@ fn show(size: f64, s: f64, setting: &Setting) -> Result<[Shown; 2], Error> {
 
 /// The two readings, in words.
 fn reading(forgetful: bool) -> &'static str {
-    if forgetful { "stretched springs forgotten, as in the authors' program" } else { "springs kept" }
+    if forgetful { "stretched springs reset, as in the authors' program" } else { "springs kept" }
 }
 
 fn claims(shown: &[Shown], chapter: &mut Evidence) {
@@ -83,7 +83,7 @@ fn claims(shown: &[Shown], chapter: &mut Evidence) {
     let (low, high) = range(fractions(0.0));
     chapter.claims.push(Claim::new(
         "Fig. 7",
-        "relaxed volume fraction at s = 0 does not depend on d_0 beyond d_c (within 0.01)",
+        "relaxed volume fraction at s = 0 is independent of d_0 above d_c (within 0.01)",
         "constant",
         format!("{low:.3} to {high:.3}"),
         high - low < 0.01,
@@ -91,7 +91,7 @@ fn claims(shown: &[Shown], chapter: &mut Evidence) {
     let falling = fractions(0.5);
     chapter.claims.push(Claim::new(
         "Fig. 7",
-        "relaxed volume fraction at s = 1/2 falls with d_0",
+        "relaxed volume fraction at s = 1/2 decreases with d_0",
         "falling",
         falling.iter().map(|f| format!("{f:.3}")).collect::<Vec<_>>().join(", "),
         falling.windows(2).all(|pair| pair[1] < pair[0]),
@@ -119,7 +119,7 @@ fn claims(shown: &[Shown], chapter: &mut Evidence) {
     let moduli: Vec<f64> = of(0.5).filter_map(|x| Some(x.elastic?.young_modulus)).collect();
     chapter.claims.push(Claim::new(
         "Fig. 8",
-        "Young's modulus at s = 1/2 falls with d_0, as the volume fraction does",
+        "Young's modulus at s = 1/2 decreases with d_0, as the volume fraction does",
         "falling",
         moduli.iter().map(|e| format!("{e:.3}")).collect::<Vec<_>>().join(", "),
         moduli.windows(2).all(|pair| pair[1] < pair[0]),
@@ -128,10 +128,10 @@ fn claims(shown: &[Shown], chapter: &mut Evidence) {
     let within: Vec<&Shown> = of(0.0).chain(of(0.5).filter(|x| x.size < 20.0)).collect();
     chapter.claims.push(Claim::new(
         "Fig. 8",
-        "a sample fails under a compression of 0.01 exactly when s = 1/2 and d_0 > 20 d_c",
+        "a sample fails under a compression of 0.01 if and only if s = 1/2 and d_0 > 20 d_c",
         "fails",
         format!(
-            "{} of {} beyond, {} of {} others",
+            "{} of {} above, {} of {} others",
             weak.iter().filter(|x| x.elastic.is_none()).count(),
             weak.len(),
             within.iter().filter(|x| x.elastic.is_none()).count(),
@@ -148,7 +148,7 @@ fn claims(shown: &[Shown], chapter: &mut Evidence) {
             let (low, high) = range(read.map(|x| peak(x) / target(full, x.size, s)).collect());
             chapter.claims.push(Claim::new(
                 figure,
-                format!("{name} strength at s = {s} over its target, within 5 points; {}", reading(forgetful)),
+                format!("{name} strength at s = {s} relative to its target, within 0.05; {}", reading(forgetful)),
                 format!("{paper:.2}"),
                 format!("{low:.2} to {high:.2}"),
                 low > paper - 0.05 && high < paper + 0.05,
@@ -195,9 +195,9 @@ fn harmony(setting: &Setting, chapter: &mut Evidence) -> Result<(), Error> {
     let (varying, fixed) = (found[1] / found[0] - 1.0, found[2] / found[0] - 1.0);
     chapter.claims.push(Claim::new(
         "Fig. A.9",
-        format!("tensile strength of L = 240 d_c, d_0 from L/{coarse} to L/{fine}: the change with constant d_l is less than half of that with d_l = 1.25 d_0"),
+        format!("tensile strength for L = 240 d_c, d_0 from L/{coarse} to L/{fine}: the change at constant d_l is less than half the change at d_l = 1.25 d_0"),
         "roughly equal",
-        format!("{:+.0} % with constant d_l, {:+.0} % with d_l = 1.25 d_0", 100.0 * fixed, 100.0 * varying),
+        format!("{:+.0} % at constant d_l, {:+.0} % at d_l = 1.25 d_0", 100.0 * fixed, 100.0 * varying),
         fixed.abs() < 0.5 * varying.abs(),
     ));
     Ok(())

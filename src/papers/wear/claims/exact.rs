@@ -1,4 +1,4 @@
-//! What the equations alone give.
+//! Claims that follow from the equations alone.
 
 use crate::initial::packing::FILL;
 use crate::reproduce::{Claim, Evidence, near};
@@ -27,7 +27,7 @@ pub fn chapter() -> Evidence {
         Claim::number("wave velocity", "Section 4, silica", "5760", wave_velocity(e, 2200.0), "m/s", 0.0),
         Claim::new(
             "nu <= 1/4",
-            "no tangential stiffness is left at nu = 1/4, a negative one beyond",
+            "the tangential stiffness vanishes at nu = 1/4 and is negative above",
             "limit 1/4",
             format!(
                 "A_T(0.25) = {:e}, A_T(0.26) < 0: {}",
@@ -38,7 +38,7 @@ pub fn chapter() -> Evidence {
         ),
     ];
     let mut claims: Vec<Claim> = exact.into_iter().map(Claim::exact).collect();
-    // Table 6 is about samples and choices, not about the equations.
+    // Table 6 depends on samples and choices, not on the equations alone.
     for (d_0, count, step) in [(1.5, 6000.0, 20.0), (3.0, 2600.0, 40.0), (6.0, 600.0, 80.0)] {
         let (.., cubes) = truncated_moments(d_0, 0.75 * d_0, 7.5);
         let spheres = FILL * 1e5 / (cubes * sphere_volume(0.5));

@@ -1,4 +1,4 @@
-//! The paper's experiments, one function each.
+//! The experiments of the paper, one function each.
 
 use crate::case::section::defaults;
 use crate::case::{InSteps, Limits};
@@ -13,7 +13,7 @@ use crate::papers::wear::case::{Compression, Deformation, Patch};
 use crate::papers::wear::fate::Witness;
 use crate::papers::wear::protocol::{Protocol, Setup, Stage};
 use crate::papers::wear::stages;
-use crate::run::{Course, Driver, Sink, Step};
+use crate::run::{Driver, RunState, Sink, Step};
 use crate::simulation::Simulation;
 use crate::spec::wear::{Material, Wear};
 use crate::system::System;
@@ -24,15 +24,15 @@ use std::ops::ControlFlow;
 pub struct Relaxed {
     /// At rest, with the masses of the material's density.
     pub system: System,
-    /// Volume of the spheres over volume of the box.
+    /// Volume fraction of the spheres in the box.
     pub volume_fraction: f64,
-    /// Steps of the second phase.
+    /// Number of steps of the second phase.
     pub steps: u64,
-    /// Largest residual stress over Young's modulus.
+    /// Largest residual stress, relative to Young's modulus.
     pub residual: f64,
 }
 
-/// Section 3.2: random spheres come to rest.
+/// Section 3.2: relaxation of a random packing.
 pub fn relax(
     sizes: Sizes,
     sides: [f64; 3],
@@ -52,7 +52,7 @@ pub fn relax(
     Ok(Relaxed { volume_fraction: volume_fraction(&system), system, steps, residual })
 }
 
-/// Runs stages; `see` is shown the beginning of each and every step, and may end a stage. Returns the state at the end.
+/// Runs stages; `see` observes the initial state of each and every step, and may end a stage. Returns the final state.
 fn observe(
     stages: &[Stage],
     initial: System,
@@ -65,36 +65,36 @@ fn observe(
     Ok(Driver::new(&protocol, interrupt).run_from(initial, &mut Seeing(see))?.system)
 }
 
-/// Shows a closure the beginning of each stage, too.
+/// Shows a closure the initial state of each stage, too.
 struct Seeing<F>(F);
 
 impl<'p, F: FnMut(&Simulation<Wear>) -> ControlFlow<()>> Sink<Protocol<'p>> for Seeing<F> {
-    fn begin(&mut self, stage: &mut crate::run::Stage<'_, Protocol<'p>>, _: &Course) -> Result<(), Error> {
+    fn begin(&mut self, stage: &mut crate::run::RunningStage<'_, Protocol<'p>>, _: &RunState) -> Result<(), Error> {
         let _ = (self.0)(&stage.simulation);
         Ok(())
     }
     fn step(
         &mut self,
-        stage: &mut crate::run::Stage<'_, Protocol<'p>>,
-        _: &Course,
+        stage: &mut crate::run::RunningStage<'_, Protocol<'p>>,
+        _: &RunState,
         _: &Step,
     ) -> Result<ControlFlow<()>, Error> {
         Ok((self.0)(&stage.simulation))
     }
 }
 
-/// The overlap that is allowed in a test.
+/// The largest overlap in a test.
 fn overlap() -> f64 {
     defaults::<Limits>().overlap
 }
 
-/// How thick the walls about a sample are, nm.
+/// Thickness of the walls of a sample, nm.
 fn wall(d_0: f64) -> f64 {
     defaults::<Patch>().walls.value(d_0)
 }
 
-/// Elastic constants by a confined compression of 0.01 E, or none when the sample gives way: it is compressed by more than
-/// ten times what its target stiffness allows.
+/// Elastic constants from a confined compression of 0.01 E, or none if the sample fails: if its strain exceeds ten times the strain
+/// expected from the target stiffness.
 pub fn elasticity(
     sample: &System,
     d_0: f64,
@@ -130,7 +130,7 @@ pub enum Pull {
     Shear,
 }
 
-/// Stress against strain, up to failure.
+/// Stress-strain curve up to failure.
 #[derive(Clone, Debug)]
 pub struct Strength {
     /// Strain and stress, MPa.
@@ -139,10 +139,10 @@ pub struct Strength {
     pub peak: f64,
 }
 
-/// Strain between two looks.
+/// Strain between two measurements.
 const LOOK: f64 = 1e-3;
 
-/// The peak stress of a sample deformed at constant rate. The test ends when the stress has fallen to half of its peak, or at `most` strain.
+/// The peak stress of a sample deformed at constant rate. The test ends when the stress has fallen to half its peak, or at the strain `most`.
 pub fn strength(
     sample: &System,
     d_0: f64,
@@ -174,7 +174,7 @@ pub fn strength(
     Ok(strength)
 }
 
-/// Shears a junction carved from a full relaxed box, and watches it every `window` nm of sliding.
+/// Shears a junction carved from a relaxed sample, and observes it every `window` nm of sliding.
 pub fn shear_junction(
     full: &System,
     stage: &Stage,
@@ -214,7 +214,7 @@ mod tests {
             elasticity(&hcp(180.0, [4, 7, 2], 1.0), 180.0, &patch_material(0.0, 0.5), 20_000, &Interrupt::default())
                 .unwrap()
                 .unwrap();
-        // Beyond linear order the load of 0.01 E turns the bonds: a deviation of its square.
+        // To second order the load of 0.01 E rotates the bonds: a deviation quadratic in the load.
         assert!((measured.young_modulus - 1.0).abs() < 1e-3, "{measured:?}");
         assert!(measured.poisson_ratio.abs() < 2e-3, "{measured:?}");
         assert!((measured.strain + 0.01).abs() < 1e-4, "{measured:?}");

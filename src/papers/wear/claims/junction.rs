@@ -1,4 +1,4 @@
-//! Section 4: sheared junctions of silica, and their cost (Table 6).
+//! Section 4: shearing of silica junctions, and its cost (Table 6).
 
 use super::experiment::{Relaxed, relax, shear_junction};
 use super::{SILICA_DENSITY, silica};
@@ -32,8 +32,8 @@ const PICTURES: [f64; 4] = [1.0, 15.0, 40.0, 95.0];
 /// Figs. 9, 10, A.10 and Table 6.
 pub fn chapter(setting: &Setting) -> Result<Evidence, Error> {
     let extent = setting.extent;
-    let note = extent
-        .of("d_0 = 1.5 nm is left out, one sample for d_0 = 3 nm and three for 6 nm", "Three samples of each d_0");
+    let note =
+        extent.of("d_0 = 1.5 nm is omitted; one sample for d_0 = 3 nm and three for 6 nm", "Three samples of each d_0");
     let mut chapter = Evidence { note: note.into(), ..Evidence::default() };
     let samples: &[(f64, u64)] = extent.of(
         &[(3.0, 1), (6.0, 1), (6.0, 2), (6.0, 3)],
@@ -50,7 +50,8 @@ pub fn chapter(setting: &Setting) -> Result<Evidence, Error> {
             figure,
             format!("junction of D = {} nm at d_0 = {} nm, seed {}", run.diameter, run.d_0, run.seed),
             format!("{paper:?}").to_lowercase(),
-            format!("{:?}: {turns:.2} turns in 100 nm, bodies as near as {lowest:.1} nm", run.fate).to_lowercase(),
+            format!("{:?}: {turns:.2} turns in 100 nm, smallest distance between the bodies {lowest:.1} nm", run.fate)
+                .to_lowercase(),
             run.fate == paper,
         ));
     }
@@ -109,9 +110,12 @@ fn cost(sheared: &[Sheared], chapter: &mut Evidence) {
         let dt = slid / 10.0 / run.steps as f64 * 1e6;
         chapter.claims.push(Claim::new(
             "Table 6",
-            format!("spheres, time step and time for 10 ns at d_0 = {} nm: no slower than the paper", run.d_0),
+            format!(
+                "spheres, time step and computing time for 10 ns at d_0 = {} nm: no slower than the paper",
+                run.d_0
+            ),
             paper,
-            format!("{}, {dt:.1} fs, {:.0} s on one core, other cases beside it", run.spheres, run.seconds),
+            format!("{}, {dt:.1} fs, {:.0} s on one core, with other cases running", run.spheres, run.seconds),
             run.seconds
                 < 28.0
                     * if run.d_0 < 2.0 {
@@ -139,8 +143,8 @@ fn figures(sheared: &[Sheared], chapter: &mut Evidence) {
             let points = run.rows.iter().map(|row| (row.slid, measure(row))).collect();
             Curve::new(format!("D {}, d_0 {} nm", run.diameter, run.d_0), Mark::Line, points)
         };
-        let caption = format!("sheared junctions: {label} against sliding");
-        let (x, y) = (Axis::linear("sliding [nm]"), Axis::linear(label));
+        let caption = format!("sheared junctions: {label} against sliding distance");
+        let (x, y) = (Axis::linear("sliding distance [nm]"), Axis::linear(label));
         let plot = Plot { title: caption.clone(), x, y, curves: first.map(curve).collect() };
         chapter.figures.push(Figure { name: name.into(), caption, svg: plot.svg() });
     }

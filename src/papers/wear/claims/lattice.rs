@@ -13,9 +13,9 @@ use crate::spec::wear::eq20_matched_strength::matched_strength;
 use crate::system::System;
 use rayon::prelude::*;
 
-/// Poisson's ratios of the elastic tests.
+/// Poisson's ratios in the elastic tests.
 const RATIOS: [f64; 6] = [0.0, 0.05, 0.1, 0.15, 0.2, 0.25];
-/// Steps in which the samples come to rest under the load: the slowest wave has then faded by more than six digits.
+/// Number of steps for which the samples are relaxed under the load: the slowest wave has then decayed by more than six orders of magnitude.
 const STEPS: u64 = 20_000;
 
 fn d_c() -> f64 {
@@ -62,7 +62,7 @@ fn elastic(setting: &Setting, chapter: &mut Evidence) -> Result<(), Error> {
     chapter.claims.extend([
         Claim::new(
             "Fig. A.4, A.5",
-            "lattice at nu = 0: E and nu on target, to second order in the load of 0.01",
+            "lattice at nu = 0: E and nu equal their targets up to second order in the load of 0.01",
             "E 1, nu 0",
             format!("E {:.5}, nu {:.5}", zero.young_modulus, zero.poisson_ratio),
             near(zero.young_modulus, 1.0, 2e-3) && zero.poisson_ratio.abs() < 2e-3,
@@ -76,7 +76,7 @@ fn elastic(setting: &Setting, chapter: &mut Evidence) -> Result<(), Error> {
         ),
         Claim::new(
             "infinite lattice",
-            "E and nu at nu = 1/4 and load 0.01, within 1.5 points of the exact answer of an infinite lattice",
+            "E and nu at nu = 1/4 and a load of 0.01, within 1.5 percentage points of the exact result for an infinite lattice",
             "E -5.5 %, nu +11.3 %",
             format!("E {}, nu {}", percent(last.young_modulus - 1.0), percent(last.poisson_ratio / 0.25 - 1.0)),
             (last.young_modulus - 0.945).abs() < 0.015 && (last.poisson_ratio / 0.25 - 1.113).abs() < 0.015,
@@ -86,7 +86,7 @@ fn elastic(setting: &Setting, chapter: &mut Evidence) -> Result<(), Error> {
     let (low, high) = sizes.iter().fold((f64::INFINITY, 0.0f64), |(low, high), &e| (low.min(e), high.max(e)));
     chapter.claims.push(Claim::new(
         "Section 3.1",
-        "the particle size has no influence on E (d_0 from 0.6 to 19.2 d_c, nu = 1/4, within 0.1 %)",
+        "E is independent of the particle size (d_0 from 0.6 to 19.2 d_c, nu = 1/4, within 0.1 %)",
         "none",
         format!("E from {low:.5} to {high:.5}"),
         sizes.len() == 3 && high / low < 1.001,
@@ -158,19 +158,22 @@ fn strengths(setting: &Setting, chapter: &mut Evidence) -> Result<(), Error> {
             let (low, high) = range(found);
             chapter.claims.push(Claim::new(
                 figure,
-                format!("slope of log {name} strength against log d_0 beyond d_c at s = {s}, within 0.1"),
+                format!("slope of log {name} strength against log d_0 above d_c at s = {s}, within 0.1"),
                 format!("{slope}"),
                 format!("{low:.2} to {high:.2}"),
                 (low - slope).abs() < 0.1 && (high - slope).abs() < 0.1,
             ));
         }
-        // Below the critical diameter the paper finds the shear strength under its target: that is the next claim.
+        // Below the critical diameter the paper finds the shear strength below its target: the next claim.
         let first = usize::from(pull == Pull::Shear);
         let scaled = ratios.iter().filter(|nu| **nu > 0.0).flat_map(|&nu| [ratio(nu, 0.0), ratio(nu, 0.5)]);
         let (low, high) = range(scaled.flat_map(|over| over[first..].to_vec()).collect());
         chapter.claims.push(Claim::new(
             figure,
-            format!("{name} strength of the lattice is above the target for nu > 0, from {} d_c on", sizes[first]),
+            format!(
+                "{name} strength of the lattice exceeds the target for nu > 0, for d_0 of {} d_c and more",
+                sizes[first]
+            ),
             "above",
             format!("{low:.2} to {high:.2} of the target"),
             low > 1.0,

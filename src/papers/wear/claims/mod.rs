@@ -11,7 +11,12 @@ use crate::spec::wear::Material;
 
 /// The chapters.
 pub const CHAPTERS: &[Chapter] = &[
-    Chapter { name: "exact", about: "equations alone", title: "Equations alone", compute: |_| Ok(exact::chapter()) },
+    Chapter {
+        name: "exact",
+        about: "consequences of the equations",
+        title: "Consequences of the equations",
+        compute: |_| Ok(exact::chapter()),
+    },
     Chapter {
         name: "lattice",
         about: "hexagonal close-packed lattices, Section 3.1",

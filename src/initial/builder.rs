@@ -1,0 +1,296 @@
+//! A system put together by hand, checked as a whole.
+
+use crate::error::{Error, Problem};
+use crate::spec::Vec3;
+use crate::system::{Domain, Motion, Particles, Surface, System};
+use std::collections::BTreeSet;
+use std::path::PathBuf;
+
+/// A system under construction. Spheres are named by their id, counted from zero in the order in which they are added.
+///
+/// ```
+/// use veridem::system::{Motion, System};
+///
+/// let system = System::builder()
+///     .sphere([0.0, 0.0, 0.0], 5.0, 1.0)
+///     .sphere([9.9, 0.0, 0.0], 5.0, 1.0)
+///     .velocity([-1.0, 0.0, 0.0])
+///     .wall(&[0], [Motion::Velocity(0.0); 3])
+///     .build()?;
+/// assert_eq!(system.particles.len(), 2);
+///
+/// let error = System::builder().sphere([0.0; 3], 5.0, 1.0).neck(0, 7).build().unwrap_err();
+/// assert_eq!(error.to_string(), "neck 0-7: there is no sphere 7, expected an id below 1");
+/// # Ok::<(), veridem::error::Error>(())
+/// ```
+#[derive(Clone, Debug, Default)]
+#[must_use]
+pub struct Builder {
+    particles: Particles,
+    domain: Option<Domain>,
+    necks: Vec<(u32, u32)>,
+    bodies: Vec<Vec<u32>>,
+    walls: Vec<(Vec<u32>, [Motion; 3])>,
+    surfaces: Vec<Surface>,
+}
+
+impl System {
+    /// A system to be put together sphere by sphere.
+    pub fn builder() -> Builder {
+        Builder::default()
+    }
+}
+
+impl Builder {
+    /// The box; without one it is just large enough for the spheres, and not periodic.
+    pub fn domain(mut self, domain: Domain) -> Self {
+        self.domain = Some(domain);
+        self
+    }
+
+    /// Adds a sphere at rest: centre, nm; radius, nm; mass, ag.
+    pub fn sphere(mut self, x: [f64; 3], radius: f64, mass: f64) -> Self {
+        self.particles.push(Vec3(x), radius, mass, 0);
+        self
+    }
+
+    /// Sets the velocity of the latest sphere, m/s.
+    ///
+    /// # Panics
+    ///
+    /// If there is no sphere yet.
+    pub fn velocity(mut self, v: [f64; 3]) -> Self {
+        *self.particles.v.last_mut().expect("a velocity follows its sphere") = Vec3(v);
+        self
+    }
+
+    /// Sets the angular velocity of the latest sphere, 1/ns.
+    ///
+    /// # Panics
+    ///
+    /// If there is no sphere yet.
+    pub fn spin(mut self, w: [f64; 3]) -> Self {
+        *self.particles.w.last_mut().expect("a spin follows its sphere") = Vec3(w);
+        self
+    }
+
+    /// Joins two spheres by a neck.
+    pub fn neck(mut self, i: u32, j: u32) -> Self {
+        self.necks.push((i.min(j), i.max(j)));
+        self
+    }
+
+    /// Makes spheres into one rigid body, which moves with their common velocity.
+    pub fn body(mut self, members: &[u32]) -> Self {
+        self.bodies.push(members.into());
+        self
+    }
+
+    /// Makes spheres into one rigid wall, driven axis by axis.
+    pub fn wall(mut self, members: &[u32], motion: [Motion; 3]) -> Self {
+        self.walls.push((members.into(), motion));
+        self
+    }
+
+    /// Adds a surface.
+    pub fn surface(mut self, surface: Surface) -> Self {
+        self.surfaces.push(surface);
+        self
+    }
+
+    /// The finished system.
+    ///
+    /// # Errors
+    ///
+    /// All that is wrong with it: no sphere; a radius, mass or side that is not positive; a position, velocity or spin that is not finite; two spheres in one
+    /// place; a neck, body or wall of spheres that do not exist, or share a body or wall with others.
+    pub fn build(mut self) -> Result<System, Error> {
+        let problems = self.problems();
+        if !problems.is_empty() {
+            return Err(Error::Input(problems));
+        }
+        self.necks.sort_unstable();
+        let domain = self.domain.unwrap_or_else(|| bounds(&self.particles));
+        let velocities = self.particles.v.clone();
+        let mut system = System::new(self.particles, domain);
+        for (number, members) in self.bodies.iter().enumerate() {
+            system.add_body(&members.iter().map(|&id| id as usize).collect::<Vec<_>>());
+            let v = velocities[members[0] as usize];
+            system.bodies[number].v = v;
+            members.iter().for_each(|&id| system.particles.v[id as usize] = v);
+        }
+        for (members, motion) in self.walls {
+            system.add_wall(motion, |particles, p| members.contains(&particles.id[p]));
+        }
+        Ok(System { necks: self.necks, surfaces: self.surfaces, ..system })
+    }
+
+    fn problems(&self) -> Vec<Problem> {
+        let mut found = Vec::new();
+        let mut wrong = |key: String, what: String| found.push(Problem { file: PathBuf::new(), line: None, key, what });
+        let particles = &self.particles;
+        let is_positive = |value: f64| value > 0.0 && value.is_finite();
+        let is_finite = |u: Vec3<f64>| u.0.iter().all(|a| a.is_finite());
+        for (axis, side) in self.domain.iter().flat_map(|domain| domain.sides).enumerate() {
+            if !is_positive(side) {
+                wrong("box".into(), format!("side {axis} is {side}, expected a positive number"));
+            }
+        }
+        if particles.is_empty() {
+            wrong("system".into(), "has no spheres, expected one at least".into());
+        }
+        let mut places = BTreeSet::new();
+        for p in 0..particles.len() {
+            let sphere = || format!("sphere {p}");
+            for (name, value) in [("radius", particles.radius[p]), ("mass", particles.mass[p])] {
+                if !is_positive(value) {
+                    wrong(sphere(), format!("its {name} is {value}, expected a positive number"));
+                }
+            }
+            for (name, u) in [("centre", particles.x[p]), ("velocity", particles.v[p]), ("spin", particles.w[p])] {
+                if !is_finite(u) {
+                    wrong(sphere(), format!("its {name} is {:?}, expected finite numbers", u.0));
+                }
+            }
+            // Adding zero makes one zero of the two.
+            if !places.insert(particles.x[p].0.map(|a| (a + 0.0).to_bits())) {
+                wrong(sphere(), "its centre coincides with the centre of another sphere".into());
+            }
+        }
+        let groups = |name: &'static str, members: Vec<&[u32]>| -> (Vec<Option<usize>>, Vec<(String, String)>) {
+            let mut of = vec![None; particles.len()];
+            let mut wrong = Vec::new();
+            for (number, members) in members.into_iter().enumerate() {
+                let key = || format!("{name} {number}");
+                if members.is_empty() {
+                    wrong.push((key(), "has no spheres".into()));
+                }
+                for &id in members {
+                    match of.get_mut(id as usize) {
+                        None => wrong.push((key(), no_sphere(id, particles))),
+                        Some(Some(other)) => {
+                            wrong.push((key(), format!("sphere {id} belongs to {name} {other} already")))
+                        }
+                        Some(none) => *none = Some(number),
+                    }
+                }
+            }
+            (of, wrong)
+        };
+        let (body, problems) = groups("body", self.bodies.iter().map(Vec::as_slice).collect());
+        problems.into_iter().for_each(|(key, what)| wrong(key, what));
+        let (wall, problems) = groups("wall", self.walls.iter().map(|wall| wall.0.as_slice()).collect());
+        problems.into_iter().for_each(|(key, what)| wrong(key, what));
+        let there = |id: &u32| (*id as usize) < particles.len();
+        for (number, members) in self.bodies.iter().enumerate() {
+            let key = || format!("body {number}");
+            let mut members = members.iter().filter(|id| there(id)).map(|&id| id as usize);
+            let Some(first) = members.next() else { continue };
+            for p in members {
+                if particles.v[p] != particles.v[first] {
+                    wrong(key(), format!("spheres {first} and {p} have different velocities, expected one for all"));
+                }
+                if wall[p] != wall[first] {
+                    wrong(
+                        key(),
+                        format!("only one of the spheres {first} and {p} belongs to a wall, expected all or none"),
+                    );
+                }
+            }
+        }
+        for (p, _) in body.iter().enumerate().filter(|(p, body)| body.is_some() && particles.w[*p] != Vec3::zero()) {
+            wrong(format!("sphere {p}"), "it belongs to a body, expected no spin of its own".into());
+        }
+        let mut joined = BTreeSet::new();
+        for &(i, j) in &self.necks {
+            let key = || format!("neck {i}-{j}");
+            for id in [i, j].iter().filter(|id| !there(id)) {
+                wrong(key(), no_sphere(*id, particles));
+            }
+            if i == j {
+                wrong(key(), "joins a sphere to itself".into());
+            }
+            if !joined.insert((i, j)) {
+                wrong(key(), "is given twice".into());
+            }
+            let share = |of: &[Option<usize>]| {
+                i != j && there(&i) && there(&j) && of[i as usize].is_some() && of[i as usize] == of[j as usize]
+            };
+            if share(&body) || share(&wall) {
+                wrong(key(), "joins two spheres of one rigid body or wall".into());
+            }
+        }
+        found
+    }
+}
+
+fn no_sphere(id: u32, particles: &Particles) -> String {
+    format!("there is no sphere {id}, expected an id below {}", particles.len())
+}
+
+/// The box from the origin to the farthest point of the spheres.
+fn bounds(particles: &Particles) -> Domain {
+    let reach = |a: usize| (0..particles.len()).map(|p| particles.x[p].0[a] + particles.radius[p]).fold(1.0, f64::max);
+    Domain { sides: std::array::from_fn(reach), periodic: [false; 3] }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn three() -> Builder {
+        System::builder().sphere([0.0; 3], 1.0, 1.0).sphere([3.0, 0.0, 0.0], 1.0, 1.0).sphere([6.0, 0.0, 0.0], 1.0, 1.0)
+    }
+
+    fn problems(builder: Builder) -> Vec<String> {
+        let Err(Error::Input(problems)) = builder.build() else { panic!("a wrong system") };
+        problems.iter().map(|problem| problem.to_string()).collect()
+    }
+
+    #[test]
+    fn everything_wrong_with_a_sphere_is_told_at_once() {
+        let builder = System::builder().sphere([f64::NAN, 0.0, 0.0], 0.0, -1.0).sphere([0.0; 3], 1.0, 1.0);
+        assert_eq!(
+            problems(builder.sphere([0.0, -0.0, 0.0], 1.0, 1.0)),
+            [
+                "sphere 0: its radius is 0, expected a positive number",
+                "sphere 0: its mass is -1, expected a positive number",
+                "sphere 0: its centre is [NaN, 0.0, 0.0], expected finite numbers",
+                "sphere 2: its centre coincides with the centre of another sphere",
+            ]
+        );
+    }
+
+    #[test]
+    fn necks_bodies_and_walls_hold_spheres_that_are_there_and_share_none() {
+        assert_eq!(problems(three().neck(1, 1)), ["neck 1-1: joins a sphere to itself"]);
+        assert_eq!(problems(three().neck(1, 0).neck(0, 1)), ["neck 0-1: is given twice"]);
+        let joined = "neck 0-1: joins two spheres of one rigid body or wall";
+        assert_eq!(problems(three().body(&[0, 1]).neck(0, 1)), [joined]);
+        assert_eq!(problems(three().wall(&[0, 1], [Motion::Velocity(0.0); 3]).neck(0, 1)), [joined]);
+        assert_eq!(problems(three().body(&[])), ["body 0: has no spheres"]);
+        assert_eq!(
+            problems(three().body(&[0, 1]).body(&[1, 9])),
+            ["body 1: sphere 1 belongs to body 0 already", "body 1: there is no sphere 9, expected an id below 3"]
+        );
+        let half = three().body(&[0, 1]).wall(&[1], [Motion::Velocity(0.0); 3]);
+        assert_eq!(problems(half), ["body 0: only one of the spheres 0 and 1 belongs to a wall, expected all or none"]);
+    }
+
+    #[test]
+    fn a_body_moves_with_the_velocity_of_its_spheres_and_they_have_no_other() {
+        let moving = System::builder().sphere([0.0; 3], 1.0, 1.0).velocity([1.0, 2.0, 3.0]);
+        let moving = moving.sphere([2.0, 0.0, 0.0], 1.0, 1.0).velocity([1.0, 2.0, 3.0]);
+        let system = moving.clone().body(&[0, 1]).build().expect("a body");
+        assert_eq!(system.bodies[0].v, Vec3([1.0, 2.0, 3.0]));
+        assert_eq!(system.particles.v, [Vec3([1.0, 2.0, 3.0]); 2]);
+        let apart = moving.sphere([4.0, 0.0, 0.0], 1.0, 1.0).spin([0.0, 0.0, 1.0]).body(&[0, 1, 2]);
+        assert_eq!(
+            problems(apart),
+            [
+                "body 0: spheres 0 and 2 have different velocities, expected one for all",
+                "sphere 2: it belongs to a body, expected no spin of its own",
+            ]
+        );
+    }
+}

@@ -1,0 +1,88 @@
+//! What friction may stop: each contact of a sphere, or of the body it belongs to, its share of the moment of inertia. Friction may stop what turns, and
+//! several contacts together must not turn it back. Spheres share as they touch at this instant: who else is listed as a neighbour changes nothing.
+
+use super::Simulation;
+use crate::forces::{Block, Touchable};
+use crate::motion;
+use crate::spec::mechanics::friction_share::inertia_share;
+use crate::spec::mechanics::reduced_mass::effective_mass;
+use crate::spec::{PairModel, Vec3};
+use crate::system::{Image, Particles, System};
+use rayon::prelude::*;
+
+/// How many contacts each sphere by itself, and each body, has.
+pub struct Shares {
+    contacts: Vec<u32>,
+}
+
+/// The place of a sphere, or of its body, among what turns: spheres by themselves stand behind the bodies.
+fn turning(System { particles, bodies, .. }: &System, p: usize) -> usize {
+    (particles.body[p] as usize).checked_sub(1).unwrap_or(bodies.len() + p)
+}
+
+impl Shares {
+    /// Counts the contacts without necks.
+    pub fn count<M: PairModel>(blocks: &[Block<M>], system: &System) -> Self {
+        let touching = |block: &Block<M>| -> Vec<[usize; 2]> {
+            let ends = |pair: &Touchable| [block.member(pair.i), block.member(pair.j)];
+            let touching = block.touchable.iter().map(ends).filter(|&[i, j]| touch(system, i, j));
+            touching.map(|[(p, _), (q, _)]| [p, q]).collect()
+        };
+        let touching: Vec<_> = blocks.par_iter().with_max_len(1).map(touching).collect();
+        let mut contacts = vec![0; system.bodies.len() + system.particles.len()];
+        for p in touching.into_iter().flatten().flatten() {
+            contacts[turning(system, p)] += 1;
+        }
+        Self { contacts }
+    }
+
+    /// What a contact of a sphere may take for its own of the moment of inertia, ag nm^2. Nothing turns the spheres of a wall.
+    fn of(&self, system: &System, p: usize) -> Option<f64> {
+        let System { particles, bodies, .. } = system;
+        let least = |moments: Vec3<f64>| moments.0.into_iter().fold(f64::INFINITY, f64::min);
+        let moment = match particles.body[p] as usize {
+            0 => motion::inertia(particles, p),
+            body => least(bodies[body - 1].moments),
+        };
+        (particles.wall[p] == 0).then(|| inertia_share(moment, f64::from(self.contacts[turning(system, p)])))
+    }
+
+    /// The reduced moment of inertia that the contact of two spheres may stop.
+    pub fn reduced(&self, system: &System, p: usize, q: usize) -> f64 {
+        match (self.of(system, p), self.of(system, q)) {
+            (Some(of_p), Some(of_q)) => effective_mass(of_p, of_q),
+            (only, other) => only.or(other).unwrap_or(f64::INFINITY),
+        }
+    }
+}
+
+/// Whether two spheres touch, each a place and a copy.
+fn touch(System { particles, domain, .. }: &System, (p, a): (usize, Image), (q, b): (usize, Image)) -> bool {
+    let Particles { x, radius, .. } = particles;
+    let branch = x[p] + domain.shift(a) - (x[q] + domain.shift(b));
+    let reach = radius[p] + radius[q];
+    branch.dot(branch) < reach * reach
+}
+
+impl<M: PairModel> Simulation<M> {
+    /// Shares what turns among the contacts, before these are evaluated.
+    pub(super) fn share(&mut self) {
+        if !M::FRICTION_STOPS {
+            return;
+        }
+        let shares = Shares::count(&self.blocks, &self.system);
+        let (model, system) = (&self.model, &self.system);
+        self.blocks.par_iter_mut().with_max_len(1).for_each(|block| {
+            for k in 0..block.touchable.len() {
+                let Touchable { i, j, row, lane } = block.touchable[k];
+                let moment = shares.reduced(system, block.member(i).0, block.member(j).0);
+                block.pairs.change_constants(row, lane, |constants| model.turning(constants, moment));
+            }
+        });
+    }
+
+    /// The shares of what pairs are looked at, as they will be in the next step.
+    pub(super) fn shares(&self) -> Option<Shares> {
+        M::FRICTION_STOPS.then(|| Shares::count(&self.blocks, &self.system))
+    }
+}
