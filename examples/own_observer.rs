@@ -1,5 +1,5 @@
-//! An observer of your own on a paper's case: the coated aggregate of Demidov, Gor & Khalizov (2024) collapses, and the number of its contacts
-//! under tension is counted, which no column of `series.csv` holds.
+//! An observer of your own for a case of a paper: the coated aggregate of Demidov, Gor & Khalizov (2024) restructures, and the number of its contacts
+//! under tension is counted, which is not a column of `series.csv`.
 //!
 //!     cargo run --release --example own_observer
 

@@ -1,4 +1,4 @@
-//! What two spheres see of each other.
+//! The kinematics of a contact: relative position, velocity and spin of two spheres.
 //!
 //! Convention of this crate: `n` points from `j` to `i`, a force is the force on `i`, and the *gap* is the distance between
 //! the surfaces, negative when the spheres overlap.

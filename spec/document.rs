@@ -1,4 +1,4 @@
-//! What the documentation of an equation says, read from its source: the only place of names, units and domains.
+//! The documentation of an equation, read from its source: the only place of names, units and domains.
 
 use crate::equation::Equation;
 use crate::unit::{Exponents, exponents};

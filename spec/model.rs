@@ -1,4 +1,4 @@
-//! All that an engine may know of a paper.
+//! The interface between a paper's contact law and an engine.
 
 use crate::{Contact, Real, Vec3};
 

@@ -1,4 +1,4 @@
-//! Three-vectors over [`Real`], components written out: the pair loop is made of them and must be inlined whole.
+//! Three-vectors over [`Real`], written out by component, because the pair loop uses them and must be inlined completely.
 
 use crate::Real;
 use std::ops::{Add, Mul, Neg, Sub};

@@ -1,4 +1,4 @@
-//! The wish to stop before the end: a signal, a limit of time or of steps.
+//! Requests to stop before the end: a signal, a limit of time or of steps.
 
 use crate::error::Error;
 use std::sync::Arc;

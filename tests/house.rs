@@ -1,5 +1,5 @@
-//! Do the rooms keep the rules of the architecture? The rules are checked on the source text, without the items for tests only: a test inside a
-//! room may use a paper's law as its example.
+//! Do the rooms of the house obey its rules? Each rule is checked on the source text without test modules: a test inside a room
+//! may take a paper's law as its example.
 
 mod source;
 

@@ -1,4 +1,4 @@
-//! Does a fourth paper, built with the public library alone, work with every command? The tests start this program again as the program of the example.
+//! Does a fourth paper, built with the public library alone, work with every command? The tests start this program again, as the program of the example.
 
 #[path = "../examples/own_paper/main.rs"]
 mod own_paper;

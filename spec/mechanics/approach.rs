@@ -15,7 +15,7 @@ use crate::{Real, equation};
 /// # Reading
 ///
 /// The numbers have units: 1.5 m/s, $10^8$ 1/s, $1.08 \cdot 10^{-8}$ s. The equation is followed, not the prose around it: the tip starts with 1.19 m/s, never approaches with
-/// a constant 1.5 m/s, and turns round at 10.8 ns, not at 10.
+/// a constant 1.5 m/s, and reverses at 10.8 ns, not at 10.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -46,7 +46,7 @@ pub fn tip_velocity<R: Real>(t: R, v_tip: R, rate: R, t_reversal: R) -> R {
 /// The integral of Eq. 25. With $p = \lambda |t|$ and $q = \lambda |t - 2 t_\mathrm{r}|$ the logarithm is, up to its sign,
 /// $\ln \frac{1 + e^{-p - q}}{e^{-p} + e^{-q}} = \min(p, q) + \ln(1 + e^{-p - q}) - \ln(1 + e^{-|p - q|})$, in which nothing overflows. For a way that is short compared with $v/\lambda$
 /// these terms cancel: where the smaller of $p$ and $q$ is below one, it is evaluated as $2 \operatorname{artanh} |h| = \ln(1 + 2|h|/(1 - |h|))$ with
-/// $h = \tanh \frac{\lambda t}{2} \tanh \lambda \big(\frac{t}{2} - t_\mathrm{r}\big)$, whose sign is that of the way.
+/// $h = \tanh \frac{\lambda t}{2} \tanh \lambda \big(\frac{t}{2} - t_\mathrm{r}\big)$, which has the sign of the displacement.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

@@ -14,7 +14,7 @@ use crate::{Real, Vec3, equation};
 ///
 /// # Reading
 ///
-/// Both in the frame of the body; the angular velocity is then turned to that of space.
+/// Both in the frame of the body; the angular velocity is then rotated to the space frame.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

@@ -14,7 +14,7 @@ use crate::{Real, Tensor, Vec3, equation};
 ///
 /// # Reading
 ///
-/// "Rigid aggregates": the theorem of parallel axes. The spheres of an aggregate hardly overlap and are summed as if they did not. The sum over the spheres, about
+/// "Rigid aggregates": the parallel-axis theorem. The spheres of an aggregate hardly overlap, and overlaps are ignored. The sum over the spheres, about
 /// the centre of mass, is the tensor of the aggregate; its eigenvalues are the principal moments.
 ///
 /// | name | symbol | unit | domain | meaning |

@@ -5,7 +5,7 @@
 use crate::equation::Equation;
 use crate::{Real, equation};
 
-/// Not in the paper: electrostatic capacity of a body, from the walks that hit it.
+/// Not in the paper: electrostatic capacity of a body, from the fraction of walks that hit it.
 ///
 /// ```math
 /// C = p \, R
@@ -14,7 +14,7 @@ use crate::{Real, equation};
 /// # Reading
 ///
 /// The paper takes the hydrodynamic radius $R_H$ from the program ZENO (Mansfield, Douglas & Garboczi, Phys. Rev. E 64, 061401, 2001), which takes the
-/// capacity for it: Brownian walks begin anywhere on a sphere about the body, a share $p$ of them hits the body, the others escape.
+/// capacity for it: Brownian walks start uniformly distributed on a sphere around the body; a fraction $p$ of them hits the body, the others escape.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -54,7 +54,7 @@ pub fn return_probability<R: Real>(radius: R, rho: R) -> R {
     radius / rho
 }
 
-/// Not in the paper: where a walk that comes back to a sphere meets it.
+/// Not in the paper: point at which a returning walk meets a sphere.
 ///
 /// ```math
 /// \cos\theta = \frac{2 u (1 + q)^2 (1 - q + q u)}{(1 - q + 2 q u)^2} - 1
@@ -62,7 +62,7 @@ pub fn return_probability<R: Real>(radius: R, rho: R) -> R {
 ///
 /// # Reading
 ///
-/// The density of $\cos\theta$ is that of Poisson's kernel, in proportion to $(1 + q^2 - 2 q \cos\theta)^{-3/2}$; this is the inverse of its integral,
+/// The density of $\cos\theta$ is Poisson's kernel, in proportion to $(1 + q^2 - 2 q \cos\theta)^{-3/2}$; this is the inverse of its integral,
 /// written without cancellation. $\theta$ is the angle at the centre between the walk and the place.
 ///
 /// | name | symbol | unit | domain | meaning |

@@ -37,7 +37,7 @@ pub fn edge_curvature<R: Real>(length: R, theta: R) -> R {
 ///
 /// # Reading
 ///
-/// The paper takes the hull "constructed around the aggregate" and does not say of what. It is read as the hull of the spheres: that of their centres, a polyhedron, grown by the
+/// The paper takes the hull "constructed around the aggregate" without further definition. It is read as the hull of the spheres: the hull of their centres, a polyhedron, expanded by the
 /// radius on all sides.
 ///
 /// | name | symbol | unit | domain | meaning |

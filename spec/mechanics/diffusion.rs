@@ -1,11 +1,11 @@
-//! How an aggregate moves in the gas.
+//! Diffusion and drift of an aggregate in a gas.
 //!
 //! Equations and sections are numbered as in Laube et al. 2018.
 
 use crate::equation::Equation;
 use crate::{Real, equation};
 
-/// **Section 5.3**, unnumbered: coefficient of diffusion of an aggregate.
+/// **Section 5.3**, unnumbered: diffusion coefficient of an aggregate.
 ///
 /// ```math
 /// D = \frac{k_B T}{f}
@@ -31,7 +31,7 @@ pub fn diffusion<R: Real>(kt: R, f: R) -> R {
     kt / f
 }
 
-/// Not in the paper: where a drifting Brownian walk leaves a ball in whose centre it begins.
+/// Not in the paper: point at which a drifting Brownian walk leaves a sphere at whose centre it starts.
 ///
 /// ```math
 /// \cos\theta = 1 + \frac{\ln\left(u + (1 - u) \, e^{-2\kappa}\right)}{\kappa}, \quad \kappa = \frac{v \ell}{2 D}
@@ -39,7 +39,7 @@ pub fn diffusion<R: Real>(kt: R, f: R) -> R {
 ///
 /// # Reading
 ///
-/// Without a drift every place of the surface is as likely as any other, whatever the time of the exit. By Girsanov's theorem a drift weights the paths with
+/// Without drift the exit point is distributed uniformly, independent of the exit time. By Girsanov's theorem a drift weights the paths with
 /// $e^{\mathbf{v} \cdot \mathbf{x} / 2D}$ and a function of that time: the density of $\cos\theta$, of which this is the inverse integral, goes with $e^{\kappa \cos\theta}$.
 /// A walk may therefore jump between spheres that are as large as the free space allows, without error. Written with $\tanh \kappa$ where the logarithm is that of a number near 1.
 ///

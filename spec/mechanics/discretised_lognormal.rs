@@ -5,7 +5,7 @@
 use crate::equation::Equation;
 use crate::{Real, equation};
 
-/// Most classes of diameters.
+/// Largest number of classes of diameters.
 const CLASSES: usize = 32;
 
 /// Density of the distribution at a diameter, up to a constant.
@@ -31,7 +31,7 @@ fn moments<R: Real>(median: R, sigma_g: R, lo: R, hi: R) -> [R; 4] {
     sums
 }
 
-/// **Section 5.3**, unnumbered: share of the particles in a class of the discretised log-normal distribution.
+/// **Section 5.3**, unnumbered: fraction of the particles in a class of the discretised log-normal distribution.
 ///
 /// ```math
 /// p(d) = \frac{g(d)}{\sum_k g(d_k)}, \quad g(d) = \frac{1}{d} \exp\left(-\frac{\ln^2(d / m)}{2 \ln^2 \sigma_G}\right), \quad
@@ -40,7 +40,7 @@ fn moments<R: Real>(median: R, sigma_g: R, lo: R, hi: R) -> [R; 4] {
 ///
 /// # Reading
 ///
-/// The diameters go from 3 to 23 nm in steps of 1 nm with a median $m$ of 9.0 nm and $\sigma_G$ = 1.45. What the discretisation of a class is, the paper
+/// The diameters go from 3 to 23 nm in steps of 1 nm with a median $m$ of 9.0 nm and $\sigma_G$ = 1.45. The paper does not define the discretisation
 /// does not say: here the density at its diameter. Diameters are numbers, multiples of the step, from three on; at most 32 classes. The Sauter diameter comes out as
 /// 12.2 nm, not as the 11.3 nm that the box of "140 $\bar{d}_s$" implies.
 ///

@@ -6,7 +6,7 @@ use super::drag::global_damping;
 use crate::equation::Equation;
 use crate::{Real, Vec3, equation, piecewise};
 
-/// **Section 5.4**, unnumbered: motion of the tip from the setpoint on.
+/// **Section 5.4**, unnumbered: motion of the tip after the setpoint.
 ///
 /// ```math
 /// v(t) = \begin{cases} -v_0 & t \le 0 \\ v_0 (2t/T - 1) & 0 < t \le T \\ v_0 & t > T \end{cases}, \quad z(t) = \int_0^t v \, dt
@@ -15,7 +15,7 @@ use crate::{Real, Vec3, equation, piecewise};
 /// # Reading
 ///
 /// "Slowly decreased, reversed, and then again increased" within 0.2 µs: linearly, the simplest reading. At $t = 0$ the force reaches its setpoint. The
-/// tip goes on by $v_0 T / 4$, 25 nm, before it returns.
+/// tip continues by $v_0 T / 4$, 25 nm, before it returns.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

@@ -59,7 +59,7 @@ impl<R: Real> Friction<R> {
 }
 
 flat_struct! {
-    /// What one time step of a pair turned into heat, J, by cause.
+    /// Energy dissipated by a pair in one time step, J, by cause.
     pub struct Losses {
         /// Dashpot along the normal.
         pub normal,
@@ -74,7 +74,7 @@ flat_struct! {
     }
 }
 
-/// What a spring does first in a step.
+/// Order of force and elongation of a spring within a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Order {
     /// It is stretched, then it acts: steps 3 and 4 of Section 2.1.1.
@@ -84,7 +84,7 @@ pub enum Order {
     ActFirst,
 }
 
-/// The springs of a contact that must be remembered, m; `O` is the torsion spring.
+/// The springs of a contact that are stored as its history, m; `O` is the torsion spring.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Memory<R, O = R> {
     /// Tangential spring: reversed, seen from the other sphere.
@@ -143,7 +143,7 @@ struct Pull<R, S> {
 }
 
 impl<R: Real> Springs<R> {
-    /// The springs of a meeting, advanced by `dt`, and what they do. Where `bonded` is true they are those of a neck, which holds at any gap and in any direction; elsewhere they are those of
+    /// The springs of a contact, advanced by `dt`, and their forces. Where `bonded` is true they are the springs of a neck, which acts at any gap and in any direction; elsewhere they are those of
     /// a contact, which only acts while the spheres overlap, never pulls along the normal, and rubs as Eqs. 13 to 17 say.
     #[inline(always)]
     pub fn evaluate(
@@ -267,7 +267,7 @@ impl<R: Real> Springs<R> {
         Pull { force, xi: next, dashpot, slip: R::select(holds & acts, R::zero(), slip) }
     }
 
-    /// What the four springs hold, J: normal, tangential, rolling, torsion.
+    /// Energies stored in the four springs, J: normal, tangential, rolling, torsion.
     #[inline(always)]
     pub fn stored<O: Twist<R>>(&self, bonded: R::Mask, delta: R, memory: &Memory<R, O>) -> [R; 4] {
         let pressed = R::select(bonded, delta, delta.min(R::zero()));

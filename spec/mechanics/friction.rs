@@ -94,8 +94,8 @@ pub fn static_friction<R: Real>(mu_s: R, f_n: R) -> R {
 ///
 /// # Reading
 ///
-/// The normal force is that of Eq. 15. With $\mu_\mathrm{d} < \mu_\mathrm{s}$ a contact that is driven on steadily does not slide at $f_{\mathrm{C,d}}$: it slips
-/// back to it and holds again, so that its force is a sawtooth between the two.
+/// The normal force is that of Eq. 15. With $\mu_\mathrm{d} < \mu_\mathrm{s}$ a steadily driven contact does not slide at $f_{\mathrm{C,d}}$: it slips
+/// back to it and sticks again, so that its force is a sawtooth between the two.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -122,7 +122,7 @@ pub fn dynamic_friction<R: Real>(mu_d: R, f_n: R) -> R {
 /// # Reading
 ///
 /// Erratum: the signs belong to a force $-k\boldsymbol{\xi} - \eta\dot{\boldsymbol{\xi}}$. With Eq. 12 the printed spring pulls the other way in the step after a slip: driven steadily, friction would
-/// jump from $f_{\mathrm{C,s}}$ to $-f_{\mathrm{C,d}}$ at every slip and be $(f_{\mathrm{C,s}} - f_{\mathrm{C,d}})/2$ on average, nothing where the two are equal. The spring is meant to go on with the force that was applied,
+/// jump from $f_{\mathrm{C,s}}$ to $-f_{\mathrm{C,d}}$ at every slip and be $(f_{\mathrm{C,s}} - f_{\mathrm{C,d}})/2$ on average, zero if the two are equal. The spring is meant to continue with the force that was applied,
 /// $\boldsymbol{\xi}' = \frac{1}{k} \big(f_{\mathrm{C,d}} \mathbf{f}_0 / \lVert \mathbf{f}_0 \rVert - \eta\dot{\boldsymbol{\xi}}\big)$. Without stiffness there is no spring, and its length is zero.
 ///
 /// | name | symbol | unit | domain | meaning |

@@ -1,9 +1,9 @@
-//! How friction of several contacts acts on one body.
+//! Friction of several contacts on one body.
 
 use crate::equation::Equation;
 use crate::{Real, equation};
 
-/// Moment of inertia that one of several contacts of a body may take for its own.
+/// Share of the moment of inertia of a body that is assigned to one of several contacts.
 ///
 /// ```math
 /// I_c = \frac{I}{\max(n, 1)}
@@ -11,7 +11,7 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// Friction may stop a body that turns, but not turn it back. Each contact stops a body of this smaller inertia at most; all of them together
+/// Friction may stop a rotating body, but not reverse it. Each contact may at most stop a body of this smaller inertia; all of them together
 /// then stop the whole. Of a body that is no sphere, $I$ is the least principal moment.
 ///
 /// | name | symbol | unit | domain | meaning |

@@ -1,9 +1,9 @@
-//! The gyration radius of spheres, and of two clusters that are joined.
+//! The radius of gyration of spheres, and of two joined clusters.
 
 use crate::equation::Equation;
 use crate::{Real, Vec3, equation};
 
-/// What a point mass adds to the squared gyration radius, by axis.
+/// Contribution of a point mass to the squared radius of gyration, by axis.
 ///
 /// ```math
 /// g_a^2 = x_a^2 \frac{m}{M}
@@ -11,7 +11,7 @@ use crate::{Real, Vec3, equation};
 ///
 /// # Reading
 ///
-/// The sum over all masses and the three axes is the squared gyration radius.
+/// The sum over all masses and the three axes is the squared radius of gyration.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -31,7 +31,7 @@ pub fn gyration_term<R: Real>(x: Vec3<R>, m: R, total: R) -> Vec3<R> {
     Vec3(x.0.map(|x_a| x_a.squared() * share))
 }
 
-/// What the extent of a sphere adds to the squared gyration radius along each axis.
+/// Contribution of the size of a sphere to the squared radius of gyration along each axis.
 ///
 /// ```math
 /// g^2 = \frac{1}{3} r^2 \frac{m}{M}
@@ -39,7 +39,7 @@ pub fn gyration_term<R: Real>(x: Vec3<R>, m: R, total: R) -> Vec3<R> {
 ///
 /// # Reading
 ///
-/// So that a single sphere has its radius as gyration radius (Filippov, Zurita & Rosner, J. Colloid Interface Sci. 229, 261, 2000). Of the
+/// With it the radius of gyration of a single sphere is its radius (Filippov, Zurita & Rosner, J. Colloid Interface Sci. 229, 261, 2000). Of the
 /// three axes together it is $r^2 m / M$.
 ///
 /// | name | symbol | unit | domain | meaning |
@@ -59,7 +59,7 @@ pub fn own_gyration<R: Real>(r: R, m: R, total: R) -> R {
     r.squared() / R::lit(3.0) * m / total
 }
 
-/// Distance of the centres of mass of two clusters that together have a given gyration radius.
+/// Distance between the centres of mass of two clusters that together have a given radius of gyration.
 ///
 /// ```math
 /// d = \sqrt{\frac{M}{m_a m_b} \left(M R^2 - m_a R_a^2 - m_b R_b^2\right)}, \quad M = m_a + m_b
@@ -67,7 +67,7 @@ pub fn own_gyration<R: Real>(r: R, m: R, total: R) -> R {
 ///
 /// # Reading
 ///
-/// Steiner's theorem. Where the clusters by themselves are too large for it, the distance is zero.
+/// Steiner's theorem. If the clusters alone already exceed it, the distance is zero.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

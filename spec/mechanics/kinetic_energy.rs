@@ -3,7 +3,7 @@
 use crate::equation::Equation;
 use crate::{Real, Vec3, equation};
 
-/// Kinetic energy of a sphere that moves and turns.
+/// Kinetic energy of translation and rotation of a sphere.
 ///
 /// ```math
 /// K = \frac{1}{2} \left(m v^2 + I \omega^2\right)
@@ -88,7 +88,7 @@ pub fn axial_energy<R: Real>(m: R, v_a: R) -> R {
 ///
 /// # Reading
 ///
-/// Of first order in the time step over many steps: what a step with the velocities half a step behind the positions does to an energy balance.
+/// Of first order in the time step over many steps: the effect on an energy balance of velocities half a step behind the positions.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

@@ -1,6 +1,6 @@
-//! Mechanics that no paper owns: spheres and rigid bodies, how they are moved, springs and how they are carried along, drag, stress, and distributions.
+//! Mechanics shared by all papers: spheres and rigid bodies, their integration, springs and their transport, drag, stress, and distributions.
 //!
-//! What several models use stands here once. An equation that a paper prints or prescribes keeps the id of that paper, by which it is listed; the paper's room points
+//! Relations used by several models stand here once. An equation that a paper prints or prescribes keeps the id of that paper, by which it is listed; the paper's room points
 //! to it. Those with an id of this room have no paper. [`four_springs`] are the springs of a contact or a neck, [`necked`] adds necks to any contact law.
 
 #[cfg(test)]

@@ -1,12 +1,12 @@
 //! Necks in any model: spheres that necks join, under a contact law for all others.
 //!
-//! **Reference.** Laube et al. 2018, Sections 4.2 and 4.5, ask for it: rigid aggregates should bend and break. The neck is that of
+//! **Reference.** Suggested by Laube et al. 2018, Sections 4.2 and 4.5: rigid aggregates should bend and break. The neck is that of
 //! Demidov, Gor & Khalizov 2024, Section 2.1.1. Nothing here is an equation of its own.
 //!
 //! **Reading.** A pair that a neck joins is held by the four springs of the neck and by nothing else: the material between the two
 //! particles leaves no room for a water layer. A pair without a neck, or whose neck has broken, obeys the contact law, with springs that
-//! begin relaxed. A neck joins the particles proper, which touch when they are at rest: their spheres are smaller than those of the
-//! contact law by the thickness by which the latter overlap then.
+//! begin relaxed. A neck joins the bare particles, which touch at equilibrium: their spheres are smaller than those of the
+//! contact law by the overlap of the latter at equilibrium.
 
 use super::contact_kinematics::ContactKinematics;
 use super::four_springs::{Friction, Memory, Springs};
@@ -37,16 +37,16 @@ flat_struct! {
 /// A contact law, and necks.
 #[derive(Clone, Debug)]
 pub struct Necked<M> {
-    /// What acts between spheres that no neck joins.
+    /// The law of spheres that no neck joins.
     pub law: M,
     /// The springs of a neck.
     pub neck: Springs<f64>,
-    /// How far the sphere of the contact law reaches beyond the particle, m.
+    /// Thickness by which the sphere of the contact law exceeds the particle, m.
     pub layer: f64,
 }
 
 impl<M> Necked<M> {
-    /// What two particles see of each other under the spheres of the contact law.
+    /// The contact kinematics of two particles inside the spheres of the contact law.
     #[inline(always)]
     fn under<R: Real>(&self, c: &Contact<R>) -> Contact<R> {
         let layer = R::lit(self.layer);

@@ -1,4 +1,4 @@
-//! How fast a necked pair oscillates.
+//! Frequencies of a necked pair.
 //!
 //! Equations and sections are numbered as in Demidov, Gor & Khalizov 2024.
 
@@ -55,9 +55,9 @@ pub fn neck_frequencies<R: Real>(k_n: R, k_t: R, k_r: R, k_o: R, m: R, i: R, r: 
 ///
 /// # Reading
 ///
-/// Eqs. 1, 2 and 12 for small motions about rest; dashpots act with the velocity of the step before. The largest eigenvalue of what a step does to the two springs; the step is stable below 4.
-/// Equal spheres slide and roll independently, and each motion has the limit of a mass on a spring. Unequal ones do not: undamped, the limit of a sphere on one of three times
-/// its radius is nine tenths of that on its like, on an endless one three quarters.
+/// Eqs. 1, 2 and 12 for small motions about rest; dashpots act with the velocity of the step before. The largest eigenvalue of the map of the two springs over a step; the step is stable below 4.
+/// Equal spheres slide and roll independently, and each motion has the limit of a mass on a spring. Unequal spheres do not: undamped, the limit of a sphere on one of three times
+/// its radius is nine tenths of the limit on an equal one, on an infinite one three quarters.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

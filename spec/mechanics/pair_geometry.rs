@@ -1,4 +1,4 @@
-//! Where two spheres are, seen from each other.
+//! The geometry of a pair of spheres.
 //!
 //! Equations and sections are numbered as in Demidov, Gor & Khalizov 2024.
 
@@ -88,7 +88,7 @@ pub fn gap<R: Real>(x_i: Vec3<R>, x_j: Vec3<R>, r_i: R, r_j: R) -> R {
     (x_j - x_i).norm() - r_i - r_j
 }
 
-/// **Section 2.1.1**, unnumbered: the one radius that stands for two in rolling and torsion.
+/// **Section 2.1.1**, unnumbered: the radius that represents both spheres in rolling and torsion.
 ///
 /// ```math
 /// \bar{a} = \frac{2 a_i a_j}{a_i + a_j}
@@ -97,7 +97,7 @@ pub fn gap<R: Real>(x_i: Vec3<R>, x_j: Vec3<R>, r_i: R, r_j: R) -> R {
 /// # Reading
 ///
 /// The paper has equal radii and writes $a$ and $r$. The rates of the rolling and the torsion spring must be the same seen from both particles, and
-/// a torque and its reaction must be opposite: one length has to serve both. The harmonic mean is the one for which the rolling spring measures twice the way
+/// a torque and its reaction must be opposite, so one length has to serve both. The harmonic mean is the one for which the rolling spring measures twice the displacement
 /// of the contact point over the surfaces, as it does for equal spheres.
 ///
 /// | name | symbol | unit | domain | meaning |

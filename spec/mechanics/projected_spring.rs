@@ -14,9 +14,9 @@ use crate::{Real, Vec3, equation};
 /// # Reading
 ///
 /// The paper keeps a distance $\delta_T \ge 0$ and a direction $\mathbf{n}_T$ "computed using the evolution of the rolling velocity". Together they
-/// are one vector in the contact plane, $\boldsymbol{\xi} = \delta_T \mathbf{n}_T$. It follows the turning plane by projection; the length lost by
-/// that is of second order in the angle and not restored. A spin of the pair about its normal does not turn it.
-/// Where $|\boldsymbol{\xi}|$ exceeds what the cap allows, it slips, which the contact law says.
+/// are one vector in the contact plane, $\boldsymbol{\xi} = \delta_T \mathbf{n}_T$. It follows the rotating plane by projection; the length lost by
+/// projection is of second order in the angle and not restored. A spin of the pair about its normal does not rotate it.
+/// Where $|\boldsymbol{\xi}|$ exceeds its cap, it slips, as defined by the contact law.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -38,7 +38,7 @@ pub fn stretched_spring<R: Real>(xi: Vec3<R>, n: Vec3<R>, v_t: Vec3<R>, dt: R) -
     xi.perpendicular_to(n) + v_t * dt
 }
 
-/// **Section 2.1**, unnumbered: energy that the tangential spring holds.
+/// **Section 2.1**, unnumbered: energy stored in the tangential spring.
 ///
 /// ```math
 /// U_T = \frac{1}{2} k_T \, |\boldsymbol{\xi}|^2

@@ -1,4 +1,4 @@
-//! Orientations: their product, the rotation between two of them, and how far it carries a point.
+//! Orientations: their product, the rotation between two of them, and the displacement of a point by it.
 
 use crate::equation::Equation;
 use crate::{Real, Vec3, equation};
@@ -33,7 +33,7 @@ pub fn product<R: Real>(a_0: R, a: Vec3<R>, b_0: R, b: Vec3<R>) -> (R, Vec3<R>) 
     (a_0 * b_0 - a.dot(b), b * a_0 + a * b_0 + a.cross(b))
 }
 
-/// The rotation that leads from one orientation to another close by, as a vector.
+/// The rotation vector between two nearly equal orientations.
 ///
 /// ```math
 /// \boldsymbol{\theta} = 2 \operatorname{sgn}(q_0) \, \mathbf{q}, \quad (q_0, \mathbf{q}) = (b_0, \mathbf{b}) (a_0, -\mathbf{a})
@@ -41,7 +41,7 @@ pub fn product<R: Real>(a_0: R, a: Vec3<R>, b_0: R, b: Vec3<R>) -> (R, Vec3<R>) 
 ///
 /// # Reading
 ///
-/// Along the axis, and as long as the angle, but for its third power: $2 \sin(\theta / 2)$. Both signs of a quaternion are the same orientation; the shorter way is taken.
+/// Along the axis, with the angle as length up to its third power: $2 \sin(\theta / 2)$. Both signs of a quaternion are the same orientation; the shorter way is taken.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

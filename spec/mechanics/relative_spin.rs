@@ -1,4 +1,4 @@
-//! How two spheres turn against each other.
+//! Relative rotation of two spheres.
 //!
 //! Equations and sections are numbered as in Demidov, Gor & Khalizov 2024.
 
@@ -89,7 +89,7 @@ pub fn rolling_spin<R: Real>(x_i: Vec3<R>, x_j: Vec3<R>, omega_i: Vec3<R>, omega
     relative_spin(omega_i, omega_j).perpendicular_to(normal(x_i, x_j))
 }
 
-/// **Section 2.1.1**, unnumbered: rates at which turning stretches the rolling and the torsion spring.
+/// **Section 2.1.1**, unnumbered: rates at which rotation stretches the rolling and the torsion spring.
 ///
 /// ```math
 /// \dot{\boldsymbol{\xi}}_\mathrm{r} = \boldsymbol{\omega}_{ij,\mathrm{r}} \times a \mathbf{n}, \quad

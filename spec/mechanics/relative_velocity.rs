@@ -1,4 +1,4 @@
-//! How two surfaces move over each other.
+//! Relative velocity of two surfaces.
 //!
 //! Equations and sections are numbered as in Demidov, Gor & Khalizov 2024.
 
@@ -15,7 +15,7 @@ use crate::{Real, Vec3, equation};
 /// # Reading
 ///
 /// Erratum: both angular velocities have the wrong sign for the normal of Eq. 3. The contact point lies at $+a\mathbf{n}$ from the centre of i and at $-a\mathbf{n}$ from that of j, so
-/// $\mathbf{v}_{ij} = \mathbf{v}_j - \mathbf{v}_i - \boldsymbol{\omega}_j \times a_j \mathbf{n} - \boldsymbol{\omega}_i \times a_i \mathbf{n}$. With the printed signs a pair that turns as one body slides,
+/// $\mathbf{v}_{ij} = \mathbf{v}_j - \mathbf{v}_i - \boldsymbol{\omega}_j \times a_j \mathbf{n} - \boldsymbol{\omega}_i \times a_i \mathbf{n}$. With the printed signs a pair that rotates as one body slides,
 /// and a necked pair that is pushed aside accelerates without bound.
 ///
 /// | name | symbol | unit | domain | meaning |
@@ -66,8 +66,8 @@ pub fn at_contact<R: Real>(v: Vec3<R>, omega_i: Vec3<R>, omega_j: Vec3<R>, n: Ve
 ///
 /// # Reading
 ///
-/// As printed, with the relative velocity of Eq. 4 as read there. What the spins add to it is perpendicular to the normal, whatever the radii: they drop out,
-/// and are left out, so that rounding does not let a turning sphere approach. The normal part is that of $\mathbf{v}_j - \mathbf{v}_i$.
+/// As printed, with the relative velocity of Eq. 4 as read there. The contribution of the spins is perpendicular to the normal, whatever the radii: they cancel
+/// and are omitted, so that rounding does not let a rotating sphere approach. The normal part is that of $\mathbf{v}_j - \mathbf{v}_i$.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

@@ -1,4 +1,4 @@
-//! How far two surfaces roll over each other.
+//! Rolling displacement of two surfaces.
 
 use crate::equation::Equation;
 use crate::{Real, Vec3, equation};

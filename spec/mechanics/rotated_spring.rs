@@ -1,4 +1,4 @@
-//! A spring of a contact: it follows the pair as it turns, and stretches.
+//! A spring of a contact: it rotates with the pair, and is stretched.
 //!
 //! Equations and sections are numbered as in Demidov, Gor & Khalizov 2024.
 
@@ -144,9 +144,9 @@ pub fn rotated_spring<R: Real>(xi: Vec3<R>, n: Vec3<R>) -> Vec3<R> {
 /// # Reading
 ///
 /// Erratum: the text rotates all three springs to be orthogonal to the normal. The torsion spring lies along the normal; its projection
-/// onto the contact plane is nothing but rounding, or the way the normal turned in one step, and rescaling that to the full length makes a spring in an arbitrary direction, or none: the twist is
-/// forgotten and never resisted, and what it leaves behind bends the pair. It must stay parallel.
-/// Then only its signed length needs to be remembered, $\xi_\mathrm{o} = \boldsymbol{\xi} \cdot \mathbf{n}$, which turning leaves alone; the models do that.
+/// onto the contact plane is only rounding, or the rotation of the normal in one step, and rescaling it to the full length makes a spring in an arbitrary direction, or none: the torsion is
+/// lost and never resisted, and the remaining spring bends the pair. It must stay parallel.
+/// Then only its signed length needs to be remembered, $\xi_\mathrm{o} = \boldsymbol{\xi} \cdot \mathbf{n}$, which rotation does not change; the models do that.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -209,7 +209,7 @@ pub fn stretched<R: Real, S: Span<R>>(xi: S, xi_dot: S, dt: R) -> S {
 ///
 /// # Reading
 ///
-/// Of the published program: its springs lag, see [`stretched_spring`], and beyond this step what is left of the dashpot drives the pair. It adds to the limits of the frequency,
+/// Of the published program: its springs lag, see [`stretched_spring`], and above this step the effective damping coefficient is negative and drives the pair. It adds to the limits of the frequency,
 /// and does not depend on masses: where all springs have the same ratio it holds for any number of necks.
 ///
 /// | name | symbol | unit | domain | meaning |

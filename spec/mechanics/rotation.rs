@@ -17,12 +17,12 @@ use crate::{Real, Vec3, equation};
 ///
 /// # Reading
 ///
-/// The paper says "rigid aggregates" and no more. The kinetic energy is a sum of three terms, one for each principal axis, and each alone is a rotation that can be
+/// The paper says only "rigid aggregates". The kinetic energy is a sum of three terms, one for each principal axis, and each alone is a rotation that can be
 /// done exactly; in symmetric order they are a symplectic, reversible step of second order that keeps the length of the angular momentum and of the
 /// quaternion to rounding and the energy without drift (Dullweber, Leimkuhler & McLachlan; "no squish" of Miller et al.).
 ///
 /// The exact angle is $L_k t / I_k$. With the arc tangent, which differs from it in the third order, sine and cosine are ratios, and the rate still depends
-/// on $L_k$ alone: the rotation is that of a kinetic energy close by, so the step stays symplectic, reversible and of second order.
+/// on $L_k$ alone: the rotation belongs to a slightly different kinetic energy, so the step stays symplectic, reversible and of second order.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

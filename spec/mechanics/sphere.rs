@@ -35,7 +35,7 @@ pub fn sphere_mass<R: Real>(rho: R, r: R) -> R {
 ///
 /// # Reading
 ///
-/// Missing in Eq. 1. The paper's particles are filled: their mass is that of the material.
+/// Missing in Eq. 1. The paper's particles are solid spheres of the material.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -61,7 +61,7 @@ pub fn moment_of_inertia<R: Real>(m: R, r: R) -> R {
 ///
 /// # Reading
 ///
-/// The paper lets the effective mass of Eq. 17 slide. But a force on the surface of a sphere also turns it, and the surface moves with
+/// The paper uses the effective mass of Eq. 17 for sliding. But a force on the surface of a sphere also rotates it, and the surface moves with
 /// $1/m + r^2/I = 7/(2m)$.
 ///
 /// | name | symbol | unit | domain | meaning |

@@ -16,7 +16,7 @@ use crate::{Real, Vec3, equation};
 /// # Reading
 ///
 /// On i, with the velocity of j relative to i: the spring pulls i after j. For the normal spring, $\boldsymbol{\xi} = \delta \mathbf{n}$: a neck is at rest where the
-/// surfaces touch, whatever the gap at which it was made. The dashpot acts from the first moment of a contact on, with a jump.
+/// surfaces touch, whatever the gap at which it was made. The dashpot acts from the onset of a contact, with a jump.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -42,7 +42,7 @@ pub fn force<R: Real, S: Span<R>>(k: R, xi: S, eta: R, xi_dot: S) -> S {
     xi * k + xi_dot * eta
 }
 
-/// **Section 2.1.2**, unnumbered: energy that a spring holds.
+/// **Section 2.1.2**, unnumbered: energy stored in a spring.
 ///
 /// ```math
 /// U = \frac{1}{2} k \, |\boldsymbol{\xi}|^2

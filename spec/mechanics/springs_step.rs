@@ -38,7 +38,7 @@ impl Springs<f64> {
     }
 }
 
-/// The largest number up to `most` for which something holds that holds for all smaller ones.
+/// The largest number up to `most` for which a condition holds that holds for all smaller ones.
 fn bisected(most: f64, holds: impl Fn(f64) -> bool) -> f64 {
     let (mut least, mut most) = (0.0, most);
     loop {

@@ -16,7 +16,7 @@ use crate::{Real, Vec3, equation};
 ///
 /// # Reading
 ///
-/// Erratum: the third line lacks the moment of inertia, a torque times a time is no angular velocity. It is
+/// Erratum: the third line lacks the moment of inertia; a torque times a time is not an angular velocity. It is
 /// $\boldsymbol{\omega}_{n+1} = \boldsymbol{\omega}_n + (\mathbf{T}_n / I) \Delta t$ with [`moment_of_inertia`](crate::mechanics::sphere::moment_of_inertia).
 /// Force and torque are those at the positions and velocities of step `n`, dashpots included.
 ///

@@ -11,7 +11,7 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// The Boltzmann constant is exactly $1.380649 \times 10^{-23}$ J/K. The tables have no unit of temperature: kelvins are counted.
+/// The Boltzmann constant is exactly $1.380649 \times 10^{-23}$ J/K. The tables have no unit of temperature: it is the number of kelvins.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

@@ -13,7 +13,7 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// The paper gives the mode and the standard deviation. That deviation is taken before the truncation to $[d_s, d_l]$: so read, the volumes
+/// The paper gives the mode and the standard deviation. This deviation is taken before the truncation to $[d_s, d_l]$: with this reading, the volumes
 /// of Table 6 hold the particles it counts. With $u = e^{\sigma^2} - 1$ the two conditions leave
 /// $u (1 + u)^3 = (0.2 (d_l - d_s) / d_0)^2$, which Newton's method solves from above, where it converges monotonically: ten steps are
 /// more than enough for any number. $\ln(1 + u)$ is evaluated as $u \ln w / (w - 1)$ with $w = 1 + u$ rounded, which

@@ -1,4 +1,4 @@
-//! The two ways to step: velocities half a step behind, and velocity Verlet.
+//! The two integrators: velocities half a step behind positions, and velocity Verlet.
 //!
 //! Equations and sections are numbered as in Demidov, Gor & Khalizov 2024.
 

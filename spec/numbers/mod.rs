@@ -1,4 +1,4 @@
-//! The numbers that [`Real`](crate::Real) can be, apart from `f64` and `f32` themselves.
+//! The number types that implement [`Real`](crate::Real), apart from `f64` and `f32`.
 
 pub(crate) mod exponential;
 mod lanes;

@@ -1,4 +1,4 @@
-//! A number of 256 bits: the value of an equation as far as anyone will ever need it.
+//! A number of 256 bits, for reference values of equations.
 
 use crate::Real;
 use astro_float::{BigFloat, Consts, Exponent, Radix, RoundingMode, Sign, WORD_BIT_SIZE, Word};

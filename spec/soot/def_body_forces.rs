@@ -15,9 +15,9 @@ flat_struct! {
         pub delta_0,
         /// Largest capillary force, N.
         pub psi,
-        /// Sharpness of its drop, 1/m.
+        /// Sharpness of its decrease, 1/m.
         pub kappa,
-        /// Distance of centres at which half of it is left, m.
+        /// Centre distance at which it has fallen to one half, m.
         pub d_cutoff,
         /// Distance of centres beyond which neither force acts, m.
         pub cutoff,
@@ -61,11 +61,11 @@ impl<R: Real> Attraction<R> {
 ///
 /// # Reading
 ///
-/// The paper has no cutoff but that of its neighbour list, 42 nm or 70 nm between centres. Here it is a distance that does not depend on when the list was made.
-/// The force is not shifted and ends with a jump of its value there; the energies are shifted so that they end at zero. For two spheres of 14 nm the van der Waals force left out is at
+/// The paper has no cutoff other than that of its neighbour list, 42 nm or 70 nm between centres. Here the cutoff is a distance that does not depend on the rebuilds of the list.
+/// The force is not shifted and drops to zero at the cutoff; the energies are shifted so that they end at zero. For two spheres of 14 nm the van der Waals force left out is at
 /// most 1.1e-13 N (0.1 %) beyond 42 nm and 1.4e-15 N (14 parts in a million) beyond 70 nm, the capillary force of $\kappa d_{\mathrm{cutoff}} = 10$ at most 0.7 % beyond 70 nm.
 ///
-/// Where both distances are within saturation, equal energies are subtracted: the bound of the rounding is that of such pairs.
+/// If both distances are within saturation, equal energies are subtracted: such pairs determine the rounding bound.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

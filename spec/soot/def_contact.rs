@@ -17,7 +17,7 @@ type Effect<R> = (Vec3<R>, Vec3<R>, Vec3<R>, Vec3<R>, Vec3<R>, R);
 ///
 /// # Reading
 ///
-/// In the order of Section 2.1.1: the springs follow the pair and grow with their rates, then they act. The neck is at rest where the surfaces touch, and holds in tension and compression without
+/// In the order of Section 2.1.1: the springs rotate with the pair and are stretched by their rates, then they act. The neck is relaxed where the surfaces touch, and acts in tension and compression without
 /// limit. Force on i and springs are in the convention of the paper, with the normal from i to j; seen from j the tangential spring is reversed, the other two are the same.
 ///
 /// | name | symbol | unit | domain | meaning |
@@ -97,7 +97,7 @@ pub fn neck<R: Real>(
 /// # Reading
 ///
 /// "Only enabled when the normal force is repulsive": along the normal the contact pushes with $\max(0, -k_\mathrm{n}\delta - \eta_\mathrm{n}\dot\delta)$ and never pulls. The same force caps the
-/// friction of all three springs, each with a coefficient of its own, of which the paper names one. Once the spheres do not overlap, nothing acts and the springs are forgotten.
+/// friction of all three springs, each with its own coefficient, of which the paper names one. As soon as the spheres do not overlap, nothing acts and the springs are reset.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

@@ -1,4 +1,4 @@
-//! How much of its convex hull an aggregate fills.
+//! The convexity of an aggregate: the fraction of its convex hull that it fills.
 
 use crate::equation::Equation;
 use crate::{Real, equation};
@@ -11,7 +11,7 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// The volume of the aggregate is the sum of those of its spheres: overlaps are small.
+/// The volume of the aggregate is the sum of the volumes of its spheres: overlaps are small.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

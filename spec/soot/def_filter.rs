@@ -52,7 +52,7 @@ pub fn time_response<R: Real>(omega_0: R, t: R) -> (R, R, R) {
 /// # Reading
 ///
 /// The exact solution of Eq. 28 with Eqs. 29 and 31 for a force that is linear between two samples, by the step response $S$ and the ramp response $\varphi \Delta t$ of
-/// [`time_response`]. It is stable for any time step. After a long one little is left of the force before, $S - \varphi = \frac{1}{y} \big(2 - (y^2 + 2y + 2) e^{-y}\big)$, which is evaluated as such:
+/// [`time_response`]. It is stable for any time step. After a long one little remains of the earlier force, $S - \varphi = \frac{1}{y} \big(2 - (y^2 + 2y + 2) e^{-y}\big)$, which is evaluated as such:
 /// $S f_0 + \varphi (f_1 - f_0)$ would lose it. Below two it is the difference of the series.
 ///
 /// | name | symbol | unit | domain | meaning |

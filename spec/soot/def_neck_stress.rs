@@ -12,9 +12,9 @@ use crate::{Real, Vec3, equation};
 ///
 /// # Reading
 ///
-/// The paper's bonds have tensile strength, but no number for it and no cross-section. The neck is taken as a short elastic beam of circular cross-section, the bonded particles of
-/// Potyondy and Cundall (2004): what it carries along the normal and across is spread evenly, bending and twisting grow in proportion to the distance from the axis. Both stresses are those on the
-/// circumference, where they are largest. A neck that is pressed as much as it is bent has none in tension: $\sigma$ is negative then.
+/// The paper's bonds have a tensile strength, but neither its value nor a cross-section is given. The neck is taken as a short elastic beam of circular cross-section, the bonded particles of
+/// Potyondy and Cundall (2004): normal and shear force are distributed uniformly, the stresses of bending and torsion increase linearly with the distance from the axis. Both stresses are evaluated on the
+/// circumference, where they are largest. If compression outweighs bending, no part of the neck is in tension and $\sigma$ is negative.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

@@ -14,8 +14,8 @@ use crate::{Real, Vec3, equation};
 ///
 /// # Reading
 ///
-/// The paper has substrate and tip exert the forces of a contact and never move under them. Normal and gap come from the geometry: the closest point of the wall. The partner is not
-/// a sphere of infinite radius in every respect: the contact point is on the wall, so that the arm is $r + \delta$ and not $r + \delta/2$, and rolling has that arm, too. A sphere that rolls on the
+/// In the paper substrate and tip exert the forces of a contact and never move under them. Normal and gap come from the geometry: the closest point of the wall. The partner is not
+/// a sphere of infinite radius in every respect: the contact point is on the wall, so that the arm is $r + \delta$ and not $r + \delta/2$, also for rolling. A sphere that rolls on the
 /// wall is not slowed down by the tangential spring. Springs are in the convention of the paper, with the normal from the sphere to the wall.
 ///
 /// | name | symbol | unit | domain | meaning |

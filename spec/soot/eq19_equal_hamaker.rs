@@ -12,7 +12,7 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// Eq. 18 for $r_1 = r_2$, and evaluated as that.
+/// Eq. 18 for $r_1 = r_2$, and evaluated as such.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -42,7 +42,7 @@ pub fn equal_hamaker_energy<R: Real>(r: R, delta: R, a: R) -> R {
 /// # Reading
 ///
 /// The coefficient of the normal: positive, so that i is attracted by j. Over one denominator it is
-/// $\frac{32 A r^6}{3 \delta^2 (4r + \delta)^2 (2r + \delta)^3}$, which cancels nothing; the printed form has no digit left at a thousand radii.
+/// $\frac{32 A r^6}{3 \delta^2 (4r + \delta)^2 (2r + \delta)^3}$, which does not cancel; the printed form has no correct digit at a thousand radii.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -70,7 +70,7 @@ pub fn equal_hamaker_force<R: Real>(r: R, delta: R, a: R) -> R {
 ///
 /// # Reading
 ///
-/// The text names a saturation distance $\delta_0$ from 0.4 to 1 nm, but no formula. The force is frozen at its value there, also where the spheres overlap, and the
+/// The text gives a saturation distance $\delta_0$ from 0.4 to 1 nm, but no formula. Below it the force keeps its value at $\delta_0$, also for overlapping spheres, and the
 /// potential continues as a straight line: both are continuous.
 ///
 /// | name | symbol | unit | domain | meaning |

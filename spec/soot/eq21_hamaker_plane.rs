@@ -12,7 +12,7 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// The limit of Eq. 18, and like it evaluated by the series in $t = r/(r + \delta)$ where the sphere is far.
+/// The limit of Eq. 18, and like it evaluated by the series in $t = r/(r + \delta)$ if the sphere is far from the plane.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

@@ -13,7 +13,7 @@ use crate::{Real, equation};
 /// # Reading
 ///
 /// The formula has no direction; the force is attractive, along the normal on i. At $d_{\mathrm{cutoff}}$ it has not dropped to zero, as the text says, but to
-/// one half. The distance is that of the centres whatever the radii: of two spheres larger than those of the paper, which touch at 28 nm, less is left. Evaluated as $\psi / (1 + e^{2\kappa(d - d_{\mathrm{cutoff}})})$, which cancels nothing far away, with the exponential of a negative number only.
+/// one half. The distance is measured between centres regardless of the radii, so for spheres larger than in the paper, where they touch at 28 nm, the force at contact is smaller. Evaluated as $\psi / (1 + e^{2\kappa(d - d_{\mathrm{cutoff}})})$, which does not cancel at large distances and needs the exponential of a negative number only.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

@@ -11,7 +11,7 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// The radius of gyration is the root mean square distance of the centres from their centroid, without the particles' own extent. For unequal particles
+/// The radius of gyration is the root mean square distance of the centres from their centroid, without the size of the particles. For unequal particles
 /// both are weighted by mass, and $r$ is the geometric mean of the radii: the median of a log-normal distribution.
 ///
 /// | name | symbol | unit | domain | meaning |
@@ -32,7 +32,7 @@ pub fn fractal_number<R: Real>(k_f: R, r_g: R, r: R, d_f: R) -> R {
     k_f * (d_f * (r_g / r).ln()).exp()
 }
 
-/// **Section 2.1.6**, unnumbered: radius of gyration of an aggregate of given number.
+/// **Section 2.1.6**, unnumbered: radius of gyration of an aggregate with a given number of particles.
 ///
 /// ```math
 /// R_\mathrm{g} = r \left(\frac{N}{k_\mathrm{f}}\right)^{1 / D_\mathrm{f}}
@@ -40,7 +40,7 @@ pub fn fractal_number<R: Real>(k_f: R, r_g: R, r: R, d_f: R) -> R {
 ///
 /// # Reading
 ///
-/// Eq. 24 the other way round.
+/// Eq. 24 solved for the radius of gyration.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

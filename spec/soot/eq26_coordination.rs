@@ -1,4 +1,4 @@
-//! How many neighbours a primary particle has.
+//! The coordination number of primary particles.
 
 use super::eq03_geometry::gap;
 use crate::equation::Equation;

@@ -1,4 +1,4 @@
-//! The cantilever of the force microscope, whose inertia filters the force.
+//! The cantilever of the atomic force microscope, whose inertia filters the force.
 
 use crate::equation::Equation;
 use crate::{Real, equation};
@@ -11,7 +11,7 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// Read from left to right: the force that belongs to a motion.
+/// Read from left to right: the force that corresponds to a motion.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -33,7 +33,7 @@ pub fn cantilever_force<R: Real>(m_c: R, eta_c: R, k_c: R, u: R, u_dot: R, u_ddo
     m_c * u_ddot + eta_c * u_dot + k_c * u
 }
 
-/// **Eq. 28**, Appendix: force that belongs to a reading of the cantilever.
+/// **Eq. 28**, Appendix: force that corresponds to a reading of the cantilever.
 ///
 /// ```math
 /// \frac{m_\mathrm{c}}{k_\mathrm{c}} \ddot{g} + \frac{\eta_\mathrm{c}}{k_\mathrm{c}} \dot{g} + g(t) = f(t)
@@ -41,7 +41,7 @@ pub fn cantilever_force<R: Real>(m_c: R, eta_c: R, k_c: R, u: R, u_dot: R, u_ddo
 ///
 /// # Reading
 ///
-/// Eq. 27 for the force that is read off the deflection, $g = k_\mathrm{c} u$.
+/// Eq. 27 for the force derived from the deflection, $g = k_\mathrm{c} u$.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

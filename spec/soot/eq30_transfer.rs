@@ -1,4 +1,4 @@
-//! What the cantilever makes of the force on its tip.
+//! The transfer function of the cantilever.
 
 use crate::equation::Equation;
 use crate::{Real, equation};
@@ -70,7 +70,7 @@ pub fn preserved<R: Real>(omega_0: R, s: R) -> R {
 ///
 /// # Reading
 ///
-/// The expression under the limit. It holds for $s \ne 0$ only: a constant force is always read as it is.
+/// The expression under the limit. It holds for $s \ne 0$ only: a constant force is always read without error.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

@@ -10,7 +10,7 @@ use crate::{Contact, Flat, PairModel, Real, Touch, Vec3, flat_struct};
 
 pub use wall::Wall;
 
-/// How the springs of contacts and necks are read.
+/// The reading of the springs of contacts and necks.
 pub trait Reading: Copy + Send + Sync {
     /// What is remembered of a twist.
     type Torsion<R: Real>: Twist<R>;
@@ -18,7 +18,7 @@ pub trait Reading: Copy + Send + Sync {
     const ORDER: Order;
 }
 
-/// Torsion springs lie along the normal: a twist is resisted by a spring and a dashpot, like every other motion. See [`rotated_torsion`](crate::mechanics::rotated_spring::rotated_torsion).
+/// Torsion springs lie along the normal: torsion is resisted by a spring and a dashpot, like every other motion. See [`rotated_torsion`](crate::mechanics::rotated_spring::rotated_torsion).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Along;
 impl Reading for Along {
@@ -26,8 +26,8 @@ impl Reading for Along {
     const ORDER: Order = Order::StretchFirst;
 }
 
-/// As printed: torsion springs are turned into the contact plane before every step. Nothing but the last increment is left along the normal, and a twist meets no lasting
-/// resistance. The spring in the plane only grows, and bends the pair in the directions in which the normal went, with work that no spring gives.
+/// As printed: torsion springs are rotated into the contact plane before every step. Only the last increment remains along the normal, so torsion meets no lasting
+/// resistance. The spring in the plane only grows, and bends the pair in the directions in which the normal has moved, with work that is not taken from a spring.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Printed;
 impl Reading for Printed {
@@ -35,7 +35,7 @@ impl Reading for Printed {
     const ORDER: Order = Order::StretchFirst;
 }
 
-/// As in the authors' program: as printed, and all springs act before they are stretched.
+/// As in the authors' program: as printed, and all springs act before they are stretched, lagging by one step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Programmed;
 impl Reading for Programmed {
@@ -44,7 +44,7 @@ impl Reading for Programmed {
 }
 
 flat_struct! {
-    /// What differs from pair to pair.
+    /// The coefficients of a pair.
     pub struct Coefficients {
         /// One for a pair that is joined by a neck, zero for one that is not.
         pub bonded,
@@ -52,7 +52,7 @@ flat_struct! {
 }
 
 flat_struct! {
-    /// What a pair holds, J, by cause.
+    /// Energy stored in a pair, J, by cause.
     pub struct Stored {
         /// All four springs of a neck.
         pub necks,
@@ -164,7 +164,7 @@ impl<S: Reading> PairModel for Soot<S> {
         self.critical_time_step_among(r, m, r)
     }
 
-    /// Largest stable time step of a sphere in contact or with a neck, s. Springs of a contact may lag by more: they slip before they gain much.
+    /// Largest stable time step of a sphere in contact or with a neck, s. Springs of a contact may lag by more: they slip before they gain much energy.
     fn critical_time_step_among(&self, r: f64, m: f64, largest: f64) -> f64 {
         let limit = self.neck.critical_time_step(r, m, largest).min(self.contact.critical_time_step(r, m, largest));
         if S::ORDER == Order::ActFirst { limit.min(self.neck.lag_limit()) } else { limit }

@@ -1,10 +1,10 @@
 //! Demidov, Gor & Khalizov, *Discrete element method model of soot aggregates*,
 //! Phys. Rev. E 110 (2024) 054902.
 //!
-//! Aggregates of spheres that touch or are joined by necks, attract each other, and are pulled together by a coating or pulled apart by the tip of a force microscope.
+//! Aggregates of spheres that touch or are joined by necks, attract each other, and are compacted by a coating or pulled apart by the tip of an atomic force microscope.
 //! The modules `eq..` are the numbered equations, `def_..` unnumbered relations. [`four_springs`](mechanics::four_springs) are the four springs of a contact,
 //! [`def_contact`] neck and friction, [`def_wall`] substrate and tip, [`law`] the law for an engine, [`verlet`](mechanics::verlet) the step. Every number, 1 to 33, is a function. All of it holds for
-//! unequal spheres; the equal ones of the paper are a case.
+//! unequal spheres; the equal spheres of the paper are a special case.
 //!
 //! # Errata
 //!
@@ -15,7 +15,7 @@
 //! * Eq. 17 has the sign of another convention, see [`eq13_friction::slipped_spring`].
 //! * The printed forms of Eqs. 18 to 21 cancel for spheres that are not close.
 //!
-//! Settled where the text leaves a choice: the normal force of the caps ([`eq13_friction::static_friction`]), the saturation distance
+//! Choices where the text is ambiguous: the normal force of the caps ([`eq13_friction::static_friction`]), the saturation distance
 //! ([`eq19_equal_hamaker::saturated_hamaker`]), direction and meaning of Eq. 23, Eq. 25 against its prose, the hull ([`hull_volume`](mechanics::convex_hull::hull_volume)), the arms at a wall ([`def_wall`]).
 
 pub mod def_body_forces;

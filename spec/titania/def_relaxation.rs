@@ -16,7 +16,7 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// The motion shown in Fig. 3, for small displacements and an attraction independent of the distance. Masses are those of the bare spheres. The
+/// The motion shown in Fig. 3, for small displacements and an attraction independent of the distance. The masses are those of the bare spheres. The
 /// power is taken of a pure number, $\delta_0 = R_\text{eff} \exp\left(\frac{2}{3} \ln \frac{F_a}{k_n R_\text{eff}^2}\right)$.
 ///
 /// | name | symbol | unit | domain | meaning |

@@ -3,10 +3,10 @@
 use crate::equation::Equation;
 use crate::{Contact, Real, Vec3, equation};
 
-/// Where the contact point of a pair is.
+/// Position of the contact point of a pair.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Arms {
-    /// Half-way between the bare surfaces: the arms add up to the distance of the centres.
+    /// Midway between the bare surfaces: the arms add up to the distance of the centres.
     HalfGap,
     /// Half a compressed layer above each bare surface, at any distance: a tangential force creates angular momentum.
     HalfLayer,
@@ -31,7 +31,7 @@ impl Arms {
 ///
 /// # Reading
 ///
-/// "Augmented by half the thickness of the compressed water layer": half of what lies between the bare surfaces at that distance. The two arms
+/// "Augmented by half the thickness of the compressed water layer": half the gap between the bare surfaces at that distance. The two arms
 /// then add up to the distance of the centres, without which a tangential force would create angular momentum; a
 /// constant thickness `h_n` would not do. Radii that are both augmented by the same length give the same arms.
 ///
@@ -53,7 +53,7 @@ pub fn moment_arm<R: Real>(r_i: R, r_j: R, d: R) -> R {
     r_i + R::lit(0.5) * (d - r_i - r_j)
 }
 
-/// **Section 2**, unnumbered: the same, taken by the letter.
+/// **Section 2**, unnumbered: the same, taken literally.
 ///
 /// ```math
 /// R_i^{aug} = R_i + \frac{h_n}{2}

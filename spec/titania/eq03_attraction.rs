@@ -3,7 +3,7 @@
 use crate::equation::Equation;
 use crate::{Real, Vec3, equation};
 
-/// Which way the solvation force of Eq. 4 enters Eq. 3.
+/// Sign with which the solvation force of Eq. 4 enters Eq. 3.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Solvation {
     /// As Eqs. 3 to 5 are printed: a positive force attracts, so the negative amplitude repels bare surfaces in touch.

@@ -1,4 +1,4 @@
-//! The solvation force: layers of water squeezed out one by one.
+//! The solvation force: layers of water are squeezed out one after the other.
 
 use crate::equation::Equation;
 use crate::{Real, equation};
@@ -11,7 +11,7 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// As printed, with bare radii: period and decay length are the same. What the sign means is left to Eq. 3.
+/// As printed, with bare radii: period and decay length are the same. Eq. 3 defines the meaning of the sign.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

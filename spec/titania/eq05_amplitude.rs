@@ -1,4 +1,4 @@
-//! How the solvation force grows with the particles.
+//! Growth of the solvation force with the particle size.
 
 use crate::equation::Equation;
 use crate::{Real, equation};

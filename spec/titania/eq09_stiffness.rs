@@ -4,12 +4,12 @@ use super::def_radius::effective_radius;
 use crate::equation::Equation;
 use crate::{Real, equation};
 
-/// Whose equilibrium gives the contact stiffness of a pair.
+/// Equilibrium from which the contact stiffness of a pair is derived.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stiffness {
-    /// Its own: every pair rests at the same overlap.
+    /// The equilibrium of the pair itself: every pair is in equilibrium at the same overlap.
     PerPair,
-    /// Those of pairs of equal particles of either size, [mixed](mixed_stiffness).
+    /// The equilibria of pairs of equal particles of either size, [mixed](mixed_stiffness).
     PerSize,
 }
 
@@ -55,8 +55,8 @@ pub fn stiffness<R: Real>(f_na_0: R, delta_n_0: R, r_i: R, r_j: R, h_n: R) -> R 
 ///
 /// # Reading
 ///
-/// Ambiguous: the paper speaks of the stiffness of a particle size, for which the star that Eq. 9 lacks makes no difference, and does not say how two sizes meet. Hertz adds the
-/// compliances of two bodies. Unlike particles then rest a little beside their nominal distance, and a case takes the stiffness of the pair if
+/// Ambiguous: the paper speaks of the stiffness of a particle size, for which the star that Eq. 9 lacks makes no difference, and does not define the stiffness of two different sizes. Hertz adds the
+/// compliances of two bodies. The equilibrium distance of unlike particles then differs slightly from the nominal one, and a case takes the stiffness of the pair if
 /// it does not ask for this one.
 ///
 /// | name | symbol | unit | domain | meaning |

@@ -1,9 +1,9 @@
-//! The tangential force: stick and slip of two rough surfaces.
+//! The tangential force: stick-slip motion of two rough surfaces.
 
 use crate::equation::Equation;
 use crate::{Real, Vec3, equation};
 
-/// What becomes of the tangential spring when its length reaches the period.
+/// The tangential spring after its elongation has reached the period.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Slip {
     /// The spring is released: the force of that step is the largest one, and the spring restarts from zero, as in the authors' program.
@@ -20,9 +20,9 @@ pub enum Slip {
 ///
 /// # Reading
 ///
-/// The formula as printed, good for sliding on and on in one direction. It is no law for anything else: a function of the
+/// The formula as printed, valid for continued sliding in one direction. It is not a law for general motion: a function of the
 /// displacement alone loses nothing on a closed path, and below zero the floor gives the full force at once. The
-/// paper calls it a spring and a slider, and that is what [`sliding_spring`] is.
+/// paper calls it a spring and a slider, which [`sliding_spring`] implements.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -58,7 +58,7 @@ pub fn sawtooth<R: Real>(tau_s: R, a: R, delta_t: R, lambda_t: R, t: Vec3<R>) ->
 ///
 /// The spring $\boldsymbol{\xi}$ lies in the contact plane and was advanced to this instant. Below one period it is elastic. At one period the surfaces slip, in
 /// one of two ways, see [`Slip`]: with `slip` 1 the spring keeps the remainder, and for steady sliding along a line the force is the printed one; with `slip` 0 the
-/// force is the peak force $-\tau_S A_{ij} \hat{\boldsymbol{\xi}}$ of this step and nothing remains. What the spring loses is heat.
+/// force is the peak force $-\tau_S A_{ij} \hat{\boldsymbol{\xi}}$ of this step and nothing remains. The energy lost by the spring is dissipated.
 ///
 /// The stiffness follows the area, and no normal force answers to that: a spring loaded at one area and let
 /// go at another delivers $\tau_S \, \Delta A \, \xi^2 / 2 \lambda_t$. That is the paper's law.
@@ -92,7 +92,7 @@ pub fn sliding_spring<R: Real>(tau_s: R, a: R, lambda_t: R, xi: Vec3<R>, slip: R
     (xi * -(tau_s * a / lambda_t * acting), xi * remainder)
 }
 
-/// **Section 2.4**, unnumbered: energy that the tangential spring holds.
+/// **Section 2.4**, unnumbered: energy stored in the tangential spring.
 ///
 /// ```math
 /// V_t = \frac{\tau_S A_{ij}}{2 \lambda_t} |\boldsymbol{\xi}|^2

@@ -4,12 +4,12 @@ use super::def_radius::effective_radius;
 use crate::equation::Equation;
 use crate::{Real, Vec3, equation};
 
-/// What rolling resistance does in a step that would turn a rolling particle back.
+/// Rolling resistance in a step in which it would reverse the rolling of a particle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rolling {
-    /// It stops the particle.
+    /// The particle stops.
     Stopping,
-    /// It turns it back, as in the authors' program: a particle that should rest changes its spin every step.
+    /// The particle rolls back, as in the authors' program: a particle that should be at rest reverses its spin in every step.
     Unlimited,
 }
 

@@ -1,4 +1,4 @@
-//! Many steps at once: powers of the amplification matrix, bounded below the critical step and nowhere else.
+//! Many steps at once: powers of the amplification matrix, bounded only below the critical step.
 
 use super::a11_scaled_step::{amplification_matrix, amplify};
 use crate::equation::Equation;

@@ -1,4 +1,4 @@
-//! The eigenvalues of the amplification matrix: on the unit circle up to the critical step, apart beyond it.
+//! The eigenvalues of the amplification matrix: on the unit circle up to the critical step, real and distinct above it.
 
 use crate::equation::Equation;
 use crate::{Real, equation};

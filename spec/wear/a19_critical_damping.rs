@@ -1,4 +1,4 @@
-//! Where a damped pair stops swinging.
+//! Critical damping of a pair.
 
 use crate::equation::Equation;
 use crate::{Real, equation};

@@ -1,4 +1,4 @@
-//! Where the elastic range of a pair ends.
+//! The elastic limit of a pair.
 
 use super::eq09_elastic_separation::elastic_separation;
 use super::eq11_maximum_tangential_force::maximum_tangential_force;

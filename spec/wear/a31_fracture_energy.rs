@@ -1,4 +1,4 @@
-//! The energy that breaks a pair, and the separation that makes it twice the surface energy.
+//! The fracture energy of a pair, and the fracture separation at which it equals twice the surface energy.
 
 use super::eq19_minimum_diameter::minimum_diameter;
 use crate::equation::Equation;

@@ -1,4 +1,4 @@
-//! An impact: the motion of two spheres that meet with a velocity, for any damping.
+//! An impact: the motion of two colliding spheres, for any damping.
 
 use super::a19_critical_damping::critical_pair_damping;
 use super::a37_frequency::damped_frequency;

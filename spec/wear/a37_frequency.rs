@@ -1,4 +1,4 @@
-//! How fast a pair swings.
+//! The frequency of a pair.
 
 use super::a19_critical_damping::critical_pair_damping;
 use crate::equation::Equation;

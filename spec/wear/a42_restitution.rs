@@ -1,4 +1,4 @@
-//! The restitution coefficient of a damping, exactly and as the paper approximates it.
+//! The coefficient of restitution for a given damping, exact and in the paper's approximation.
 
 use super::a19_critical_damping::critical_pair_damping;
 use super::a37_frequency::damped_frequency;

@@ -1,4 +1,4 @@
-//! The damping for a wanted restitution.
+//! The damping for a given coefficient of restitution.
 
 use super::eq12_normal_damping::normal_damping;
 use super::eq13_tangential_damping::tangential_damping;

@@ -1,4 +1,4 @@
-//! What becomes of the fracture separation of large spheres.
+//! The rescaled fracture separation of large spheres.
 
 use super::eq18_critical_diameter::critical_diameter;
 use crate::equation::Equation;

@@ -1,4 +1,4 @@
-//! The contact law: everything that two particles do to each other in a step.
+//! The contact law: all forces and torques between two particles in a step.
 
 use super::def_kinematics::{contact_torque, moment_arm};
 use super::def_parameters::force_parameters;

@@ -1,4 +1,4 @@
-//! How two particles lie and move, seen from their contact point.
+//! Positions and velocities of two particles relative to their contact point.
 
 use crate::equation::Equation;
 use crate::{Contact, Real, Vec3, equation};

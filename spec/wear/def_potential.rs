@@ -1,4 +1,4 @@
-//! What the normal force stores.
+//! The potential energy of the normal force.
 
 use crate::equation::Equation;
 use crate::{Real, equation, piecewise};

@@ -1,4 +1,4 @@
-//! An impact that ends when the spheres stop pushing, before they stop touching.
+//! An impact that ends when the force vanishes, before the contact does.
 
 use crate::equation::Equation;
 use crate::{Real, equation};

@@ -1,4 +1,4 @@
-//! How far a pair stretches elastically.
+//! The elastic separation of a pair.
 
 use crate::equation::Equation;
 use crate::{Real, equation};

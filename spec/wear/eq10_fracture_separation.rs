@@ -1,4 +1,4 @@
-//! How far a pair reaches.
+//! The fracture separation of a pair.
 
 use crate::equation::Equation;
 use crate::wear::eq19_minimum_diameter::minimum_diameter;

@@ -1,4 +1,4 @@
-//! The radius that stands for a pair.
+//! The effective radius of a pair.
 
 use crate::equation::Equation;
 use crate::{Real, equation};

@@ -1,4 +1,4 @@
-//! The size beyond which strength and surface energy cannot both be matched.
+//! The critical diameter, above which strength and surface energy cannot both be matched.
 
 use crate::equation::Equation;
 use crate::{Real, equation};

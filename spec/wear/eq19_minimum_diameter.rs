@@ -1,4 +1,4 @@
-//! The smallest particle that is worth its neighbours.
+//! The smallest reasonable particle diameter.
 
 use crate::equation::Equation;
 use crate::{Real, equation};

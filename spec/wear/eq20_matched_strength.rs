@@ -1,4 +1,4 @@
-//! The tensile strength that large particles still have.
+//! The tensile strength of large particles.
 
 use crate::equation::Equation;
 use crate::{Real, equation, piecewise};

@@ -1,4 +1,4 @@
-//! `veridem sweep`: one case for many values of its keys, one core and one run folder for each combination.
+//! `veridem sweep`: runs a case for several values of its keys, with one core and one run folder for each combination.
 
 use super::{OutputMode, print};
 use crate::case::units::decimal;

@@ -1,4 +1,4 @@
-//! Sums of forces that keep their causes apart.
+//! Sums of forces, separated by cause.
 
 use crate::spec::Vec3;
 use crate::system::Forces;

@@ -1,4 +1,4 @@
-//! The layout that blocks share with their pairs.
+//! The layout of blocks, on which blocks and pairs must agree.
 
 use super::Load;
 use crate::system::{Bond, Image, Particles};

@@ -1,4 +1,4 @@
-//! Puts particles that are close in space close in memory.
+//! Orders particles so that neighbours in space are close in memory.
 
 use crate::spec::Vec3;
 use crate::system::Domain;

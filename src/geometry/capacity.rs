@@ -1,4 +1,4 @@
-//! The electrostatic capacity of touching spheres, which stands for their hydrodynamic radius: a walk on spheres.
+//! The electrostatic capacity of touching spheres, an estimate of their hydrodynamic radius, by a walk on spheres.
 
 use super::{Sphere, centre_of_mass};
 use crate::geometry::directions::{cone, direction};

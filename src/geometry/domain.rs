@@ -1,4 +1,4 @@
-//! The box: its volume, and the copies of it that a periodic system is seen in.
+//! The box: its volume and its periodic images.
 
 use crate::spec::Vec3;
 use crate::system::{Domain, Image};

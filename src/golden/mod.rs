@@ -1,7 +1,7 @@
 //! Golden vectors: inputs and correctly rounded outputs of every equation, kept in `golden/`.
 //!
-//! The vectors are minted with 256-bit numbers and never edited by hand; those computed independently of this code keep
-//! their values and say where they come from. `golden/README.md` is the format.
+//! The vectors are generated with 256-bit numbers and never edited by hand; those computed independently of this code keep
+//! their values and state their source. `golden/README.md` is the format.
 
 mod index;
 mod rounding;

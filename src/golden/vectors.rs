@@ -1,4 +1,4 @@
-//! Files of golden vectors: reading, minting, checking.
+//! Files of golden vectors: reading, generating, checking.
 
 use super::rounding::error;
 use super::sample::samples;
@@ -123,7 +123,7 @@ pub fn read(golden: &Path, equation: &Equation) -> Result<File, String> {
     serde_json::from_str(&text).map_err(|error| format!("{}: {error}", path.display()))
 }
 
-/// All that is wrong with the vectors of an equation.
+/// Checks the vectors of an equation.
 pub fn check(golden: &Path, equation: &Equation, document: &Document) -> Vec<String> {
     let file = match read(golden, equation) {
         Ok(file) => file,

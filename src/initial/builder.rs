@@ -1,4 +1,4 @@
-//! A system put together by hand, checked as a whole.
+//! A builder of systems that checks them as a whole.
 
 use crate::error::{Error, Problem};
 use crate::spec::Vec3;

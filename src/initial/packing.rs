@@ -1,4 +1,4 @@
-//! Random samples of spheres of many sizes (Section 3.2), before they are relaxed.
+//! Polydisperse random samples (Section 3.2) before their relaxation.
 
 use crate::error::Error;
 use crate::interrupt::Interrupt;

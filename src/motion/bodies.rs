@@ -1,4 +1,4 @@
-//! Rigid bodies: the loads on their spheres summed, one step taken, and the spheres that are in touch moved along.
+//! Rigid bodies: sums of the loads on their spheres, one time step, and the update of the spheres that have partners in range.
 
 use super::push::Push;
 use super::{MotionTotals, Step};

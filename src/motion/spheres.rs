@@ -1,4 +1,4 @@
-//! The spheres of a block: forces gathered, one step taken.
+//! The spheres of a block: gather of forces, and one time step.
 
 use crate::forces::{Block, Instructions, Load};
 use crate::spec::mechanics::box_stress::momentum_flux;

@@ -1,4 +1,4 @@
-//! Velocity Verlet for free spheres: half a kick and the way, then, with the forces there, the other half.
+//! Velocity Verlet for free spheres: half a kick and the drift, then, with the new forces, the other half kick.
 
 use super::{MotionTotals, inertia};
 use crate::spec::Vec3;

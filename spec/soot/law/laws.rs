@@ -1,4 +1,4 @@
-//! What the composed law must obey, with every element alone and together, as a motion.
+//! Laws of the composed contact law, with every element alone and together, in motion.
 
 mod encounters;
 mod spheres;

@@ -1,4 +1,4 @@
-//! What a surface does to a sphere.
+//! The forces of a surface on a sphere.
 
 use super::super::eq21_hamaker_plane::{plane_force, saturated_plane};
 use super::lifted;
@@ -7,14 +7,14 @@ use crate::mechanics::four_springs::{Friction, Memory, Order, Springs, SpringsOu
 use crate::mechanics::rotated_spring::Twist;
 use crate::{Real, Touch};
 
-/// A wall: the substrate, or the tip. It has a motion of its own that no force changes.
+/// A wall: the substrate, or the tip. Its motion is prescribed.
 ///
 /// # Reading
 ///
-/// The paper makes the tip of facets and has each act on a sphere. Facets that share an edge or a corner share the contact there: a sphere has one contact with a surface, or
+/// In the paper the tip consists of facets, each of which acts on a sphere. Here facets that share an edge or a corner share the contact there: a sphere has one contact with a surface, or
 /// one for each place where its distance from the surface is least. Eq. 22, the force of a whole half-space, acts once, from the nearest point: the distance of a centre from a surface is a
-/// continuous function of its place, and so is the energy. Below a corner a half-space is more than is there, and the force an upper bound; the published program adds
-/// the half-spaces of all facets and has three times as much below the apex.
+/// continuous function of its position, and so is the energy. Below a corner a half-space exceeds the actual body, so the force is an upper bound; the published program adds
+/// the half-spaces of all facets and gives three times this force below the apex.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wall {
     /// The four springs of its contacts.
@@ -57,7 +57,7 @@ impl Wall {
         self.within(r + gap, energy(gap) - energy(cutoff - r))
     }
 
-    /// What the springs of a contact hold, J: normal, tangential, rolling, torsion.
+    /// Energies stored in the springs of a contact, J: normal, tangential, rolling, torsion.
     #[inline(always)]
     pub fn stored<R: Real, O: Twist<R>>(&self, gap: R, memory: &Memory<R, O>) -> [R; 4] {
         self.springs().stored(never::<R>(), gap, memory)

@@ -1,4 +1,4 @@
-//! What the composed law must obey, in every phase and as a motion.
+//! Laws of the composed contact law, in every phase and in motion.
 
 mod pair;
 

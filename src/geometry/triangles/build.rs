@@ -1,4 +1,4 @@
-//! From loose triangles to a surface.
+//! Assembles a surface from separate triangles.
 
 use crate::spec::{Real, Vec3};
 use crate::system::Mesh;

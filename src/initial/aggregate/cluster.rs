@@ -1,4 +1,4 @@
-//! A cluster on its way to an aggregate.
+//! A cluster during the growth of an aggregate.
 
 use super::law::Sums;
 use crate::geometry::Sphere;

@@ -1,4 +1,4 @@
-//! The aggregates of a film before they fall, and how fast they diffuse.
+//! The aggregates of a film before their deposition, and their diffusion coefficients.
 
 use super::{Diameters, Failure, FilmPlan, Numbers};
 use crate::case::units::BOLTZMANN;
