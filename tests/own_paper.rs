@@ -1,5 +1,4 @@
-//! Does a fourth paper, built with the public library alone, go through every command? The program is that of the example: started by itself with
-//! a command line, this one is it.
+//! Does a fourth paper, built with the public library alone, work with every command? The tests start this program again, as the program of the example.
 
 #[path = "../examples/own_paper/main.rs"]
 mod own_paper;
@@ -11,7 +10,7 @@ use std::process::{Command, ExitCode, Output};
 const AS_PROGRAM: &str = "OWN_PAPER";
 const CASE: &str = include_str!("../examples/own_paper/case.yaml");
 
-/// Tries something in an empty folder.
+/// A test in a temporary folder that holds the case.
 type Test = fn(&Path);
 
 const TESTS: [(&str, Test); 8] = [
@@ -51,14 +50,14 @@ fn program(place: &Path, arguments: &[&str]) -> Output {
         .expect("it starts")
 }
 
-/// What a command that must succeed prints.
+/// The standard output of a command that must succeed.
 fn printed(place: &Path, arguments: &[&str]) -> String {
     let output = program(place, arguments);
     assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
     String::from_utf8(output.stdout).expect("a text")
 }
 
-/// How a command ends, and what it says, for a case in which something is replaced.
+/// The exit status and the messages of `check` for a case in which a text is replaced.
 fn refused(place: &Path, written: &str, wrong: &str) -> (Option<i32>, String) {
     std::fs::write(place.join("case.yaml"), CASE.replace(written, wrong)).expect("a case");
     let output = program(place, &["check", "case.yaml"]);

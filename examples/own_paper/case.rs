@@ -1,4 +1,4 @@
-//! The sections of the case file: every key with its type, its default, and its meaning.
+//! The sections of the case file: every key with its type, default and meaning.
 
 use veridem::case::InSteps;
 use veridem::case::quantity::{Density, Length, Quantity, Scale, Scaled, SphereRadius, Stiffness, Time, Velocity};
@@ -23,7 +23,7 @@ section! {
     pub struct Material {
         /// Stiffness of the spring.
         stiffness: Quantity<Stiffness>,
-        /// Damping factor over the critical one, below 1.
+        /// Damping ratio: damping coefficient relative to the critical one, below 1.
         damping_ratio: f64 = 0.1,
         /// Density of the spheres.
         density: Quantity<Density>,
@@ -39,27 +39,27 @@ choice! {
 section! {
     /// Two equal spheres.
     pub struct Pair {
-        /// Their radius.
+        /// Radius of the spheres.
         radius: Quantity<Length>,
         /// The gap between them.
         gap: Scaled<Length, SphereRadius> = Scaled::times(0.1),
     }
 }
 choice! {
-    /// What is done to them.
+    /// The experiment.
     pub enum Experiment {
-        /// They collide head-on.
+        /// A head-on collision.
         Collision = "collision": Collision,
     }
 }
 section! {
     /// A head-on collision.
     pub struct Collision {
-        /// The velocity with which they approach each other.
+        /// Velocity of approach.
         velocity: Quantity<Velocity>,
         /// Time step, as a fraction of the duration of the contact.
         dt: Scaled<Time, ContactTime> = Scaled::times(0.01),
-        /// The longest that either stage may take.
+        /// Largest duration of either stage.
         most: InSteps = Scaled::times(100_000.0),
     }
 }

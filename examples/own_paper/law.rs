@@ -1,25 +1,25 @@
-//! The equations and the contact law: all that the engine sees of the paper. An equation is generic over the number, and selects where others branch.
+//! The equations and the contact law, the only part of the paper that the engine uses. Equations are generic over the number type and select instead of branching.
 
 use veridem::spec::mechanics::reduced_mass::effective_mass;
 use veridem::spec::mechanics::stable_step::stable_time_step;
 use veridem::spec::{Contact, Outcome, PairModel, Real, Vec3, Wrench, flat_struct, piecewise};
 
-/// Damping factor of a dashpot that is `zeta` of the critical one.
+/// Damping coefficient of a dashpot with the damping ratio `zeta`.
 fn damping_factor<R: Real>(m: R, k: R, zeta: R) -> R {
     R::lit(2.0) * zeta * (m * k).sqrt()
 }
 
-/// Force of spring and dashpot along the normal, positive for repulsion; none without an overlap.
+/// Force of spring and dashpot along the normal, positive for repulsion; zero without an overlap.
 fn normal_force<R: Real>(k: R, c: R, gap: R, velocity: R) -> R {
     piecewise([(gap.lt(R::zero()), -(k * gap) - c * velocity)], R::zero())
 }
 
-/// How long two spheres overlap that meet head-on.
+/// Duration of the contact in a head-on collision.
 pub fn contact_time<R: Real>(m: R, k: R, zeta: R) -> R {
     R::pi() / (k / m * (R::one() - zeta.squared())).sqrt()
 }
 
-/// The velocity with which they part over that with which they met.
+/// Coefficient of restitution: velocity of separation relative to velocity of approach.
 pub fn restitution<R: Real>(zeta: R) -> R {
     (-(R::pi() * zeta) / (R::one() - zeta.squared()).sqrt()).exp()
 }
@@ -29,37 +29,37 @@ pub fn restitution<R: Real>(zeta: R) -> R {
 pub struct Linear {
     /// Stiffness of the spring, pN/nm.
     pub stiffness: f64,
-    /// Damping factor over the critical one.
+    /// Damping ratio.
     pub damping_ratio: f64,
 }
 
 flat_struct! {
-    /// What is constant for a pair.
+    /// The constants of a pair.
     pub struct Constants {
         /// Stiffness.
         pub k,
-        /// Damping factor.
+        /// Damping coefficient.
         pub c,
     }
 }
 flat_struct! {
-    /// The energy that a pair holds.
+    /// The energy stored in a pair.
     pub struct Stored {
-        /// By its spring.
+        /// In its spring.
         pub spring,
     }
 }
 flat_struct! {
-    /// The energy that a pair loses.
+    /// The energy dissipated by a pair.
     pub struct Losses {
-        /// To its dashpot.
+        /// By its dashpot.
         pub dashpots,
     }
 }
 
 impl PairModel for Linear {
     type Coefficients<R: Real> = Constants<R>;
-    /// The spring is as long as the overlap is deep: nothing needs to be remembered.
+    /// The compression of the spring is the overlap, so there is no contact history.
     type Memory<R: Real> = [R; 0];
     type Losses<R: Real> = Losses<R>;
     type Stored<R: Real> = Stored<R>;

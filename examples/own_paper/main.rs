@@ -1,7 +1,7 @@
 //! A paper of one's own beside the library's: a contact law, the sections of its case files, two stages, an observer, a graph, and a claim.
 //!
-//! Cundall and Strack (1979) let two spheres that overlap repel each other by a linear spring with a dashpot. Two spheres that meet head-on then part
-//! with a fixed share of the velocity with which they met. The program has the whole command line:
+//! In the law of Cundall and Strack (1979) overlapping spheres repel each other by a linear spring and a dashpot. After a head-on collision two spheres separate
+//! with a constant fraction of their relative velocity, the coefficient of restitution. The program has the complete command line:
 //!
 //! ```sh
 //! cargo run --example own_paper -- check examples/own_paper/case.yaml
@@ -76,7 +76,7 @@ impl Paper for LinearContacts {
     }
 }
 
-/// A collision for each of several damping ratios.
+/// A collision at each of several damping ratios.
 fn collisions(setting: &Setting) -> Result<Evidence, Error> {
     let (mut evidence, mut curve) = (Evidence::default(), Vec::new());
     for ratio in [0.05, 0.2, 0.5] {
@@ -86,11 +86,11 @@ fn collisions(setting: &Setting) -> Result<Evidence, Error> {
         let (measured, expected) =
             (plan.bounce(&Driver::new(&plan, setting.interrupt).run(&mut ())?.system), restitution(ratio));
         let [paper, ours] = [expected, measured].map(|bounce| format!("{bounce:.4}"));
-        let claim = format!("restitution at {ratio} of the critical damping");
+        let claim = format!("coefficient of restitution at a damping ratio of {ratio}");
         evidence.claims.push(Claim::new("restitution", claim, paper, ours, near(measured, expected, 0.01)).exact());
         curve.push((ratio, measured));
     }
     let (axes, curves) = (["damping ratio", "restitution"], vec![Curve::new("", Mark::Points, curve)]);
-    evidence.figures.push(Figure::linear("restitution", "Velocity kept in a collision", axes, curves));
+    evidence.figures.push(Figure::linear("restitution", "Coefficient of restitution of a collision", axes, curves));
     Ok(evidence)
 }

@@ -1,4 +1,4 @@
-//! The study: what is simulated, in which stages, and what is watched.
+//! The study: the stages and their observer.
 
 use super::case::{Experiment, Model, Sample};
 use super::law::{Linear, contact_time, restitution};
@@ -31,7 +31,7 @@ const REBOUND: usize = 1;
 /// The gap between the spheres.
 pub const GAP: Column = Column::new("gap", "nm");
 
-/// What the observer remembers: the gap now, and the least one so far, nm.
+/// The state of the observer: the present gap and the smallest one so far, nm.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Watch {
     gap: f64,
@@ -63,7 +63,7 @@ impl Plan {
         }
     }
 
-    /// The velocity with which the spheres part over that with which they approached each other.
+    /// Velocity of separation relative to velocity of approach.
     pub fn bounce(&self, system: &System) -> f64 {
         (system.particles.v[0] - system.particles.v[1]).norm() / self.velocity
     }
@@ -99,7 +99,7 @@ impl Study for Plan {
         let late = simulation.system().step >= self.steps(stage, self.dt);
         match stage {
             REBOUND if watch.gap >= 0.0 => Progress::Done,
-            REBOUND if late => Progress::Failed("the spheres have not parted"),
+            REBOUND if late => Progress::Failed("the spheres have not separated"),
             REBOUND => Progress::Going,
             _ if watch.gap < 0.0 => Progress::Done,
             _ if late => Progress::Failed("the spheres have not met"),
