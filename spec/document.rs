@@ -85,6 +85,10 @@ impl Domain {
     pub const ANY: Self = Self::Between { lo: f64::NEG_INFINITY, hi: f64::INFINITY, with_lo: false, with_hi: false };
 
     /// Reads `any`, `unit`, `> a`, `>= a`, `< a`, `<= a`, or an interval such as `(a, b]`.
+    ///
+    /// # Errors
+    ///
+    /// If the text is none of these.
     pub fn parse(text: &str) -> Result<Self, String> {
         let number = |text: &str| parse_number(text.trim()).ok_or_else(|| format!("domain `{text}`: not a number"));
         let between = |lo, with_lo, hi, with_hi| Self::Between { lo, hi, with_lo, with_hi };
@@ -146,6 +150,10 @@ const RESULT: &str = "→ ";
 impl Document {
     /// Reads the documentation of an equation. The line `Rounding: at most K ULP.` bounds, for every number that comes
     /// out, the error divided by `eps (|f| + sum_k |x_k df/dx_k|)`: K roundings of the result or of any of the inputs.
+    ///
+    /// # Errors
+    ///
+    /// If a part of the documentation is missing or cannot be read.
     pub fn of(equation: &Equation) -> Result<Self, String> {
         let text = doc_comment(equation.source, equation.function)
             .ok_or_else(|| format!("no documented `pub fn {}` in spec/{}", equation.function, equation.file))?;

@@ -166,11 +166,11 @@ pub(crate) fn place_in(list: &[f64], place: f64) -> usize {
 }
 
 mod double {
-    pub use crate::numbers::exponential::exp;
-    pub use libm::{acos, cos, log, sin, tanh};
+    pub(super) use crate::numbers::exponential::exp;
+    pub(super) use libm::{acos, cos, log, sin, tanh};
 }
 mod single {
-    pub use libm::{acosf as acos, cosf as cos, expf as exp, logf as log, sinf as sin, tanhf as tanh};
+    pub(super) use libm::{acosf as acos, cosf as cos, expf as exp, logf as log, sinf as sin, tanhf as tanh};
 }
 native!(f64, double);
 native!(f32, single);

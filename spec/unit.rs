@@ -20,6 +20,10 @@ const UNITS: [(&str, Exponents); 10] = [
 ];
 
 /// The dimension of a unit. A slash divides by the one factor after it.
+///
+/// # Errors
+///
+/// If a factor is no unit, or a slash stands in the wrong place.
 pub fn exponents(unit: &str) -> Result<Exponents, String> {
     let wrong = |what: &str| format!("unit `{unit}`: {what}");
     let mut total = [0; 3];

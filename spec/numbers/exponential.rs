@@ -27,7 +27,7 @@ const INVERSE_FACTORIAL: [f64; 12] = [
 
 /// `e` to the power of `x`: infinite above 709.8, zero below -745.2.
 #[inline(always)]
-pub fn exp(x: f64) -> f64 {
+pub(crate) fn exp(x: f64) -> f64 {
     let x = if x > 710.0 { 710.0 } else { x };
     let x = if x < -746.0 { -746.0 } else { x };
     let whole = x * std::f64::consts::LOG2_E + ROUND;

@@ -38,6 +38,10 @@ impl Interval {
     const LINE: Self = Self { lo: f64::NEG_INFINITY, hi: f64::INFINITY };
 
     /// The numbers from `lo` to `hi`.
+    ///
+    /// # Panics
+    ///
+    /// If `lo` is above `hi`.
     pub fn new(lo: f64, hi: f64) -> Self {
         assert!(lo <= hi, "an interval goes from the smaller bound to the larger one, not from {lo} to {hi}");
         Self { lo, hi }

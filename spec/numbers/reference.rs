@@ -10,7 +10,7 @@ const BITS: usize = 256;
 const WORDS: usize = BITS / WORD_BIT_SIZE;
 const NEAREST: RoundingMode = RoundingMode::ToEven;
 /// Digits of the decimal form: those of a quadruple-precision number.
-pub const DIGITS: usize = 34;
+pub(crate) const DIGITS: usize = 34;
 
 /// A number of 256 bits, every operation rounded to nearest. `astro_float` does the work; this is its `Copy` form.
 #[derive(Clone, Copy, Debug)]

@@ -23,6 +23,10 @@ const RANGE: usize = STIFFNESS + 1;
 
 impl Tabulated {
     /// The law for contact spheres of these radii, in ascending order, with tables that are wrong by at most `tolerance`.
+    ///
+    /// # Panics
+    ///
+    /// If there is no radius.
     pub fn new(law: Titania, radii: &[f64], tolerance: f64) -> Self {
         let sizes = || radii.iter().flat_map(|&r_i| radii.iter().map(move |&r_j| (r_i, r_j)));
         let tables: Vec<_> =
