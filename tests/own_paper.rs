@@ -89,8 +89,7 @@ fn a_value_that_makes_no_sense_is_refused(place: &Path) {
 
 fn the_schema_lists_its_sections_and_no_other_paper(place: &Path) {
     let schema = printed(place, &["schema"]);
-    let spring =
-        "# Stiffness of the spring. Expects a stiffness such as `1e6 N/m`. Required.\n    stiffness: ...\n";
+    let spring = "# Stiffness of the spring. Expects a stiffness such as `1e6 N/m`. Required.\n    stiffness: ...\n";
     for text in [spring, "dt: 0.01 t_c", "\n  pair:", "\n  collision:"] {
         assert!(schema.contains(text), "{text} in\n{schema}");
     }
