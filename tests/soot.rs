@@ -2,6 +2,7 @@
 
 mod common;
 
+use common::instruction_sets;
 use common::soot::{DT, MASS, RADIUS, SPHERES, law, momentum, run, settings, space, system, third};
 use veridem::forces::Instructions;
 use veridem::geometry::Sphere;
@@ -47,7 +48,7 @@ fn neither_threads_nor_instructions_change_a_bit() {
         pool.install(|| run(law(), system(third), settings, 3000).snapshot())
     };
     let plain = with(1, Instructions::BASELINE);
-    for instructions in Instructions::available() {
+    for instructions in instruction_sets() {
         assert!(with(2, instructions) == plain, "{instructions:?}");
     }
 }

@@ -61,7 +61,8 @@ pub fn sawtooth<R: Real>(tau_s: R, a: R, delta_t: R, lambda_t: R, t: Vec3<R>) ->
 /// force is the peak force $-\tau_S A_{ij} \hat{\boldsymbol{\xi}}$ of this step and nothing remains. The energy lost by the spring is dissipated.
 ///
 /// The stiffness follows the area, and no normal force answers to that: a spring loaded at one area and let
-/// go at another delivers $\tau_S \, \Delta A \, \xi^2 / 2 \lambda_t$. That is the paper's law.
+/// go at another delivers $\tau_S \, \Delta A \, \xi^2 / 2 \lambda_t$. That is the paper's law; the contact law
+/// enters it as lost to the contact area.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

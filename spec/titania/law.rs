@@ -110,10 +110,12 @@ flat_struct! {
     pub struct Lost {
         /// Dashpot along the normal.
         pub normal,
-        /// Tangential springs that slipped or ended with their contact.
+        /// Tangential springs that slipped.
         pub sliding,
         /// Rolling resistance.
         pub rolling,
+        /// Tangential springs whose contact area shrank, less than zero where it grew: their stiffness follows it, and no force answers to that.
+        pub contact_area,
     }
 }
 
@@ -310,6 +312,10 @@ impl<R: Real> Parameters<R> {
         let touches = delta_n.gt(zero);
         let a = section(c.r_i, c.r_j, c.distance, delta_n);
 
+        // The area before the step that led here, which the spring was left with.
+        let apart = (c.n * c.distance - c.v * dt).norm();
+        let before = section(c.r_i, c.r_j, apart, (c.r_i + c.r_j) - apart);
+
         let stretched = stretched_spring(spring, c.n, c.sliding_velocity(arm_i, arm_j), dt);
         let (f_t, kept) = sliding_spring(self.tau_s, a, self.lambda_t, stretched, self.slip);
         let kept = Vec3::select(touches, kept, Vec3::zero());
@@ -323,6 +329,7 @@ impl<R: Real> Parameters<R> {
             normal: -(f_nd.dot(c.v) * dt),
             sliding: self.spring_energy(a, stretched) - self.spring_energy(a, kept),
             rolling: -(rolling.dot(c.omega_i - c.omega_j) * dt),
+            contact_area: self.spring_energy(before, spring) - self.spring_energy(a, spring),
         };
         Outcome { wrench, memory: kept, losses: lost }
     }

@@ -121,6 +121,7 @@ impl<P: Paper> AnyPaper for P {
             reads: P::reads(&case),
             saves: P::saves(&case),
             graphs: P::GRAPHS,
+            instructions: None,
             study: P::study(case),
         })
     }

@@ -2,9 +2,10 @@
 
 use super::{Progress, Sink, Step, Study};
 use crate::error::{Error, Halt};
+use crate::forces::Instructions;
 use crate::interrupt::Interrupt;
 use crate::output::Finding;
-use crate::simulation::Simulation;
+use crate::simulation::{Settings, Simulation};
 use crate::spec::PairModel;
 use crate::system::System;
 use serde::{Deserialize, Serialize};
@@ -54,6 +55,8 @@ pub struct Outcome {
 pub struct Driver<'a, S: Study> {
     study: &'a S,
     interrupt: &'a Interrupt,
+    /// If not those that the study asks for.
+    instructions: Option<Instructions>,
     names: Vec<String>,
     /// Number of steps taken by this process.
     taken: u64,
@@ -62,7 +65,18 @@ pub struct Driver<'a, S: Study> {
 impl<'a, S: Study> Driver<'a, S> {
     /// A driver that stops when `interrupt` requests it.
     pub fn new(study: &'a S, interrupt: &'a Interrupt) -> Self {
-        Self { study, interrupt, names: study.names(), taken: 0 }
+        Self { study, interrupt, instructions: None, names: study.names(), taken: 0 }
+    }
+
+    /// The same with these vector instructions, if any are given: for checks, as results do not depend on them.
+    pub fn using(self, instructions: Option<Instructions>) -> Self {
+        Self { instructions, ..self }
+    }
+
+    /// How a stage advances its system.
+    pub fn settings(&self, number: usize, system: &System) -> Settings {
+        let settings = self.study.settings(number, system);
+        Settings { instructions: self.instructions.unwrap_or(settings.instructions), ..settings }
     }
 
     /// Runs all stages, from placing the particles to the findings.
@@ -141,7 +155,7 @@ impl<'a, S: Study> Driver<'a, S> {
         let mut system = self.study.set_up(number, from)?;
         // Steps are counted per stage; time continues through all stages, whatever state they start from.
         (system.step, system.time) = (0, clock);
-        let settings = self.study.settings(number, &system);
+        let settings = self.settings(number, &system);
         let simulation = Simulation::new(self.study.model(number), system, settings)?;
         let watch = self.study.watch(number, &simulation);
         let mut stage = self.stage(number, simulation, watch);

@@ -5,6 +5,7 @@ use super::{Driver, RunProgress, Study};
 use crate::case::{Output, located};
 use crate::error::{AtPath, Error};
 use crate::figures::Graph;
+use crate::forces::Instructions;
 use crate::interrupt::Interrupt;
 use crate::output::{Finding, Manifest, RunFolder, Status, sha256_file, write_atomically};
 use crate::simulation::{Settings, Simulation};
@@ -34,6 +35,8 @@ pub struct Job {
     pub saves: Vec<(String, PathBuf)>,
     /// The graphs of its report.
     pub graphs: &'static [Graph],
+    /// The vector instructions of its simulations, if not the widest: for checks, as results do not depend on them.
+    pub instructions: Option<Instructions>,
     /// Its stages.
     pub study: Box<dyn Runnable>,
 }
@@ -100,7 +103,7 @@ impl<S: Study> Runnable for S {
         let (folder, manifest) = job.make_folder(root, replace, inputs)?;
         let findings = job.conclude(&folder, manifest, || {
             let mut sink = Recorder::begin(self, &folder, &job.output, show)?;
-            Ok(Driver::new(self, interrupt).run_from(initial, &mut sink)?.findings)
+            Ok(Driver::new(self, interrupt).using(job.instructions).run_from(initial, &mut sink)?.findings)
         })?;
         Ok((folder, findings))
     }
@@ -113,7 +116,7 @@ impl<S: Study> Runnable for S {
         interrupt: &Interrupt,
         show: &mut dyn FnMut(RunProgress),
     ) -> Result<Vec<Finding>, Error> {
-        let mut driver = Driver::new(self, interrupt);
+        let mut driver = Driver::new(self, interrupt).using(job.instructions);
         if folder.checkpoints().is_empty()? {
             let initial = self.initial(interrupt)?;
             manifest.resume();
@@ -129,7 +132,7 @@ impl<S: Study> Runnable for S {
         manifest.write(folder)?;
         job.conclude(folder, manifest, || {
             let mut sink = Recorder::resume(folder, &job.output, length, show)?;
-            let settings = Settings { dt, damping, skin, ..self.settings(stage, snapshot.system()) };
+            let settings = Settings { dt, damping, skin, ..driver.settings(stage, snapshot.system()) };
             let simulation = Simulation::resume(self.model(stage), settings, snapshot)?;
             let stage = driver.stage(stage, simulation, watch);
             Ok(driver.resume(stage, run, &mut sink)?.findings)

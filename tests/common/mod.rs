@@ -6,6 +6,7 @@ pub mod soot;
 
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
+use std::io::Write;
 use veridem::forces::Instructions;
 use veridem::run::advance;
 use veridem::simulation::{Integrator, Settings, Simulation};
@@ -25,6 +26,16 @@ pub const SILICA: Material = Material {
     scaling: 0.5,
     forget_stretched_springs: false,
 };
+
+/// The instruction sets to be compared, the plainest first. Says so, past what the test harness captures, if there is nothing to compare.
+pub fn instruction_sets() -> Vec<Instructions> {
+    let sets = Instructions::available();
+    if sets.len() < 2 {
+        let said = writeln!(std::io::stderr(), "this processor has {sets:?} alone: no instruction sets are compared");
+        said.expect("standard error");
+    }
+    sets
+}
 
 /// Number drawn evenly from 0 to 1.
 pub fn uniform(rng: &mut ChaCha8Rng) -> f64 {

@@ -82,7 +82,7 @@ proptest! {
         let (wrench, kept, lost) = PAIR.act(&c, xi);
         prop_assert!((wrench.force - n * PAIR.attraction.force(c.distance)).norm() < 1e-14);
         prop_assert_eq!((wrench.torque_i.norm(), wrench.torque_j.norm(), kept.norm()), (0.0, 0.0, 0.0));
-        prop_assert_eq!(lost, Lost { normal: 0.0, sliding: 0.0, rolling: 0.0 });
+        prop_assert_eq!(lost, Lost { normal: 0.0, sliding: 0.0, rolling: 0.0, contact_area: 0.0 });
         prop_assert!(c.distance < law().range(PAIR.r[0], PAIR.r[1]) || wrench.force.norm() == 0.0);
     }
 
@@ -173,6 +173,21 @@ fn stiffnesses_of_sizes_leave_equal_particles_where_they_rest_and_unlike_ones_wi
     assert!(force(8.0, 8.0, 0.0).abs() < 1e-12);
     assert!(force(3.0, 23.0, 0.0).abs() > 0.01);
     assert!(force(3.0, 23.0, -0.01) * force(3.0, 23.0, 0.01) < 0.0);
+}
+
+#[test]
+fn a_contact_that_is_drawn_apart_loses_what_its_spring_held_to_its_area() {
+    let (n, none, xi) = (Vec3::new(0.6, 0.0, 0.8), Vec3::zero(), Vec3::new(0.0, 0.3, 0.0));
+    let v = n * 40.0;
+    let (mut d, mut spring, mut lost) = (10.9, xi, 0.0);
+    let held = PAIR.k.stored(&PAIR.contact(n * d, v, [none; 2]), 0.0, &xi).tangential;
+    while d < 11.2 {
+        d += 40.0 * DT;
+        let (_, kept, losses) = PAIR.act(&PAIR.contact(n * d, v, [none; 2]), spring);
+        (spring, lost) = (kept, lost + losses.contact_area);
+    }
+    assert_eq!(spring, none);
+    assert!(held > 0.01 && (lost / held - 1.0).abs() < 1e-9, "{lost} {held}");
 }
 
 #[test]
