@@ -31,9 +31,10 @@ fn the_schema_lists_every_key_with_its_meaning_and_default() {
         keys.as_array().map_or(0, |keys| keys.iter().map(|key| 1 + count(&key["keys"])).sum())
     }
     assert_eq!(keys(&listed), count(&json));
-    assert!(listed.contains(
-        "# Young's modulus E. Expects a pressure such as `73 GPa`. Required.\n    young_modulus: ...\n"
-    ));
+    assert!(
+        listed
+            .contains("# Young's modulus E. Expects a pressure such as `73 GPa`. Required.\n    young_modulus: ...\n")
+    );
     assert!(listed.contains("# Seed of every random stream. Expects a whole number.\nseed: 1\n"));
 }
 
