@@ -84,13 +84,12 @@ fn a_value_that_makes_no_sense_is_refused(place: &Path) {
     assert_eq!(told, (Some(65), expected.into()));
     let told = refused(place, "10 nm", "10 ns");
     assert_eq!(told.0, Some(65));
-    assert!(told.1.contains("found `10 ns`, which has another dimension, expected a length"), "{}", told.1);
+    assert!(told.1.contains("found `10 ns`, which has the wrong dimension, expected a length"), "{}", told.1);
 }
 
 fn the_schema_lists_its_sections_and_no_other_paper(place: &Path) {
     let schema = printed(place, &["schema"]);
-    let spring =
-        "# Stiffness of the spring. Expects a stiffness such as `1e6 N/m`. Must be given.\n    stiffness: ...\n";
+    let spring = "# Stiffness of the spring. Expects a stiffness such as `1e6 N/m`. Required.\n    stiffness: ...\n";
     for text in [spring, "dt: 0.01 t_c", "\n  pair:", "\n  collision:"] {
         assert!(schema.contains(text), "{text} in\n{schema}");
     }

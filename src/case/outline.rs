@@ -33,12 +33,20 @@ pub struct Outline {
 
 impl Outline {
     /// Reads the outline of the text of a case file; `words` are those of all papers.
+    ///
+    /// # Errors
+    ///
+    /// Wrong YAML, an unknown or missing section, by line and key.
     pub fn read(file: &Path, text: &str, words: &Words) -> Result<Self, Error> {
         let read = Whole(words).deserialize(serde_yaml::Deserializer::from_str(unmarked(text)));
         read.map_err(|error| Error::Input(vec![problem(file, &error)]))
     }
 
     /// Whether sample and experiment are among the words of the model that was chosen.
+    ///
+    /// # Errors
+    ///
+    /// The first section that does not belong to the model.
     pub fn suits(&self, own: &Words, file: &Path, text: &str) -> Result<(), Error> {
         let mut found = Found::new();
         for (key, word, own) in [("sample", self.sample, &own.sample), ("experiment", self.experiment, &own.experiment)]

@@ -86,6 +86,10 @@ pub struct Quantity<K> {
 
 impl<K: Kind> Quantity<K> {
     /// Parses `14 nm`; the error states the problem.
+    ///
+    /// # Errors
+    ///
+    /// If the text is no number with a unit, or its dimension is another.
     pub fn parse(text: &str) -> Result<Self, String> {
         let expected = format!("expected {} such as `{}`", K::NAME, K::EXAMPLE);
         let wrong = |what: &str| format!("found `{text}`{what}, {expected}");
@@ -136,6 +140,10 @@ impl<K: Kind, S: Scale> Scaled<K, S> {
         self.value(1.0)
     }
     /// Reads `14 nm` or `1.5 d_0`.
+    ///
+    /// # Errors
+    ///
+    /// If the text is no number with a unit, or its dimension is another.
     pub fn parse(text: &str) -> Result<Self, String> {
         if let Some((number, rest)) = number_and_unit(text)
             && rest == S::SYMBOL

@@ -9,11 +9,19 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 
 /// The text of a case file.
+///
+/// # Errors
+///
+/// If the file cannot be read, or is not UTF-8.
 pub fn read_text(file: &Path) -> Result<String, Error> {
     std::fs::read_to_string(file).map_err(|cause| Error::NoInput(file.into(), cause))
 }
 
 /// Parses a case file whose sections are known, completes it and checks it; `problems` finds errors beyond its grammar.
+///
+/// # Errors
+///
+/// Everything that is wrong with the case, by line and key.
 pub fn parse<M: Part, S: Part, E: Part>(
     file: &Path,
     text: &str,

@@ -158,6 +158,10 @@ pub fn missing<E: Error>(key: &str, expected: &str) -> E {
 }
 
 /// Reads the single key of a choice.
+///
+/// # Errors
+///
+/// If there is no key, an unknown one, or more than one.
 pub fn only_key<'de, A: MapAccess<'de>>(map: &mut A, known: &[&'static str]) -> Result<&'static str, A::Error> {
     map.next_key_seed(KeyName { known, seen: &[] })?.ok_or_else(|| A::Error::custom(one_of(known)))
 }

@@ -126,6 +126,10 @@ pub fn main(papers: Papers) -> ExitCode {
 }
 
 /// Writes to standard output; a closed pipe is not an error.
+///
+/// # Errors
+///
+/// If standard output cannot be written.
 pub fn print(text: &str) -> Result<(), Error> {
     use std::io::Write;
     match std::io::stdout().write_all(text.as_bytes()) {

@@ -110,6 +110,10 @@ impl From<Halt> for Error {
 /// Adds the path to an I/O error.
 pub trait AtPath<T> {
     /// Adds the path of the file concerned.
+    ///
+    /// # Errors
+    ///
+    /// The same failure, as [`Error::Io`].
     fn at(self, path: &Path) -> Result<T, Error>;
 }
 

@@ -102,6 +102,10 @@ const NEAR: f64 = 0.01;
 /// Cuts the pairs, sorted by first sphere, into blocks; springs are found again in `springs`. `x` and `domain` are those that the
 /// pairs were found with, `skin` is the distance by which two spheres may approach before the next rebuild. Only the first
 /// `moving` particles have pairs.
+///
+/// # Errors
+///
+/// If a sphere has more neighbours than a block can hold.
 pub fn partition<M: PairModel>(
     model: &M,
     particles: &Particles,

@@ -10,6 +10,10 @@ use veridem_spec::equation::Equation;
 pub const INDEX: &str = "spec/INDEX.md";
 
 /// Writes the index of the repository at `root` as Markdown: equation, file, function, laws, golden vectors, users.
+///
+/// # Errors
+///
+/// If a source file cannot be read.
 pub fn index(root: &Path, equations: &[(Equation, Document)]) -> std::io::Result<String> {
     let mut sources = vec![];
     for folder in ["spec", "src"] {

@@ -17,6 +17,10 @@ use veridem_spec::document::Document;
 use veridem_spec::equation::Equation;
 
 /// Every equation with its documentation.
+///
+/// # Errors
+///
+/// The first equation whose documentation cannot be read.
 pub fn documented() -> Result<Vec<(Equation, Document)>, String> {
     veridem_spec::equations().into_iter().map(|equation| Document::of(&equation).map(|d| (equation, d))).collect()
 }

@@ -50,6 +50,10 @@ pub struct Vector {
 
 impl Vector {
     /// The arguments, laid end to end.
+    ///
+    /// # Errors
+    ///
+    /// If an argument is missing or not a number.
     pub fn numbers(&self, document: &Document) -> Result<Vec<f64>, String> {
         flatten(&document.arguments, &self.inputs, |value| value.as_f64())
     }
@@ -117,6 +121,10 @@ pub fn file_of(golden: &Path, equation: &Equation) -> PathBuf {
 }
 
 /// Reads the vectors of an equation.
+///
+/// # Errors
+///
+/// If the file is missing or cannot be parsed.
 pub fn read(golden: &Path, equation: &Equation) -> Result<File, String> {
     let path = file_of(golden, equation);
     let text = std::fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
@@ -170,6 +178,10 @@ fn check_vector(equation: &Equation, document: &Document, vector: &Vector) -> Re
 }
 
 /// Regenerates the vectors of an equation and writes them; independent ones are kept. Returns the changes.
+///
+/// # Errors
+///
+/// If the file cannot be read or written.
 pub fn regenerate(golden: &Path, equation: &Equation, document: &Document) -> std::io::Result<Vec<String>> {
     let old = read(golden, equation).map(|file| file.vectors).unwrap_or_default();
     let minted = samples(equation, document, SAMPLED);

@@ -8,6 +8,10 @@ use std::io::Cursor;
 use std::path::Path;
 
 /// Reads an STL file, ASCII or binary, whose unit of length is `unit`, nm.
+///
+/// # Errors
+///
+/// If the file cannot be read, or its triangles form no surface.
 pub fn read_stl(path: &Path, unit: f64) -> Result<Mesh, Error> {
     let bytes = std::fs::read(path).map_err(|cause| Error::NoInput(path.into(), cause))?;
     let bytes = bytes.strip_prefix("\u{feff}".as_bytes()).unwrap_or(&bytes);

@@ -43,6 +43,10 @@ pub fn links<M: PairModel>(simulation: &Simulation<M>) -> Vec<Link> {
 }
 
 /// Position of the second wall, represented by the first of its spheres.
+///
+/// # Panics
+///
+/// If there is no second wall.
 pub fn upper_wall(system: &System) -> Vec3<f64> {
     let p = &system.particles;
     let first = (0..p.len()).filter(|&i| p.wall[i] == 2).min_by_key(|&i| p.id[i]);

@@ -25,6 +25,10 @@ impl SavedKind {
 }
 
 /// Writes a state.
+///
+/// # Errors
+///
+/// If the file cannot be written.
 pub fn save_state<T: Serialize>(path: &Path, what: SavedKind, state: &T) -> Result<(), Error> {
     let body = postcard::to_allocvec(state).expect("a state is plain data");
     let checksum = crc32fast::hash(&body).to_le_bytes();
@@ -32,6 +36,10 @@ pub fn save_state<T: Serialize>(path: &Path, what: SavedKind, state: &T) -> Resu
 }
 
 /// Reads a state.
+///
+/// # Errors
+///
+/// If the file cannot be read, is damaged, or holds another kind of state.
 pub fn load_state<T: DeserializeOwned>(path: &Path, what: SavedKind) -> Result<T, Error> {
     let bytes = read(path)?;
     let rest = bytes.strip_prefix(what.heading());
@@ -64,6 +72,10 @@ impl Checkpoints {
     }
 
     /// Whether there is no checkpoint.
+    ///
+    /// # Errors
+    ///
+    /// If the folder cannot be read.
     pub fn is_empty(&self) -> Result<bool, Error> {
         Ok(self.due()?.is_empty() && !self.path(STOPPED).exists())
     }
@@ -82,6 +94,10 @@ impl Checkpoints {
     }
 
     /// Saves the state after a number of steps; removes all but the last two, and the checkpoint of an earlier stop.
+    ///
+    /// # Errors
+    ///
+    /// If the file cannot be written.
     pub fn save<T: Serialize>(&self, steps: u64, state: &T) -> Result<(), Error> {
         save_state(&self.path(&format!("{steps:012}")), SavedKind::Checkpoint, state)?;
         let due = self.due()?;
@@ -92,17 +108,29 @@ impl Checkpoints {
     }
 
     /// Removes the checkpoint of a stop, which the resumed run has passed.
+    ///
+    /// # Errors
+    ///
+    /// If the file cannot be removed.
     pub fn forget_stopped(&self) -> Result<(), Error> {
         let stopped = self.path(STOPPED);
         if stopped.exists() { std::fs::remove_file(&stopped).at(&stopped) } else { Ok(()) }
     }
 
     /// Saves the state in which a run is stopped.
+    ///
+    /// # Errors
+    ///
+    /// If the file cannot be written.
     pub fn keep_stopped<T: Serialize>(&self, state: &T) -> Result<(), Error> {
         save_state(&self.path(STOPPED), SavedKind::Checkpoint, state)
     }
 
     /// The latest readable state; the error of the latest if none is readable.
+    ///
+    /// # Errors
+    ///
+    /// If there is no checkpoint, or none can be read.
     pub fn latest<T: DeserializeOwned>(&self) -> Result<T, Error> {
         let candidates = [self.path(STOPPED)].into_iter().filter(|path| path.exists());
         let mut complaint = None;

@@ -7,6 +7,10 @@ use std::io::{ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
 
 /// Writes a file under a temporary name, syncs and renames it: a reader sees the complete file or none.
+///
+/// # Errors
+///
+/// If the file cannot be written.
 pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), Error> {
     let mut temporary = path.as_os_str().to_owned();
     temporary.push(".part");
@@ -24,11 +28,19 @@ pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), Error> {
 }
 
 /// Reads a whole input file.
+///
+/// # Errors
+///
+/// If the file cannot be read.
 pub fn read(path: &Path) -> Result<Vec<u8>, Error> {
     std::fs::read(path).map_err(|cause| Error::NoInput(path.into(), cause))
 }
 
 /// The SHA-256 of a file, in hexadecimal.
+///
+/// # Errors
+///
+/// If the file cannot be read.
 pub fn sha256_file(path: &Path) -> Result<String, Error> {
     let mut file = File::open(path).at(path)?;
     let (mut hash, mut buffer) = (Sha256::new(), vec![0; 1 << 16]);
@@ -51,12 +63,20 @@ pub struct Appending {
 
 impl Appending {
     /// A new, empty file.
+    ///
+    /// # Errors
+    ///
+    /// If the file cannot be written.
     pub fn create(path: PathBuf) -> Result<Self, Error> {
         let file = File::create(&path).at(&path)?;
         Ok(Self { path, file, length: 0 })
     }
 
     /// Reopens a file at an earlier length; what was written later is truncated.
+    ///
+    /// # Errors
+    ///
+    /// If the file cannot be opened, or is shorter than `length`.
     pub fn resume(path: PathBuf, length: u64) -> Result<Self, Error> {
         let file = OpenOptions::new().append(true).open(&path).at(&path)?;
         let found = file.metadata().at(&path)?.len();
@@ -68,6 +88,10 @@ impl Appending {
     }
 
     /// Appends a line without buffering.
+    ///
+    /// # Errors
+    ///
+    /// If the file cannot be written.
     pub fn line(&mut self, text: &str) -> Result<(), Error> {
         let line = format!("{text}\n");
         self.file.write_all(line.as_bytes()).at(&self.path)?;

@@ -12,6 +12,10 @@ pub struct RunFolder {
 
 impl RunFolder {
     /// Creates a new folder; an existing one is replaced only if forced, and only if it is a run folder.
+    ///
+    /// # Errors
+    ///
+    /// If the folder exists and is not to be replaced, is no run folder, or cannot be written.
     pub fn create(root: &Path, force: bool) -> Result<Self, Error> {
         let folder = Self { root: root.into() };
         if root.exists() {
@@ -32,6 +36,10 @@ impl RunFolder {
     }
 
     /// Removes a folder left by a run that was killed before its manifest was written; returns whether the folder is gone.
+    ///
+    /// # Errors
+    ///
+    /// If the folder cannot be read or removed.
     pub fn clear(root: &Path) -> Result<bool, Error> {
         let folder = Self { root: root.into() };
         if !root.exists() {
@@ -56,6 +64,10 @@ impl RunFolder {
     }
 
     /// The folder of an existing run.
+    ///
+    /// # Errors
+    ///
+    /// If it is no run folder.
     pub fn open(root: &Path) -> Result<Self, Error> {
         let folder = Self { root: root.into() };
         std::fs::metadata(folder.case()).map_err(|cause| Error::NoInput(folder.case(), cause))?;
@@ -115,6 +127,10 @@ impl RunFolder {
     }
 
     /// The reproducible files of a finished run, the same on any machine at any time, sorted.
+    ///
+    /// # Errors
+    ///
+    /// If the folder cannot be read.
     pub fn outputs(&self) -> Result<Vec<PathBuf>, Error> {
         let mut found = vec![self.case(), self.resolved(), self.series(), self.events(), self.results()];
         for entry in std::fs::read_dir(self.frames()).at(&self.frames())? {

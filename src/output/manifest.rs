@@ -66,6 +66,10 @@ impl Manifest {
     }
 
     /// Reads the manifest of a run folder.
+    ///
+    /// # Errors
+    ///
+    /// If the manifest is missing or damaged.
     pub fn read(folder: &RunFolder) -> Result<Self, Error> {
         let path = folder.manifest();
         let bytes = super::read(&path)?;
@@ -85,12 +89,20 @@ impl Manifest {
     }
 
     /// Writes it.
+    ///
+    /// # Errors
+    ///
+    /// If the file cannot be written.
     pub fn write(&self, folder: &RunFolder) -> Result<(), Error> {
         let text = serde_json::to_string_pretty(self).expect("a manifest is plain data");
         write_atomically(&folder.manifest(), (text + "\n").as_bytes())
     }
 
     /// Ends the run with a status; the manifest of a finished run lists its output files.
+    ///
+    /// # Errors
+    ///
+    /// If an output file cannot be read, or the manifest not be written.
     pub fn end(&mut self, folder: &RunFolder, status: Status) -> Result<(), Error> {
         if status == Status::Finished {
             for path in folder.outputs()? {

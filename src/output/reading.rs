@@ -17,6 +17,10 @@ pub struct Event {
 
 impl Event {
     /// All events of a run.
+    ///
+    /// # Errors
+    ///
+    /// If the events cannot be read.
     pub fn all(folder: &RunFolder) -> Result<Vec<Self>, Error> {
         let path = folder.events();
         let lines = read(&path)?;
@@ -35,6 +39,10 @@ pub struct Series {
 
 impl Series {
     /// Reads the series of a run folder.
+    ///
+    /// # Errors
+    ///
+    /// If the series cannot be read.
     pub fn read(folder: &RunFolder) -> Result<Self, Error> {
         let path = folder.series();
         let broken = |error: csv::Error| Error::input(&path, error.to_string());

@@ -54,6 +54,10 @@ impl Finding {
     }
 
     /// The findings of a run; none before it has finished.
+    ///
+    /// # Errors
+    ///
+    /// If the results cannot be read.
     pub fn of_run(folder: &RunFolder) -> Result<Vec<Self>, Error> {
         let path = folder.results();
         if !path.exists() {

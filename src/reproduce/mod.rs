@@ -71,6 +71,10 @@ impl Claim {
 
     /// A claim that the measured value agrees with the value of the `paper`, in its `unit`, to within one unit of its last digit, since printed values are
     /// rounded or truncated.
+    ///
+    /// # Panics
+    ///
+    /// If the figure of the `paper` is not a number.
     pub fn number(
         id: &'static str,
         claim: impl Into<String>,

@@ -35,6 +35,10 @@ pub struct RunSet {
 
 impl Setting<'_> {
     /// Starts or resumes all runs that have not finished, one on each core.
+    ///
+    /// # Errors
+    ///
+    /// The first run that fails, and a folder that cannot be written.
     pub fn run_all(&self, points: &[Point]) -> Result<RunSet, Error> {
         std::fs::create_dir_all(&self.runs).at(&self.runs)?;
         let (begin, state) = (Instant::now(), Mutex::new((0, 0, None)));

@@ -17,10 +17,18 @@ pub struct Step<'a> {
 /// Receives everything that happens in a run.
 pub trait Sink<S: Study> {
     /// A stage begins.
+    ///
+    /// # Errors
+    ///
+    /// If the sink cannot take it; the run ends then.
     fn begin(&mut self, _stage: &mut RunningStage<'_, S>, _run: &RunState) -> Result<(), Error> {
         Ok(())
     }
     /// A step has been taken. A sink may end the stage here.
+    ///
+    /// # Errors
+    ///
+    /// If the sink cannot take it; the run ends then.
     fn step(
         &mut self,
         _stage: &mut RunningStage<'_, S>,
@@ -30,10 +38,18 @@ pub trait Sink<S: Study> {
         Ok(ControlFlow::Continue(()))
     }
     /// A stage has ended.
+    ///
+    /// # Errors
+    ///
+    /// If the sink cannot take it; the run ends then.
     fn end(&mut self, _stage: &mut RunningStage<'_, S>, _run: &RunState) -> Result<(), Error> {
         Ok(())
     }
     /// A stage has failed, for this reason.
+    ///
+    /// # Errors
+    ///
+    /// If the sink cannot take it; the run ends then.
     fn fail(&mut self, _stage: &mut RunningStage<'_, S>, _reason: &str) -> Result<(), Error> {
         Ok(())
     }

@@ -38,6 +38,10 @@ pub trait Study {
         (0..stages.len()).map(name).collect()
     }
     /// Checks the files that it needs, without computing anything.
+    ///
+    /// # Errors
+    ///
+    /// If a file it needs is missing or wrong.
     fn examine(&self) -> Result<(), Error> {
         Ok(())
     }
@@ -46,16 +50,28 @@ pub trait Study {
         Vec::new()
     }
     /// The initial particles. Long computations poll `interrupt`.
+    ///
+    /// # Errors
+    ///
+    /// If the sample cannot be built or read, or an interruption.
     fn initial(&self, interrupt: &Interrupt) -> Result<System, Error>;
     /// Whether a stage starts from the sample rather than from the end of the preceding stage.
     fn starts_from_sample(&self, _stage: usize) -> bool {
         false
     }
     /// Saves the sample, if requested.
+    ///
+    /// # Errors
+    ///
+    /// If the file cannot be written.
     fn keep_sample(&self, _system: &System) -> Result<(), Error> {
         Ok(())
     }
     /// Sets up the system for a stage.
+    ///
+    /// # Errors
+    ///
+    /// If the stage cannot be set up from this state.
     fn set_up(&self, _stage: usize, system: System) -> Result<System, Error> {
         Ok(system)
     }
@@ -71,6 +87,10 @@ pub trait Study {
         if simulation.system().step >= last { Progress::Done } else { Progress::Going }
     }
     /// The system at the end of a stage, with the springs of all contacts.
+    ///
+    /// # Errors
+    ///
+    /// If a file that the stage saves cannot be written.
     fn end(&self, _stage: usize, simulation: Simulation<Self::Model>) -> Result<System, Error> {
         Ok(simulation.into_system_with_springs())
     }
@@ -90,6 +110,10 @@ pub trait Study {
     /// Starts observing a stage.
     fn watch(&self, stage: usize, simulation: &Simulation<Self::Model>) -> Self::Watch;
     /// Interventions between two steps, such as the breaking of necks; returns the events.
+    ///
+    /// # Errors
+    ///
+    /// If the simulation leaves its domain.
     fn intervene(&self, _stage: usize, _simulation: &mut Simulation<Self::Model>) -> Result<Vec<String>, Halt> {
         Ok(Vec::new())
     }
@@ -102,6 +126,10 @@ pub trait Study {
         Vec::new()
     }
     /// The findings of a stage.
+    ///
+    /// # Errors
+    ///
+    /// If a result cannot be computed.
     fn findings(
         &self,
         _stage: usize,

@@ -25,6 +25,10 @@ pub struct Point {
 
 impl Point {
     /// The case of a file with other values for some keys, checked.
+    ///
+    /// # Errors
+    ///
+    /// If a key or value is wrong.
     pub fn new(file: &Path, base: &Value, values: &[(&str, &str)], read: Reader) -> Result<Self, Error> {
         let mut case = base.clone();
         for (key, value) in values {
@@ -42,6 +46,10 @@ impl Point {
     }
 
     /// Writes its case beside its folder.
+    ///
+    /// # Errors
+    ///
+    /// If the file cannot be written.
     pub fn write(&self, out: &Path) -> Result<PathBuf, Error> {
         let case = out.join(format!("{}.yaml", self.name));
         write_atomically(&case, self.text.as_bytes())?;
@@ -50,6 +58,10 @@ impl Point {
 }
 
 /// Checks that no two runs are the same or share a folder.
+///
+/// # Errors
+///
+/// The first two runs that coincide.
 pub fn distinct(points: &[Point]) -> Result<(), Error> {
     let same = ["are the same case", "have the same run folder"];
     for (k, what) in same.into_iter().enumerate() {
@@ -72,6 +84,10 @@ fn without_lines(error: Error) -> Error {
 }
 
 /// Sets the value of a key such as `sample.hcp.size[1]`, creating its sections as needed.
+///
+/// # Errors
+///
+/// If the key is unknown, or cannot hold a value.
 pub fn set(case: &mut Value, key: &str, value: &str) -> Result<(), Error> {
     let mut place = case;
     for part in key.split(['.', '[']) {

@@ -58,6 +58,10 @@ pub struct Simulation<M: PairModel> {
 
 impl<M: PairModel> Simulation<M> {
     /// Puts a system under a model. The step must be below the stability limit of every free sphere.
+    ///
+    /// # Errors
+    ///
+    /// If the time step is too large, or a neck joins spheres of one body or wall.
     pub fn new(model: M, mut system: System, settings: Settings) -> Result<Self, Halt> {
         let springs = std::mem::take(&mut system.springs);
         let listed = Listed { x: Vec::new(), sides: system.domain.sides, poses: Vec::new(), moving: 0 };

@@ -11,6 +11,10 @@ pub const EXAMINED: u64 = 5;
 impl<M: PairModel> Simulation<M> {
     /// Breaks every neck of which `breaks` holds, given the pair, its springs, and what it holds. The contacts that take
     /// their place begin with relaxed springs. Returns the ids of the spheres.
+    ///
+    /// # Errors
+    ///
+    /// If neighbours cannot be listed anew.
     pub fn break_necks(
         &mut self,
         breaks: impl Fn(&Contact<f64>, &M::Memory<f64>, &M::Stored<f64>) -> bool,

@@ -60,6 +60,10 @@ impl<M: PairModel> Simulation<M> {
     }
 
     /// Restores a simulation from a snapshot.
+    ///
+    /// # Errors
+    ///
+    /// If the time step is too large.
     pub fn resume(model: M, settings: Settings, snapshot: Snapshot) -> Result<Self, Halt> {
         let Snapshot { system, listed, memory, far, box_rate, momentum_flux, stress, ledger, held } = snapshot;
         let (blocks, load_table, on_walls, reach, far_known) =

@@ -170,6 +170,10 @@ impl System {
     }
 
     /// The place of the sphere with this id.
+    ///
+    /// # Panics
+    ///
+    /// If there is none.
     pub fn place(&self, id: u32) -> usize {
         self.particles.id.iter().position(|&other| other == id).expect("a sphere of the system")
     }

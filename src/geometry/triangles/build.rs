@@ -37,6 +37,10 @@ impl fmt::Display for Flaw {
 
 impl Mesh {
     /// A surface of triangles, each counterclockwise as seen from outside. Corners that coincide are joined.
+    ///
+    /// # Errors
+    ///
+    /// If a triangle has no area, or an edge belongs to more than two triangles or to two of opposite orientation.
     pub fn new(loose: &[[Vec3<f64>; 3]]) -> Result<Self, Flaw> {
         if loose.is_empty() {
             return Err(Flaw::Empty);

@@ -373,6 +373,10 @@ pub fn parts(case: &Case) -> (&Titania, Option<TitaniaTest<'_>>) {
 }
 
 /// The model and the test of a checked case.
+///
+/// # Panics
+///
+/// If the case has not been checked.
 pub fn checked(case: &Case) -> (&Titania, TitaniaTest<'_>) {
     let (titania, test) = parts(case);
     (titania, test.expect("in a checked case, sample and experiment match"))

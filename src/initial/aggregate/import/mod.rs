@@ -77,6 +77,10 @@ struct Raw {
 }
 
 /// Reads an aggregate.
+///
+/// # Errors
+///
+/// If the file cannot be read, and all that [`parse`] finds.
 pub fn read(file: &Path, options: &Options) -> Result<Imported, Error> {
     parse(file, &text_of(file)?, options)
 }
@@ -89,6 +93,10 @@ fn text_of(file: &Path) -> Result<String, Error> {
 }
 
 /// Reads an aggregate from the text of a file.
+///
+/// # Errors
+///
+/// The first line that cannot be read, or spheres that overlap, coincide or are disconnected.
 pub fn parse(file: &Path, text: &str, options: &Options) -> Result<Imported, Error> {
     let source = Source { file, text };
     let format = match options.format {

@@ -30,6 +30,10 @@ pub fn read(source: &Source) -> Result<Raw, Error> {
 
 /// The necks of an aggregate of `n` spheres: a field `connections`, which lists the places `i * n + j` of a matrix,
 /// each neck from both ends.
+///
+/// # Errors
+///
+/// If the file cannot be read, or a neck joins no two spheres.
 pub fn read_necks(file: &Path, spheres: &[Sphere]) -> Result<Vec<Neck>, Error> {
     let text = text_of(file)?;
     let source = Source { file, text: &text };

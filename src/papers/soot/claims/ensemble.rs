@@ -54,6 +54,10 @@ pub struct Ensemble {
 
 /// One ensemble of each kind, with the same aggregates in all, each run on one core. If stopped, it returns the ensembles of those
 /// aggregates of which all kinds have finished, at least two.
+///
+/// # Errors
+///
+/// If a run fails.
 pub fn ensembles(protocol: &Protocol, kinds: &[Kind], setting: &Setting) -> Result<Vec<Ensemble>, Error> {
     let runs = setting.run_all(&points(protocol, kinds, setting.read)?)?;
     let courses = runs.folders.iter().map(|folder| folder.as_ref().map(course).transpose());
@@ -115,6 +119,10 @@ impl Ensemble {
 }
 
 /// The mean at the end.
+///
+/// # Panics
+///
+/// If there are no means.
 pub fn terminal(means: &[Mean]) -> Mean {
     *means.last().expect("an ensemble is measured before its first step")
 }

@@ -41,6 +41,10 @@ struct Member {
 }
 
 /// Claims and force curves of Figs. 4 and 6.
+///
+/// # Errors
+///
+/// If a run halts or fails, or is interrupted.
 pub fn chapter(setting: &Setting) -> Result<Evidence, Error> {
     let extent = setting.extent;
     let reduced = "aggregates of 60 spheres instead of 120, 90 % of the necks kept instead of 98 %, so that more are removed, \

@@ -20,6 +20,10 @@ const REDUCED: Protocol = Protocol {
 const FULL: Protocol = Protocol { aggregates: 50, keys: &[] };
 
 /// Coordination numbers and convexities of Fig. 8.
+///
+/// # Errors
+///
+/// If a run halts or fails, or is interrupted.
 pub fn chapter(setting: &Setting) -> Result<Evidence, Error> {
     let protocol = setting.extent.of(REDUCED, FULL);
     let fractions: &[f64] = setting.extent.of(&[0.0, 0.5, 0.9, 1.0], &[0.0, 0.25, 0.5, 0.75, 0.9, 1.0]);

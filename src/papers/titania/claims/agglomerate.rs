@@ -19,6 +19,10 @@ const EVENTS: [&str; 3] = ["sliding", "rolling", "detachment"];
 const EVERY: f64 = 0.05;
 
 /// The pulling force of a chain, for both waters.
+///
+/// # Errors
+///
+/// If a run halts or fails, or is interrupted.
 pub fn chapter(setting: &Setting) -> Result<Evidence, Error> {
     let pulls: Vec<Pull> = WATERS
         .into_par_iter()

@@ -47,6 +47,10 @@ const SIZES: [f64; 2] = [8.0, 16.0];
 const SLAB: f64 = 1000.0;
 
 /// Equilibrium, stiffness, approach, stick-slip motion, friction, the structure of a film.
+///
+/// # Errors
+///
+/// If a run halts or fails, or is interrupted.
 pub fn chapter(setting: &Setting) -> Result<Evidence, Error> {
     let mut chapter = Evidence::default();
     constants(&mut chapter);

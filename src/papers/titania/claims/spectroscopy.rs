@@ -19,6 +19,10 @@ const CURVES: u64 = 5;
 const BEFORE: f64 = 40.0;
 
 /// Five force curves; if stopped, those that have finished.
+///
+/// # Errors
+///
+/// If a run halts or fails, or is interrupted.
 pub fn chapter(setting: &Setting) -> Result<Evidence, Error> {
     let (file, text) = setting.extent.of(CASES[0], CASES[1]);
     let base = serde_yaml::from_str(text).expect("the case is well formed");

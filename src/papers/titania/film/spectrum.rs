@@ -40,6 +40,10 @@ impl Spectrum {
     }
 
     /// Reads a finished run, the rows of whose series must be as close as the averaging time of the force.
+    ///
+    /// # Errors
+    ///
+    /// If the series cannot be read, or its rows are too far apart.
     pub fn read(folder: &RunFolder) -> Result<Self, Error> {
         let (series, findings) = (Series::read(folder)?, Finding::of_run(folder)?);
         let up = FilmStage::Retraction.name();

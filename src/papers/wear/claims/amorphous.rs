@@ -36,6 +36,10 @@ fn target(strength: f64, size: f64, s: f64) -> f64 {
 }
 
 /// Volume fraction, elastic constants and strengths of Figs. 7, 8, A.6 to A.9.
+///
+/// # Errors
+///
+/// If a run halts or fails, or is interrupted.
 pub fn chapter(setting: &Setting) -> Result<Evidence, Error> {
     let extent = setting.extent;
     let note = extent.of("samples of 20 d_0 instead of 100 d_0, five of the eight diameters", "").to_string();

@@ -33,6 +33,10 @@ pub struct Relaxed {
 }
 
 /// Section 3.2: relaxation of a random packing.
+///
+/// # Errors
+///
+/// If the sample does not relax, or the simulation halts.
 pub fn relax(
     sizes: Sizes,
     sides: [f64; 3],
@@ -95,6 +99,10 @@ fn wall(d_0: f64) -> f64 {
 
 /// Elastic constants from a confined compression of 0.01 E, or none if the sample fails: if its strain exceeds ten times the strain
 /// expected from the target stiffness.
+///
+/// # Errors
+///
+/// If the simulation halts.
 pub fn elasticity(
     sample: &System,
     d_0: f64,
@@ -143,6 +151,10 @@ pub struct Strength {
 const LOOK: f64 = 1e-3;
 
 /// The peak stress of a sample deformed at constant rate. The test ends when the stress has fallen to half its peak, or at the strain `most`.
+///
+/// # Errors
+///
+/// If the simulation halts.
 pub fn strength(
     sample: &System,
     d_0: f64,
@@ -175,6 +187,10 @@ pub fn strength(
 }
 
 /// Shears a junction carved from a relaxed sample, and observes it every `window` nm of sliding.
+///
+/// # Errors
+///
+/// If the junction cannot be made, or the simulation halts.
 pub fn shear_junction(
     full: &System,
     stage: &Stage,

@@ -30,6 +30,10 @@ struct Sheared {
 const PICTURES: [f64; 4] = [1.0, 15.0, 40.0, 95.0];
 
 /// Figs. 9, 10, A.10 and Table 6.
+///
+/// # Errors
+///
+/// If a run halts or fails, or is interrupted.
 pub fn chapter(setting: &Setting) -> Result<Evidence, Error> {
     let extent = setting.extent;
     let note =

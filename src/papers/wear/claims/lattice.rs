@@ -33,6 +33,10 @@ fn patch(size: f64, extent: Extent) -> System {
 type Test = (f64, f64, f64, Pull, Strength);
 
 /// The elastic constants and strengths of Figs. 5, 6, A.4, A.5.
+///
+/// # Errors
+///
+/// If a run halts or fails, or is interrupted.
 pub fn chapter(setting: &Setting) -> Result<Evidence, Error> {
     let extent = setting.extent;
     let note = extent.of("lattices of 12 d_0 instead of 25 d_0, five of the eight diameters", "").to_string();
