@@ -31,9 +31,10 @@ fn the_schema_lists_every_key_with_its_meaning_and_default() {
         keys.as_array().map_or(0, |keys| keys.iter().map(|key| 1 + count(&key["keys"])).sum())
     }
     assert_eq!(keys(&listed), count(&json));
-    assert!(listed.contains(
-        "# Young's modulus E. Expects a pressure such as `73 GPa`. Must be given.\n    young_modulus: ...\n"
-    ));
+    assert!(
+        listed
+            .contains("# Young's modulus E. Expects a pressure such as `73 GPa`. Required.\n    young_modulus: ...\n")
+    );
     assert!(listed.contains("# Seed of every random stream. Expects a whole number.\nseed: 1\n"));
 }
 
@@ -60,7 +61,7 @@ fn a_sweep_runs_every_combination_once_and_sums_up() {
     let series = place.path().join("swept/diameter=0.6d_c,poisson_ratio=0/series.csv");
     let made = series.metadata().unwrap().modified().unwrap();
     let again = sweep();
-    assert!(text(&again.stderr).starts_with("4 runs, all begun before\n"), "{}", text(&again.stderr));
+    assert!(text(&again.stderr).starts_with("4 runs, all started before\n"), "{}", text(&again.stderr));
     assert_eq!(text(&again.stdout), text(&first.stdout));
     assert_eq!(series.metadata().unwrap().modified().unwrap(), made, "a finished run is not made again");
 
@@ -87,7 +88,7 @@ fn a_sweep_begins_in_a_folder_that_holds_no_run_yet_and_leaves_others_alone() {
     let sweep = telling(place.path(), &["sweep", &case("patch-hcp"), "seed=1..3", "--out", "swept"]);
     assert_eq!(sweep.status.code(), Some(4));
     let (told, table) = (text(&sweep.stderr), text(&sweep.stdout));
-    let refused = "seed=3: swept/seed=3: is not a resumable run; remove this folder to begin anew\n";
+    let refused = "seed=3: swept/seed=3: is not a resumable run; remove this folder to start again\n";
     assert!(told.contains(refused), "{told}");
     let status: Vec<&str> = table.lines().skip(1).map(|row| row.split(',').nth(1).unwrap()).collect();
     assert_eq!(status, ["finished", "finished", "not run"]);
@@ -98,11 +99,11 @@ fn a_sweep_begins_in_a_folder_that_holds_no_run_yet_and_leaves_others_alone() {
 fn a_sweep_is_refused_that_has_no_runs_or_the_same_twice() {
     let place = tempfile::tempdir().unwrap();
     for (keys, expected) in [
-        (&["seed=1,2", "seed=3,4"][..], "`seed=3,4`: the key `seed` is there twice\n"),
+        (&["seed=1,2", "seed=3,4"][..], "`seed=3,4`: the key `seed` is given twice\n"),
         (&["seed=5,6,6"], "`6` and `6` are the same case\n"),
         (&["seed=1,2", "sample.hcp.diameter=0.6 d_c,0.60 d_c"], "`1, 0.6 d_c` and `1, 0.60 d_c` are the same case\n"),
         (&["model.wear.young_modulus=1 GPa,1GPa"], "`1 GPa` and `1GPa` have the same run folder\n"),
-        (&["seed=3..1"], "`seed=3..1`: expected a range that goes upwards\n"),
+        (&["seed=3..1"], "`seed=3..1`: expected an increasing range\n"),
     ] {
         let output = veridem(place.path(), &[&["sweep", &case("patch-hcp")], keys].concat());
         assert_eq!((output.status.code(), &*text(&output.stderr)), (Some(2), expected));
@@ -136,7 +137,7 @@ fn a_sweep_over_a_wrong_key_or_value_is_refused_before_anything_runs() {
     );
     assert_eq!(
         refused("seed=1..x"),
-        (Some(2), "`seed=1..x`: a range without `:COUNT` goes over whole numbers\n".into())
+        (Some(2), "`seed=1..x`: a range without `:COUNT` must have whole numbers as limits\n".into())
     );
     assert_eq!(refused("title.x=1"), (Some(2), "`title.x`: there is no such key\n".into()));
 }

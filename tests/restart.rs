@@ -148,7 +148,7 @@ fn a_run_is_not_resumed_with_another_case_or_another_file() {
     assert_eq!(within(&["--quiet", "run", "tip.yaml", "--stop-after-steps", "5"]), stopped);
 
     write("tip.stl", &tip(21.0));
-    assert_eq!(resume("5"), (Some(65), "tip.stl: has changed since the run was begun\n".into()));
+    assert_eq!(resume("5"), (Some(65), "tip.stl: has changed since the run was started\n".into()));
     std::fs::remove_file(place.path().join("tip.stl")).unwrap();
     let missing = "tip.stl: cannot be read: No such file or directory (os error 2)\n";
     assert_eq!(resume("5"), (Some(66), missing.into()));
@@ -160,5 +160,5 @@ fn a_run_is_not_resumed_with_another_case_or_another_file() {
 
     let case = std::fs::read_to_string(place.path().join("run/tip/case.yaml")).unwrap();
     write("run/tip/case.yaml", &case.replace("spheres: 10", "spheres: 11"));
-    assert_eq!(resume("5"), (Some(65), "run/tip/case.yaml: has changed since the run was begun\n".into()));
+    assert_eq!(resume("5"), (Some(65), "run/tip/case.yaml: has changed since the run was started\n".into()));
 }

@@ -108,7 +108,7 @@ fn a_sphere_that_sinks_into_a_surface_is_reported() {
     deep.particles.x.iter_mut().for_each(|x| x.0[2] -= 5.0);
     let mut simulation = Simulation::new(dry(), deep, settings(DT)).expect("a stable step");
     let halt = advance(&mut simulation, 1).expect_err("too deep").to_string();
-    assert!(halt.contains("is in a surface by 0.343 of its radius (limit 0.1)"), "{halt}");
+    assert!(halt.contains("overlaps a surface by 0.343 of its radius (limit 0.1)"), "{halt}");
 }
 
 #[test]

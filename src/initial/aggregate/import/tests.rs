@@ -70,7 +70,7 @@ fn a_fifth_column_of_plain_xyz_is_the_radius_only_if_it_is_the_last() {
     assert_eq!(radii("1\n\nC 0 0 0 7\n", &UNIT), Ok(vec![7.0]));
     assert_eq!(radii("1\n\nC 0 0 0 -0.765 1 0\n", &BOTH), Ok(vec![14.0]));
     let trouble = radii("1\n\nC 0 0 0 0.7 1 0\n", &UNIT).unwrap_err();
-    assert!(trouble.contains("radius: is missing") && trouble.contains("fifth column"), "{trouble}");
+    assert!(trouble.contains("radius: is missing") && trouble.contains("fifth and last column"), "{trouble}");
 }
 
 #[test]
@@ -93,7 +93,7 @@ fn a_mark_of_the_encoding_and_foreign_letters_are_no_hindrance() {
 fn a_unit_replaces_the_radius_where_the_file_has_radii() {
     let metres = Options { unit: Some(14.0), ..NEITHER };
     assert_eq!(read(&file("mstm.txt"), &metres).unwrap().spheres, read(&file("mstm.txt"), &RADIUS).unwrap().spheres);
-    assert!(read(&file("mstm.txt"), &BOTH).unwrap_err().to_string().contains("expected one of them"));
+    assert!(read(&file("mstm.txt"), &BOTH).unwrap_err().to_string().contains("expected only one of them"));
 }
 
 #[test]
@@ -144,7 +144,7 @@ fn errors_name_file_line_and_what_was_expected() {
         ("2 atoms\n\nAtoms # sphere\n\n1 1 1 1 0 0 0\n", ":1: found `2 atoms` and 1 rows"),
         ("Atoms # sphere\n\n1 1 1 1 0 0 0 1 0 0\n", ":3: found image flags, expected none"),
         ("Atoms # sphere\n\n1 1 1 1 0 0 0 1\n", ":3: found 8 columns, expected 7, or 10 with image flags"),
-        ("Atoms # sphere\n\n2 1 1 1 0 0 0\n2 1 1 1 1 0 0\n", ":4: found the id 2 again"),
+        ("Atoms # sphere\n\n2 1 1 1 0 0 0\n2 1 1 1 1 0 0\n", ":4: found the id 2 twice"),
         ("1 atoms\n\nAtoms # full\n", ":3: found `Atoms # full`"),
         ("3 40 0 5\n1 2 9 6\n", "format: is missing, expected `mstm`"),
     ] {
