@@ -1,4 +1,4 @@
-//! At which order does the physical account close, cause by cause? The residual of a pair is looked at while its energy is under way, for four time steps,
+//! The order at which the physical energy balance closes, cause by cause: the residual of a pair is measured while its energy is converted, for four time steps,
 //! each half of the one before, and for several starts, since contacts begin and slip at other places within a step.
 
 mod common;

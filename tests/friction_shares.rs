@@ -1,4 +1,4 @@
-//! Does friction stop what turns, whoever is listed as a neighbour?
+//! Does friction stop rotating spheres independently of the neighbour list?
 
 use veridem::run::advance;
 use veridem::simulation::{Settings, Simulation};

@@ -41,7 +41,7 @@ fn moments<R: Real>(median: R, sigma_g: R, lo: R, hi: R) -> [R; 4] {
 /// # Reading
 ///
 /// The diameters go from 3 to 23 nm in steps of 1 nm with a median $m$ of 9.0 nm and $\sigma_G$ = 1.45. The paper does not define the discretisation
-/// does not say: here the density at its diameter. Diameters are numbers, multiples of the step, from three on; at most 32 classes. The Sauter diameter comes out as
+/// of a class: here it is the density at its diameter. Diameters are numbers, multiples of the step, from three on; at most 32 classes. The Sauter diameter comes out as
 /// 12.2 nm, not as the 11.3 nm that the box of "140 $\bar{d}_s$" implies.
 ///
 /// | name | symbol | unit | domain | meaning |

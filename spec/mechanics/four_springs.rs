@@ -144,7 +144,7 @@ struct Pull<R, S> {
 
 impl<R: Real> Springs<R> {
     /// The springs of a contact, advanced by `dt`, and their forces. Where `bonded` is true they are the springs of a neck, which acts at any gap and in any direction; elsewhere they are those of
-    /// a contact, which only acts while the spheres overlap, never pulls along the normal, and rubs as Eqs. 13 to 17 say.
+    /// a contact, which only acts while the spheres overlap, never pulls along the normal, and has the friction of Eqs. 13 to 17.
     #[inline(always)]
     pub fn evaluate(
         &self,

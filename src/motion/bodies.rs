@@ -58,8 +58,8 @@ struct BodyGroup<'a> {
     w: &'a mut [Vec3<f64>],
 }
 
-/// Advances all bodies by one step, together with their members in `moving`; also returns the correction by which the sum of branch
-/// vector times force must be reduced, because forces inside a body do not contribute to the stress of the whole.
+/// Advances all bodies by one step, together with their members in `moving`; also returns the correction of the sum of branch
+/// vector times force, because forces inside a body do not contribute to the stress of the whole.
 pub fn advance_bodies<M: PairModel>(
     (bodies, listed): (&mut [Body], &[Pose]),
     particles: &mut Particles,

@@ -1,5 +1,5 @@
-//! What friction may stop: each contact of a sphere, or of the body it belongs to, its share of the moment of inertia. Friction may stop what turns, and
-//! several contacts together must not turn it back. Spheres share as they touch at this instant: who else is listed as a neighbour changes nothing.
+//! Shares of the moment of inertia of a sphere, or of its body, that are assigned to its contacts. Friction may stop a rotating sphere or body, but
+//! several contacts together must not reverse it. Only the contacts that touch at this instant share it, whatever pairs the neighbour list holds.
 
 use super::Simulation;
 use crate::forces::{Block, Touchable};
@@ -10,12 +10,12 @@ use crate::spec::{PairModel, Vec3};
 use crate::system::{Image, Particles, System};
 use rayon::prelude::*;
 
-/// How many contacts each sphere by itself, and each body, has.
+/// Number of contacts of each single sphere and of each body.
 pub struct Shares {
     contacts: Vec<u32>,
 }
 
-/// The place of a sphere, or of its body, among what turns: spheres by themselves stand behind the bodies.
+/// The index of a sphere, or of its body, in the counts: single spheres come after the bodies.
 fn turning(System { particles, bodies, .. }: &System, p: usize) -> usize {
     (particles.body[p] as usize).checked_sub(1).unwrap_or(bodies.len() + p)
 }
@@ -36,7 +36,7 @@ impl Shares {
         Self { contacts }
     }
 
-    /// What a contact of a sphere may take for its own of the moment of inertia, ag nm^2. Nothing turns the spheres of a wall.
+    /// The share of the moment of inertia of a contact of a sphere, ag nm^2; none for the spheres of a wall.
     fn of(&self, system: &System, p: usize) -> Option<f64> {
         let System { particles, bodies, .. } = system;
         let least = |moments: Vec3<f64>| moments.0.into_iter().fold(f64::INFINITY, f64::min);
@@ -47,7 +47,7 @@ impl Shares {
         (particles.wall[p] == 0).then(|| inertia_share(moment, f64::from(self.contacts[turning(system, p)])))
     }
 
-    /// The reduced moment of inertia that the contact of two spheres may stop.
+    /// The reduced moment of inertia of the contact of two spheres.
     pub fn reduced(&self, system: &System, p: usize, q: usize) -> f64 {
         match (self.of(system, p), self.of(system, q)) {
             (Some(of_p), Some(of_q)) => effective_mass(of_p, of_q),
@@ -56,12 +56,17 @@ impl Shares {
     }
 }
 
+<<<<<<< HEAD
 /// Those that touch but for rounding are told what they may stop: the law may see them touch.
 const NEARLY: f64 = 1e-9;
 
 /// Whether two spheres touch, each a place and a copy, or are apart by less than a share of the sum of their radii.
 fn touch(system: &System, (p, a): (usize, Image), (q, b): (usize, Image), share: f64) -> bool {
     let System { particles, domain, .. } = system;
+=======
+/// Whether two spheres touch, each given by index and copy.
+fn touch(System { particles, domain, .. }: &System, (p, a): (usize, Image), (q, b): (usize, Image)) -> bool {
+>>>>>>> words
     let Particles { x, radius, .. } = particles;
     let branch = x[p] + domain.shift(a) - (x[q] + domain.shift(b));
     let reach = (radius[p] + radius[q]) * (1.0 + share);
@@ -69,7 +74,7 @@ fn touch(system: &System, (p, a): (usize, Image), (q, b): (usize, Image), share:
 }
 
 impl<M: PairModel> Simulation<M> {
-    /// Shares what turns among the contacts, before these are evaluated.
+    /// Updates the shares of the contacts before these are evaluated.
     pub(super) fn share(&mut self) {
         if !M::FRICTION_STOPS {
             return;
@@ -88,7 +93,7 @@ impl<M: PairModel> Simulation<M> {
         });
     }
 
-    /// The shares of what pairs are looked at, as they will be in the next step.
+    /// The shares of the pairs as they will be in the next step.
     pub(super) fn shares(&self) -> Option<Shares> {
         M::FRICTION_STOPS.then(|| Shares::count(&self.blocks, &self.system))
     }

@@ -175,7 +175,10 @@ impl Watch {
                     }
                     None => "is still attached to the aggregate".into(),
                 };
-                let sentence = format!("the tip {end}; it was pulled by {:.2} nN at most", 1e-3 * highest);
+                let sentence = format!(
+                    "the tip {end}; the largest pulling force, filtered by the cantilever, was {:.2} nN",
+                    1e-3 * highest
+                );
                 let mut found = vec![
                     Finding::words("end", sentence),
                     number("peaks of the force curve", peaks as f64, ""),
