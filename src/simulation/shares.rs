@@ -56,17 +56,12 @@ impl Shares {
     }
 }
 
-<<<<<<< HEAD
 /// Those that touch but for rounding are told what they may stop: the law may see them touch.
 const NEARLY: f64 = 1e-9;
 
-/// Whether two spheres touch, each a place and a copy, or are apart by less than a share of the sum of their radii.
+/// Whether two spheres, each given by index and copy, touch, or are apart by less than a share of the sum of their radii.
 fn touch(system: &System, (p, a): (usize, Image), (q, b): (usize, Image), share: f64) -> bool {
     let System { particles, domain, .. } = system;
-=======
-/// Whether two spheres touch, each given by index and copy.
-fn touch(System { particles, domain, .. }: &System, (p, a): (usize, Image), (q, b): (usize, Image)) -> bool {
->>>>>>> words
     let Particles { x, radius, .. } = particles;
     let branch = x[p] + domain.shift(a) - (x[q] + domain.shift(b));
     let reach = (radius[p] + radius[q]) * (1.0 + share);
