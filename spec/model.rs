@@ -141,6 +141,7 @@ impl<R: Copy + Send + Sync> Flat<R> for Vec3<R> {
 macro_rules! flat_struct {
     ($(#[$doc:meta])* pub struct $name:ident { $($(#[$field_doc:meta])* pub $field:ident),* $(,)? }) => {
         $(#[$doc])*
+        #[allow(unreachable_pub, reason = "laws and tests declare them too")]
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct $name<R> { $($(#[$field_doc])* pub $field: R),* }
         impl<R: Copy + Send + Sync> $crate::Flat<R> for $name<R> {

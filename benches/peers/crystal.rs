@@ -41,7 +41,7 @@ fn crystal(cells: [usize; 3]) -> System {
 }
 
 /// The crystal of so many orthogonal cells of four spheres, ready to run.
-pub fn simulation(cells: [usize; 3], instructions: Instructions) -> Result<Simulation<Wear>, Halt> {
+pub(crate) fn simulation(cells: [usize; 3], instructions: Instructions) -> Result<Simulation<Wear>, Halt> {
     let settings = Settings {
         dt: 1e-4,
         integrator: Integrator::HalfStep,

@@ -6,7 +6,7 @@ use veridem::case::section::{choice, section};
 
 /// Marks multiples of the duration of a contact.
 #[derive(Clone, Debug, PartialEq)]
-pub struct ContactTime;
+pub(crate) struct ContactTime;
 impl Scale for ContactTime {
     const SYMBOL: &'static str = "t_c";
 }

@@ -15,18 +15,18 @@ fn normal_force<R: Real>(k: R, c: R, gap: R, velocity: R) -> R {
 }
 
 /// Duration of the contact in a head-on collision.
-pub fn contact_time<R: Real>(m: R, k: R, zeta: R) -> R {
+pub(super) fn contact_time<R: Real>(m: R, k: R, zeta: R) -> R {
     R::pi() / (k / m * (R::one() - zeta.squared())).sqrt()
 }
 
 /// Coefficient of restitution: velocity of separation relative to velocity of approach.
-pub fn restitution<R: Real>(zeta: R) -> R {
+pub(super) fn restitution<R: Real>(zeta: R) -> R {
     (-(R::pi() * zeta) / (R::one() - zeta.squared()).sqrt()).exp()
 }
 
 /// A linear spring with a dashpot between spheres that overlap.
 #[derive(Clone, Copy, Debug)]
-pub struct Linear {
+pub(super) struct Linear {
     /// Stiffness of the spring, pN/nm.
     pub stiffness: f64,
     /// Damping ratio.

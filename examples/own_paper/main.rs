@@ -28,12 +28,12 @@ use veridem::reproduce::{Chapter, Claim, Evidence, Figure, Setting, near};
 use veridem::run::{Driver, Runnable};
 
 /// The program: its papers, and the library's command line.
-pub fn main() -> ExitCode {
+pub(crate) fn main() -> ExitCode {
     veridem::cli::main(Papers(&[&LinearContacts]))
 }
 
 /// The paper.
-pub struct LinearContacts;
+pub(crate) struct LinearContacts;
 
 impl Paper for LinearContacts {
     const NAME: &'static str = "linear";

@@ -15,7 +15,7 @@ use veridem::spec::mechanics::sphere::sphere_mass;
 use veridem::system::{Domain, Particles, System};
 
 /// Two spheres approach each other, and rebound.
-pub struct Plan {
+pub(super) struct Plan {
     pub law: Linear,
     radius: f64,
     pub mass: f64,
@@ -29,11 +29,11 @@ pub struct Plan {
 /// The number of the second stage.
 const REBOUND: usize = 1;
 /// The gap between the spheres.
-pub const GAP: Column = Column::new("gap", "nm");
+pub(super) const GAP: Column = Column::new("gap", "nm");
 
 /// The state of the observer: the present gap and the smallest one so far, nm.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub struct Watch {
+pub(super) struct Watch {
     gap: f64,
     least: f64,
 }
@@ -45,7 +45,7 @@ fn gap(system: &System) -> f64 {
 
 impl Plan {
     /// What a case asks for.
-    pub fn of(case: &Case<Model, Sample, Experiment>) -> Self {
+    pub(super) fn of(case: &Case<Model, Sample, Experiment>) -> Self {
         let (Model::Linear(material), Sample::Pair(pair)) = (&case.model, &case.sample);
         let Experiment::Collision(collision) = &case.experiment;
         let law = Linear { stiffness: material.stiffness.value, damping_ratio: material.damping_ratio };
@@ -64,7 +64,7 @@ impl Plan {
     }
 
     /// Velocity of separation relative to velocity of approach.
-    pub fn bounce(&self, system: &System) -> f64 {
+    pub(super) fn bounce(&self, system: &System) -> f64 {
         (system.particles.v[0] - system.particles.v[1]).norm() / self.velocity
     }
 }

@@ -7,13 +7,13 @@ use std::path::PathBuf;
 
 /// The arguments.
 #[derive(clap::Args)]
-pub struct Arguments {
+pub(super) struct Arguments {
     /// The case file
     case: PathBuf,
 }
 
 /// Checks the case and prints it with its defaults and derived values.
-pub fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
+pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
     let job = papers.read(&arguments.case)?;
     job.examine()?;
     let resolved = job.resolved;

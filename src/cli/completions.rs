@@ -6,13 +6,13 @@ use crate::papers::Papers;
 
 /// The arguments.
 #[derive(clap::Args)]
-pub struct Arguments {
+pub(super) struct Arguments {
     /// The shell
     shell: clap_complete::Shell,
 }
 
 /// Writes the completions to standard output.
-pub fn run(arguments: &Arguments, papers: Papers) -> Result<(), Error> {
+pub(super) fn run(arguments: &Arguments, papers: Papers) -> Result<(), Error> {
     let mut script = Vec::new();
     clap_complete::generate(arguments.shell, &mut command(papers), "veridem", &mut script);
     print(&String::from_utf8_lossy(&script))

@@ -11,7 +11,7 @@ use std::path::Path;
 
 /// The arguments.
 #[derive(clap::Args)]
-pub struct Arguments {
+pub(super) struct Arguments {
     #[command(subcommand)]
     action: Action,
 }
@@ -39,7 +39,7 @@ enum Action {
 }
 
 /// Lists, shows or evaluates equations.
-pub fn run(arguments: &Arguments, manner: OutputMode) -> Result<(), Error> {
+pub(super) fn run(arguments: &Arguments, manner: OutputMode) -> Result<(), Error> {
     let registry = Registry::new();
     match &arguments.action {
         Action::List if manner.json => print(&show::list_as_json(&registry)),

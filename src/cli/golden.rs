@@ -11,7 +11,7 @@ const SAMPLED: usize = 200;
 
 /// The arguments.
 #[derive(clap::Args)]
-pub struct Arguments {
+pub(super) struct Arguments {
     #[command(subcommand)]
     action: Action,
     /// The repository, with the folders golden, spec and src
@@ -30,7 +30,7 @@ enum Action {
 }
 
 /// Checks, regenerates or measures.
-pub fn run(arguments: &Arguments, manner: OutputMode) -> Result<(), Error> {
+pub(super) fn run(arguments: &Arguments, manner: OutputMode) -> Result<(), Error> {
     let root = &arguments.root;
     let equations = documented().map_err(Error::Verification)?;
     let (golden, index_file) = (root.join("golden"), root.join(INDEX));

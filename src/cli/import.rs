@@ -10,7 +10,7 @@ use std::path::PathBuf;
 
 /// The arguments.
 #[derive(clap::Args)]
-pub struct Arguments {
+pub(super) struct Arguments {
     /// FLAGE XML, MSTM, FracVAL, PyFracVAL, VTK, LAMMPS data or XYZ; identified by its content
     file: PathBuf,
     /// Unit of length of the file, such as `1 nm`, if the format does not define one
@@ -34,7 +34,7 @@ pub struct Arguments {
 }
 
 /// Reads, describes and writes the aggregate.
-pub fn run(arguments: &Arguments, manner: OutputMode) -> Result<(), Error> {
+pub(super) fn run(arguments: &Arguments, manner: OutputMode) -> Result<(), Error> {
     let length = |text: &Option<String>| {
         let parse = |text: &String| Quantity::<Length>::parse(text).map(|length| length.value).map_err(Error::Usage);
         text.as_ref().map(parse).transpose()

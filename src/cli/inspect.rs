@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 
 /// The arguments.
 #[derive(clap::Args)]
-pub struct Arguments {
+pub(super) struct Arguments {
     /// The run folder
     #[arg(required_unless_present = "diff")]
     run: Option<PathBuf>,
@@ -20,7 +20,7 @@ pub struct Arguments {
 }
 
 /// Summarises or compares.
-pub fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
+pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
     match (&arguments.run, &arguments.diff) {
         (_, Some(pair)) => compare(&pair[0], &pair[1], manner),
         (Some(run), None) => summarise(run, papers, manner),

@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 const PAUSE: Duration = Duration::from_secs(5);
 
 /// A bar on a terminal, a line every few seconds elsewhere.
-pub struct Progress {
+pub(super) struct Progress {
     manner: OutputMode,
     bar: Option<ProgressBar>,
     stage: String,
@@ -20,7 +20,7 @@ pub struct Progress {
 
 impl Progress {
     /// Nothing is shown before the first report.
-    pub fn new(manner: OutputMode) -> Self {
+    pub(super) fn new(manner: OutputMode) -> Self {
         let bar = (!manner.quiet && std::io::stderr().is_terminal()).then(|| {
             let style = if std::env::var_os("NO_COLOR").is_some() { "{bar:24}" } else { "{bar:24.cyan}" };
             let template = format!("{{prefix:12}} {style} {{pos}}/{{len}} {{eta}} left, {{msg}}");
@@ -31,7 +31,7 @@ impl Progress {
     }
 
     /// Shows the progress of a run.
-    pub fn show(&mut self, state: RunProgress) {
+    pub(super) fn show(&mut self, state: RunProgress) {
         if self.manner.quiet {
             return;
         }
@@ -61,7 +61,7 @@ impl Progress {
     }
 
     /// Removes the bar.
-    pub fn finish(&self) {
+    pub(super) fn finish(&self) {
         if let Some(bar) = &self.bar {
             bar.finish_and_clear();
         }

@@ -13,7 +13,7 @@ use std::time::Instant;
 
 /// The arguments.
 #[derive(clap::Args)]
-pub struct Arguments {
+pub(super) struct Arguments {
     /// The paper
     paper: String,
     /// Compute the paper's sizes: hours instead of ten minutes; chapters that consist of runs resume where they were
@@ -29,7 +29,7 @@ pub struct Arguments {
 }
 
 /// Adds the names of the papers and chapters to the command.
-pub fn known(command: clap::Command, papers: Papers) -> clap::Command {
+pub(super) fn known(command: clap::Command, papers: Papers) -> clap::Command {
     let paper = |paper: &&dyn AnyPaper| PossibleValue::new(paper.name()).help(paper.reference());
     let names: Vec<PossibleValue> = papers.0.iter().map(paper).collect();
     let mut chapters: Vec<PossibleValue> = Vec::new();
@@ -59,7 +59,7 @@ fn chosen(paper: &dyn AnyPaper, only: Option<&str>) -> Result<Vec<&'static Chapt
 }
 
 /// Computes the claims and writes table, figures and report.
-pub fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
+pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
     let paper = papers.find(&arguments.paper).expect("the command line knows the papers");
     let chapters = chosen(paper, arguments.only.as_deref())?;
     let extent = if arguments.full { Extent::Full } else { Extent::Reduced };

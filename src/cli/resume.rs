@@ -11,7 +11,7 @@ use std::path::PathBuf;
 
 /// The arguments.
 #[derive(clap::Args)]
-pub struct Arguments {
+pub(super) struct Arguments {
     /// The run folder
     run: PathBuf,
     #[command(flatten)]
@@ -19,7 +19,7 @@ pub struct Arguments {
 }
 
 /// Resumes from the latest checkpoint.
-pub fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
+pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
     let interrupt = arguments.limits.interrupt()?;
     let folder = RunFolder::open(&arguments.run)?;
     let job = papers.read(&folder.case())?;

@@ -11,7 +11,7 @@ use std::time::Duration;
 
 /// The arguments.
 #[derive(clap::Args)]
-pub struct Arguments {
+pub(super) struct Arguments {
     /// The case file
     case: PathBuf,
     /// Name of the run; by default the name of the case file
@@ -29,7 +29,7 @@ pub struct Arguments {
 
 /// Limits at which a run is stopped before its end.
 #[derive(clap::Args)]
-pub struct Limits {
+pub(super) struct Limits {
     /// Stop after this many seconds; the run can be resumed
     #[arg(long, value_name = "SECONDS")]
     max_time: Option<f64>,
@@ -40,7 +40,7 @@ pub struct Limits {
 
 impl Limits {
     /// The limits and the signals that stop this process.
-    pub fn interrupt(&self) -> Result<Interrupt, Error> {
+    pub(super) fn interrupt(&self) -> Result<Interrupt, Error> {
         let time = self.max_time.map(Duration::try_from_secs_f64).transpose();
         let time = time.map_err(|error| Error::Usage(format!("--max-time: {error}")))?;
         Interrupt::new(time, self.stop_after_steps).map_err(|cause| Error::Io("signal handler".into(), cause))
@@ -48,7 +48,7 @@ impl Limits {
 }
 
 /// Runs the case.
-pub fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
+pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
     let interrupt = arguments.limits.interrupt()?;
     let stem = || arguments.case.file_stem().unwrap_or_default().to_string_lossy().to_string();
     let root = arguments.out.join(arguments.name.clone().unwrap_or_else(stem));
@@ -61,7 +61,7 @@ pub fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> Result<
 }
 
 /// Reports the findings.
-pub fn conclude(folder: &RunFolder, findings: &[Finding], manner: OutputMode) -> Result<(), Error> {
+pub(super) fn conclude(folder: &RunFolder, findings: &[Finding], manner: OutputMode) -> Result<(), Error> {
     manner.say(format!("finished: {}", folder.report().display()));
     if manner.json {
         let result = serde_json::json!({ "run": folder.root(), "results": findings });
@@ -71,7 +71,7 @@ pub fn conclude(folder: &RunFolder, findings: &[Finding], manner: OutputMode) ->
 }
 
 /// Findings as lines for people.
-pub fn table(findings: &[Finding]) -> String {
+pub(super) fn table(findings: &[Finding]) -> String {
     let width = findings.iter().map(|finding| finding.name.chars().count()).max().unwrap_or(0);
     let line = |Finding { name, value, unit, target }: &Finding| {
         let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };

@@ -7,10 +7,10 @@ use crate::papers::Papers;
 
 /// The arguments.
 #[derive(clap::Args)]
-pub struct Arguments {}
+pub(super) struct Arguments {}
 
 /// Lists the keys.
-pub fn run(_: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
+pub(super) fn run(_: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
     let keys = papers.keys();
     if manner.json {
         let json = serde_json::to_string_pretty(&keys).expect("keys are plain data");

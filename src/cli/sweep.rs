@@ -16,7 +16,7 @@ use std::time::{Duration, Instant};
 
 /// The arguments.
 #[derive(clap::Args)]
-pub struct Arguments {
+pub(super) struct Arguments {
     /// The case file
     case: PathBuf,
     /// Keys and their values: `seed=1,2,5`, `seed=1..8`, `output.series=1 ps,10 ps`, `limits.overlap=0.2..0.8:4`
@@ -37,7 +37,7 @@ struct Axis {
 const TRIAL: Duration = Duration::from_secs(3);
 
 /// Runs every combination that has not finished yet and writes the summary.
-pub fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
+pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
     let read = |file: &Path, text: &str| papers.parse(file, text);
     let text = papers.read(&arguments.case)?.text;
     let axes = axes(&arguments.keys)?;

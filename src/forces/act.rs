@@ -6,16 +6,16 @@ use crate::spec::{Contact, Flat, PairModel, Real, Vec3};
 use num_traits::Zero;
 
 /// One number of eight pairs.
-pub type Row = Lanes<LANES>;
+pub(super) type Row = Lanes<LANES>;
 /// The gathered input of a row of pairs: differences of position and velocity, two unused numbers, angular
 /// velocity and radius of `i` and of `j`.
-pub type RowInput = [Row; 16];
+pub(super) type RowInput = [Row; 16];
 /// The output of a row: force on `i`, torque on `i`, torque on `j`.
-pub type RowOutput = [Row; 9];
+pub(super) type RowOutput = [Row; 9];
 
 /// Evaluates a row, advances its springs by `dt`, and enters its losses and its work. For rows of `JOINED` pairs the compiler omits the terms of contacts.
 #[inline(always)]
-pub fn act<M: PairModel, const JOINED: bool>(
+pub(super) fn act<M: PairModel, const JOINED: bool>(
     model: &M,
     coefficients: &M::Coefficients<Row>,
     memory: &mut M::Memory<Row>,
@@ -79,7 +79,7 @@ fn apart<M: PairModel>(model: &M, input: &RowInput, output: &mut RowOutput, sums
 
 /// Evaluates a row of far pairs.
 #[inline(always)]
-pub fn far<M: PairModel>(
+pub(super) fn far<M: PairModel>(
     model: &M,
     apart: &[Row; 3],
     [r_i, r_j]: &[Row; 2],
@@ -126,7 +126,7 @@ fn push<M: PairModel>(
 }
 
 /// Sums over pairs, lane by lane.
-pub struct Sums<M: PairModel> {
+pub(super) struct Sums<M: PairModel> {
     power: Row,
     losses: M::Losses<Row>,
     /// Diagonal of the sum of branch vector times force.
@@ -143,7 +143,7 @@ impl<M: PairModel> Default for Sums<M> {
 
 impl<M: PairModel> Sums<M> {
     /// All lanes together.
-    pub fn total(&self) -> Totals<M::Losses<f64>> {
+    pub(super) fn total(&self) -> Totals<M::Losses<f64>> {
         let sum = |row: Row| row.0.iter().sum::<f64>();
         Totals {
             power: sum(self.power),

@@ -252,7 +252,7 @@ macro_rules! pair_loop {
             }
 
             $(#[target_feature(enable = $features)])?
-            pub fn far<M: PairModel>(model: &M, pairs: &mut FarPairs, spheres_of_block: &GatheredSpheres) {
+            pub(crate) fn far<M: PairModel>(model: &M, pairs: &mut FarPairs, spheres_of_block: &GatheredSpheres) {
                 let Some(loads) = &mut pairs.loads else { return };
                 loads[..spheres_of_block.len].fill(Load::zero());
                 let mut virial = [Row::zero(); 3];
@@ -274,7 +274,7 @@ macro_rules! pair_loop {
             }
 
             $(#[target_feature(enable = $features)])?
-            pub fn rows<M: PairModel>(
+            pub(crate) fn rows<M: PairModel>(
                 model: &M,
                 pairs: &mut Pairs<M>,
                 spheres_of_block: &GatheredSpheres,
@@ -304,7 +304,7 @@ macro_rules! pair_loop {
             }
 
             $(#[target_feature(enable = $features)])?
-            pub fn vectorised<W: Vectorised>(work: W) -> W::Outcome {
+            pub(crate) fn vectorised<W: Vectorised>(work: W) -> W::Outcome {
                 work.run(|rows| transpose::$name(rows))
             }
         }

@@ -10,10 +10,10 @@ pub const LANES: usize = 8;
 /// lanes without a pair.
 pub const CAPACITY: usize = 2048;
 /// The index of that sphere.
-pub const NOWHERE: u16 = CAPACITY as u16 - 1;
+pub(super) const NOWHERE: u16 = CAPACITY as u16 - 1;
 
 /// Loads on the spheres of a block, all zero.
-pub fn no_loads() -> Box<[Load; CAPACITY]> {
+pub(super) fn no_loads() -> Box<[Load; CAPACITY]> {
     vec![Load::zero(); CAPACITY].try_into().expect("as many as it is made of")
 }
 

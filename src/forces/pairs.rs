@@ -47,7 +47,7 @@ pub struct FarPairs {
 }
 
 /// Where the pair `k` of `of` is: row and lane.
-pub fn row_and_lane(k: usize, of: usize) -> (usize, usize) {
+pub(super) fn row_and_lane(k: usize, of: usize) -> (usize, usize) {
     let rows = of.div_ceil(LANES);
     (k % rows, k / rows)
 }

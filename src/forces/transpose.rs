@@ -7,13 +7,13 @@ use super::LANES;
 /// Eight rows of eight numbers.
 pub type Square = [[f64; LANES]; LANES];
 /// Eight rows of four numbers.
-pub type Rows = [[f64; 4]; LANES];
+pub(super) type Rows = [[f64; 4]; LANES];
 /// Four columns of eight numbers.
-pub type Columns = [[f64; LANES]; 4];
+pub(super) type Columns = [[f64; LANES]; 4];
 
 /// With whatever the compiler makes of it.
 #[inline(always)]
-pub fn baseline(rows: Square) -> Square {
+pub(super) fn baseline(rows: Square) -> Square {
     std::array::from_fn(|column| std::array::from_fn(|row| rows[row][column]))
 }
 
@@ -21,7 +21,7 @@ pub fn baseline(rows: Square) -> Square {
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2")]
 #[inline]
-pub fn avx2(rows: Square) -> Square {
+pub(super) fn avx2(rows: Square) -> Square {
     use std::arch::x86_64::{_mm256_permute2f128_pd as halves, _mm256_unpackhi_pd as odd, _mm256_unpacklo_pd as even};
     let rows: [[std::arch::x86_64::__m256d; 2]; LANES] = bytemuck::cast(rows);
     let mut columns = rows;
@@ -41,7 +41,7 @@ pub fn avx2(rows: Square) -> Square {
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx512f")]
 #[inline]
-pub fn avx512(rows: Square) -> Square {
+pub(super) fn avx512(rows: Square) -> Square {
     use std::arch::x86_64::{_mm512_shuffle_f64x2 as quarters, _mm512_unpackhi_pd as odd, _mm512_unpacklo_pd as even};
     let r: [std::arch::x86_64::__m512d; LANES] = bytemuck::cast(rows);
     let mut columns = r;
@@ -62,12 +62,12 @@ pub fn avx512(rows: Square) -> Square {
 }
 
 /// Half as much for rows of four.
-pub mod narrow {
+pub(super) mod narrow {
     use super::{Columns, LANES, Rows};
 
     /// With whatever the compiler makes of it.
     #[inline(always)]
-    pub fn baseline(rows: Rows) -> Columns {
+    pub(crate) fn baseline(rows: Rows) -> Columns {
         std::array::from_fn(|column| std::array::from_fn(|row| rows[row][column]))
     }
 
@@ -75,7 +75,7 @@ pub mod narrow {
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2")]
     #[inline]
-    pub fn avx2(rows: Rows) -> Columns {
+    pub(crate) fn avx2(rows: Rows) -> Columns {
         use std::arch::x86_64::{
             _mm256_permute2f128_pd as halves, _mm256_unpackhi_pd as odd, _mm256_unpacklo_pd as even,
         };
@@ -96,7 +96,7 @@ pub mod narrow {
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx512f")]
     #[inline]
-    pub fn avx512(rows: Rows) -> Columns {
+    pub(crate) fn avx512(rows: Rows) -> Columns {
         use std::arch::x86_64::{_mm512_castpd256_pd512 as widen, _mm512_insertf64x4 as insert};
         use std::arch::x86_64::{
             _mm512_shuffle_f64x2 as quarters, _mm512_unpackhi_pd as odd, _mm512_unpacklo_pd as even,
@@ -115,12 +115,12 @@ pub mod narrow {
 }
 
 /// The way back from [`narrow`].
-pub mod back {
+pub(super) mod back {
     use super::{Columns, LANES, Rows};
 
     /// With whatever the compiler makes of it.
     #[inline(always)]
-    pub fn baseline(columns: Columns) -> Rows {
+    pub(crate) fn baseline(columns: Columns) -> Rows {
         std::array::from_fn(|row| std::array::from_fn(|column| columns[column][row]))
     }
 
@@ -128,7 +128,7 @@ pub mod back {
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2")]
     #[inline]
-    pub fn avx2(columns: Columns) -> Rows {
+    pub(crate) fn avx2(columns: Columns) -> Rows {
         use std::arch::x86_64::{
             _mm256_permute2f128_pd as halves, _mm256_unpackhi_pd as odd, _mm256_unpacklo_pd as even,
         };
@@ -149,7 +149,7 @@ pub mod back {
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx512f")]
     #[inline]
-    pub fn avx512(columns: Columns) -> Rows {
+    pub(crate) fn avx512(columns: Columns) -> Rows {
         use std::arch::x86_64::{
             _mm512_castpd512_pd256 as low, _mm512_extractf64x4_pd as half, _mm512_set_epi64 as set,
         };

@@ -8,14 +8,14 @@ use serde_json::json;
 
 /// The length of the record at a checkpoint, to which its files are truncated when the run is resumed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct RecordLength {
+pub(super) struct RecordLength {
     series: u64,
     events: u64,
     frames: u64,
 }
 
 /// The growing files of a run folder.
-pub struct Record {
+pub(super) struct Record {
     folder: RunFolder,
     series: Appending,
     events: Appending,
@@ -24,14 +24,14 @@ pub struct Record {
 
 impl Record {
     /// Creates the record of a new run.
-    pub fn begin(folder: &RunFolder, columns: &[String]) -> Result<Self, Error> {
+    pub(super) fn begin(folder: &RunFolder, columns: &[String]) -> Result<Self, Error> {
         let mut series = Appending::create(folder.series())?;
         series.line(&columns.join(","))?;
         Ok(Self { folder: folder.clone(), series, events: Appending::create(folder.events())?, frames: 0 })
     }
 
     /// Restores a record to its state at a checkpoint.
-    pub fn resume(folder: &RunFolder, length: RecordLength) -> Result<Self, Error> {
+    pub(super) fn resume(folder: &RunFolder, length: RecordLength) -> Result<Self, Error> {
         let series = Appending::resume(folder.series(), length.series)?;
         let events = Appending::resume(folder.events(), length.events)?;
         let outdated = (length.frames..).map(|number| folder.frames().join(frame_name(number)));
@@ -44,23 +44,23 @@ impl Record {
     }
 
     /// The present length.
-    pub fn length(&self) -> RecordLength {
+    pub(super) fn length(&self) -> RecordLength {
         RecordLength { series: self.series.length(), events: self.events.length(), frames: self.frames }
     }
 
     /// Appends a row to the series.
-    pub fn row(&mut self, cells: &[Cell]) -> Result<(), Error> {
+    pub(super) fn row(&mut self, cells: &[Cell]) -> Result<(), Error> {
         self.series.line(&row(cells))
     }
 
     /// Appends an event.
-    pub fn event(&mut self, stage: &str, system: &System, event: &str) -> Result<(), Error> {
+    pub(super) fn event(&mut self, stage: &str, system: &System, event: &str) -> Result<(), Error> {
         let event = json!({ "stage": stage, "step": system.step, "time_ns": system.time, "event": event });
         self.events.line(&event.to_string())
     }
 
     /// Writes the next frame, and next to it the surfaces.
-    pub fn frame(&mut self, stage: &str, system: &System) -> Result<(), Error> {
+    pub(super) fn frame(&mut self, stage: &str, system: &System) -> Result<(), Error> {
         let path = self.folder.frames().join(frame_name(self.frames));
         // Surfaces are written first, so that an existing frame is complete.
         if !system.surfaces.is_empty() {

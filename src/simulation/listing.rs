@@ -14,7 +14,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// What the neighbour list was built from.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Listed {
+pub(super) struct Listed {
     pub x: Vec<Vec3<f64>>,
     pub sides: [f64; 3],
     pub poses: Vec<Pose>,

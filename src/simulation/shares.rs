@@ -11,7 +11,7 @@ use crate::system::{Image, Particles, System};
 use rayon::prelude::*;
 
 /// Number of contacts of each single sphere and of each body.
-pub struct Shares {
+pub(super) struct Shares {
     contacts: Vec<u32>,
 }
 
@@ -22,7 +22,7 @@ fn turning(System { particles, bodies, .. }: &System, p: usize) -> usize {
 
 impl Shares {
     /// Counts the contacts without necks.
-    pub fn count<M: PairModel>(blocks: &[Block<M>], system: &System) -> Self {
+    pub(super) fn count<M: PairModel>(blocks: &[Block<M>], system: &System) -> Self {
         let touching = |block: &Block<M>| -> Vec<[usize; 2]> {
             let ends = |pair: &Touchable| [block.member(pair.i), block.member(pair.j)];
             let touching = block.touchable.iter().map(ends).filter(|&[i, j]| touch(system, i, j, 0.0));
@@ -48,7 +48,7 @@ impl Shares {
     }
 
     /// The reduced moment of inertia of the contact of two spheres.
-    pub fn reduced(&self, system: &System, p: usize, q: usize) -> f64 {
+    pub(super) fn reduced(&self, system: &System, p: usize, q: usize) -> f64 {
         match (self.of(system, p), self.of(system, q)) {
             (Some(of_p), Some(of_q)) => effective_mass(of_p, of_q),
             (only, other) => only.or(other).unwrap_or(f64::INFINITY),

@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 
 /// The state between steps: the forces at the end of the last one.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct VerletState {
+pub(super) struct VerletState {
     /// Force and torque on each sphere.
     loads: Vec<[f64; 6]>,
     /// Power of the pairs at the velocities they saw.

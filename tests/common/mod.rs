@@ -2,7 +2,7 @@
 
 #![allow(dead_code, reason = "every test is a program that uses its own part")]
 
-pub mod soot;
+pub(crate) mod soot;
 
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
@@ -16,7 +16,7 @@ use veridem::spec::wear::law::{Interaction, Material, Wear};
 use veridem::system::{Domain, Motion, Particles, System};
 
 /// Silica: Table 5 of the wear paper, in MPa and pN/nm.
-pub const SILICA: Material = Material {
+pub(crate) const SILICA: Material = Material {
     young_modulus: 73_000.0,
     poisson_ratio: 0.17,
     tensile_strength: 16_000.0,
@@ -28,7 +28,7 @@ pub const SILICA: Material = Material {
 };
 
 /// The instruction sets to be compared, the plainest first. Says so, past what the test harness captures, if there is nothing to compare.
-pub fn instruction_sets() -> Vec<Instructions> {
+pub(crate) fn instruction_sets() -> Vec<Instructions> {
     let sets = Instructions::available();
     if sets.len() < 2 {
         let said = writeln!(std::io::stderr(), "this processor has {sets:?} alone: no instruction sets are compared");
@@ -38,13 +38,13 @@ pub fn instruction_sets() -> Vec<Instructions> {
 }
 
 /// Number drawn evenly from 0 to 1.
-pub fn uniform(rng: &mut ChaCha8Rng) -> f64 {
+pub(crate) fn uniform(rng: &mut ChaCha8Rng) -> f64 {
     (rng.next_u64() >> 11) as f64 * 2f64.powi(-53)
 }
 
 /// A crowd of spheres of 1 to 3 nm, jittered about a cubic lattice of `side` points a side so that many touch and none coincide,
 /// each with a random velocity and spin. Density that of silica.
-pub fn crowd(seed: u64, side: usize) -> System {
+pub(crate) fn crowd(seed: u64, side: usize) -> System {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let mut draw = |from: f64, to: f64| from + (to - from) * uniform(&mut rng);
     let spacing = 2.0;
@@ -63,7 +63,7 @@ pub fn crowd(seed: u64, side: usize) -> System {
 }
 
 /// The crowd between two rigid walls, the lower at rest, the upper pulled along x and pressed down along y.
-pub fn sheared_crowd(seed: u64, side: usize) -> System {
+pub(crate) fn sheared_crowd(seed: u64, side: usize) -> System {
     let mut system = crowd(seed, side);
     system.domain.periodic[1] = false;
     let height = system.domain.sides[1];
@@ -75,12 +75,12 @@ pub fn sheared_crowd(seed: u64, side: usize) -> System {
 }
 
 /// Silica with all its forces.
-pub fn wear() -> Wear {
+pub(crate) fn wear() -> Wear {
     Wear { material: SILICA, interaction: Interaction::Full }
 }
 
 /// Settings that the crowd is stable and quick with.
-pub fn settings(dt: f64) -> Settings {
+pub(crate) fn settings(dt: f64) -> Settings {
     Settings {
         dt,
         integrator: Integrator::HalfStep,
@@ -94,7 +94,7 @@ pub fn settings(dt: f64) -> Settings {
 }
 
 /// A simulation after some steps.
-pub fn run(system: System, settings: Settings, steps: usize) -> Simulation<Wear> {
+pub(crate) fn run(system: System, settings: Settings, steps: usize) -> Simulation<Wear> {
     let mut simulation = Simulation::new(wear(), system, settings).expect("a valid system");
     advance(&mut simulation, steps as u64).expect("a stable step");
     simulation

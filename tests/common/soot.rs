@@ -16,29 +16,29 @@ use veridem::spec::soot::{Along, SUBSTRATE, Soot, TIP};
 use veridem::system::{Domain, Particles, PrescribedMotion, Shape, Surface, System};
 
 /// Spheres of the aggregate.
-pub const SPHERES: usize = 30;
+pub(crate) const SPHERES: usize = 30;
 /// Their radius, nm.
-pub const RADIUS: f64 = 14.0;
+pub(crate) const RADIUS: f64 = 14.0;
 /// Their mass, ag.
-pub const MASS: f64 = 19.54;
+pub(crate) const MASS: f64 = 19.54;
 /// A time step that is stable and quick with the softer necks, ns.
-pub const DT: f64 = 20e-6;
+pub(crate) const DT: f64 = 20e-6;
 
 /// The published interactions with the softer necks.
-pub fn law() -> Soot {
+pub(crate) fn law() -> Soot {
     let text = "title: t\nmodel: {soot: {necks: S}}\nsample: {aggregate: {}}\nexperiment: {restructuring: {}}\n";
     parts(&parse::<soot::Soot>(Path::new("published"), text).expect("a case of defaults")).0.law(Along)
 }
 
 /// The same without a coating.
-pub fn dry() -> Soot {
+pub(crate) fn dry() -> Soot {
     let mut law = law();
     law.attraction.psi = 0.0;
     law
 }
 
 /// An aggregate about the origin, those of its contacts joined by necks whose numbers satisfy `joined`.
-pub fn system(joined: impl Fn(usize) -> bool) -> System {
+pub(crate) fn system(joined: impl Fn(usize) -> bool) -> System {
     let recipe = Recipe { number: SPHERES, d_f: 1.8, k_f: 1.4, radii: Radii::Equal(RADIUS), method: Method::Clusters };
     let spheres = aggregate(&recipe, 1, &Interrupt::default()).expect("an ordinary aggregate");
     let mut particles = Particles::default();
@@ -51,22 +51,22 @@ pub fn system(joined: impl Fn(usize) -> bool) -> System {
 }
 
 /// Free space.
-pub fn space() -> Domain {
+pub(crate) fn space() -> Domain {
     Domain { sides: [400.0; 3], periodic: [false; 3] }
 }
 
 /// A third of the necks.
-pub fn third(k: usize) -> bool {
+pub(crate) fn third(k: usize) -> bool {
     k.is_multiple_of(3)
 }
 
 /// The substrate of the paper.
-pub fn plane() -> Shape {
+pub(crate) fn plane() -> Shape {
     Shape::Plane { point: Vec3::zero(), normal: Vec3([0.0, 0.0, 1.0]) }
 }
 
 /// An aggregate that has all but reached a substrate with some velocity, and a tip that comes down on its highest sphere.
-pub fn between(substrate: Shape) -> System {
+pub(crate) fn between(substrate: Shape) -> System {
     let mut system = system(third);
     let particles = &mut system.particles;
     let lowest = particles.x.iter().map(|x| x.0[2]).fold(f64::INFINITY, f64::min);
@@ -84,19 +84,19 @@ pub fn between(substrate: Shape) -> System {
 }
 
 /// Settings for a time step.
-pub fn settings(dt: f64) -> Settings {
+pub(crate) fn settings(dt: f64) -> Settings {
     let (integrator, instructions) = (Integrator::HalfStep, Instructions::best());
     Settings { dt, integrator, damping: 0.0, skin: 2.0, max_overlap: 0.1, relax_box: None, far_every: 1, instructions }
 }
 
 /// A simulation after some steps.
-pub fn run(law: Soot, system: System, settings: Settings, steps: usize) -> Simulation<Soot> {
+pub(crate) fn run(law: Soot, system: System, settings: Settings, steps: usize) -> Simulation<Soot> {
     let mut simulation = Simulation::new(law, system, settings).expect("a stable step");
     advance(&mut simulation, steps as u64).expect("a stable step");
     simulation
 }
 
 /// Sum of momenta, ag m/s.
-pub fn momentum(particles: &Particles) -> Vec3<f64> {
+pub(crate) fn momentum(particles: &Particles) -> Vec3<f64> {
     particles.v.iter().zip(&particles.mass).fold(Vec3::zero(), |sum, (v, m)| sum + *v * *m)
 }

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 /// A source file.
-pub struct Source {
+pub(crate) struct Source {
     /// Its path from the root of the repository.
     pub path: String,
     /// Its module, without the name of the crate.
@@ -15,7 +15,7 @@ pub struct Source {
 }
 
 /// All source files of a folder, without those that are for tests only.
-pub fn sources(folder: &str) -> Vec<Source> {
+pub(crate) fn sources(folder: &str) -> Vec<Source> {
     let root = std::env::var("CARGO_MANIFEST_DIR").expect("tests are run by cargo");
     let mut found = Vec::new();
     read(Path::new(&root), folder, &mut found);
@@ -37,7 +37,7 @@ fn read(root: &Path, folder: &str, found: &mut Vec<Source>) {
 
 impl Source {
     /// A file and its text.
-    pub fn new(path: &str, text: &str) -> Self {
+    pub(crate) fn new(path: &str, text: &str) -> Self {
         let (code, mut text) = (code(text), text.to_string());
         let mut kept = code.clone();
         while let Some(start) = kept.find("#[cfg(test)]") {
@@ -53,12 +53,12 @@ impl Source {
     }
 
     /// The folder or file below the root that it belongs to.
-    pub fn room(&self) -> &str {
+    pub(crate) fn room(&self) -> &str {
         self.module.first().map_or("lib", String::as_str)
     }
 
     /// What it uses of its own crate, as paths from there, without what follows a `*` or the arguments of a type.
-    pub fn paths(&self) -> Vec<Vec<String>> {
+    pub(crate) fn paths(&self) -> Vec<Vec<String>> {
         let words = words(&self.code);
         let mut found = Vec::new();
         for at in 0..words.len() {

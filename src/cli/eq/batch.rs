@@ -5,7 +5,7 @@ use serde_json::{Map, Value};
 use std::io::{self, BufRead, Write};
 
 /// Answers every line that is not empty, in order.
-pub fn run(registry: &Registry, input: &mut impl BufRead, out: &mut impl Write) -> io::Result<()> {
+pub(super) fn run(registry: &Registry, input: &mut impl BufRead, out: &mut impl Write) -> io::Result<()> {
     let mut line = vec![];
     while input.read_until(b'\n', &mut line)? > 0 {
         if !line.trim_ascii().is_empty() {
@@ -55,7 +55,7 @@ fn flatten(value: &Value) -> Option<Vec<f64>> {
 }
 
 /// The results as JSON with 17 significant digits: one alone as a number or array, several by name.
-pub fn value(results: &Results) -> String {
+pub(super) fn value(results: &Results) -> String {
     let numbers = |values: &[f64]| -> String {
         let digits: Vec<String> = values.iter().map(|x| format!("{x:.16e}")).collect();
         let array = |digits: &[String]| format!("[{}]", digits.join(", "));

@@ -6,7 +6,7 @@ use veridem_spec::equation::Equation;
 use veridem_spec::unit::WHOLE;
 
 /// An equation and its documentation.
-pub struct Entry {
+pub(super) struct Entry {
     /// The equation.
     pub equation: Equation,
     /// Its documentation.
@@ -14,14 +14,14 @@ pub struct Entry {
 }
 
 /// Every equation.
-pub struct Registry(pub Vec<Entry>);
+pub(super) struct Registry(pub Vec<Entry>);
 
 /// A result: the row of the table, and its numbers.
-pub type Results<'a> = Vec<(&'a Quantity, Vec<f64>)>;
+pub(super) type Results<'a> = Vec<(&'a Quantity, Vec<f64>)>;
 
 impl Registry {
     /// All equations with their documentation.
-    pub fn new() -> Self {
+    pub(super) fn new() -> Self {
         let document = |equation: Equation| {
             let document = Document::of(&equation).expect("every equation is documented");
             Entry { equation, document }
@@ -30,7 +30,7 @@ impl Registry {
     }
 
     /// The equation with an id; case, leading zeros and separators do not matter.
-    pub fn find(&self, id: &str) -> Result<&Entry, String> {
+    pub(super) fn find(&self, id: &str) -> Result<&Entry, String> {
         self.0.iter().find(|entry| plain_id(entry.equation.id) == plain_id(id)).ok_or_else(|| {
             let ids = self.0.iter().map(|entry| entry.equation.id);
             format!("there is no equation `{id}`, {}", nearest(id, ids))
@@ -38,7 +38,7 @@ impl Registry {
     }
 
     /// Evaluates an equation with arguments such as `k_n=1 N/m`.
-    pub fn eval(&self, id: &str, arguments: &[String]) -> Result<Results<'_>, String> {
+    pub(super) fn eval(&self, id: &str, arguments: &[String]) -> Result<Results<'_>, String> {
         let entry = self.find(id)?;
         let mut given = vec![];
         for argument in arguments {
@@ -53,7 +53,7 @@ impl Registry {
 
 impl Entry {
     /// The argument with a name: by its name in the table, or the only one with that name or symbol regardless of case and underscores.
-    pub fn argument(&self, name: &str) -> Result<&Quantity, String> {
+    pub(super) fn argument(&self, name: &str) -> Result<&Quantity, String> {
         let quantities = &self.document.arguments;
         let only = |alike: &dyn Fn(&Quantity) -> bool| {
             let mut all = quantities.iter().filter(|q| alike(q));
@@ -69,7 +69,7 @@ impl Entry {
     }
 
     /// Evaluates the equation with arguments in SI, in any order.
-    pub fn evaluate(&self, given: Vec<(String, Vec<f64>)>) -> Result<Results<'_>, String> {
+    pub(super) fn evaluate(&self, given: Vec<(String, Vec<f64>)>) -> Result<Results<'_>, String> {
         let mut values: Vec<Option<Vec<f64>>> = self.document.arguments.iter().map(|_| None).collect();
         for (name, value) in given {
             let quantity = self.argument(&name)?;

@@ -5,14 +5,14 @@ use serde_json::{Value, json};
 use veridem_spec::document::Quantity;
 
 /// One line per equation.
-pub fn list(registry: &Registry) -> String {
+pub(super) fn list(registry: &Registry) -> String {
     let width = registry.0.iter().map(|entry| entry.equation.id.len()).max().unwrap_or(0);
     let line = |entry: &Entry| format!("{:width$}  {}\n", entry.equation.id, plain_text(&entry.document.title));
     registry.0.iter().map(line).collect()
 }
 
 /// The complete documentation of every equation, as JSON.
-pub fn list_as_json(registry: &Registry) -> String {
+pub(super) fn list_as_json(registry: &Registry) -> String {
     let quantities = |quantities: &[Quantity]| -> Vec<Value> {
         let row = |q: &Quantity| {
             json!({ "name": q.name, "symbol": q.symbol, "unit": q.unit, "size": q.size,
@@ -38,7 +38,7 @@ pub fn list_as_json(registry: &Registry) -> String {
 }
 
 /// The documentation of an equation.
-pub fn entry(Entry { equation, document }: &Entry) -> String {
+pub(super) fn entry(Entry { equation, document }: &Entry) -> String {
     let laws: Vec<String> = document.laws.iter().map(|law| law.replace('_', " ")).collect();
     let bound = document.rounding.map_or("not stated".into(), |bound| format!("at most {bound} ULP"));
     [
@@ -69,7 +69,7 @@ fn table(quantities: &[Quantity]) -> String {
 }
 
 /// The results, one per line, in SI.
-pub fn results(results: &Results) -> String {
+pub(super) fn results(results: &Results) -> String {
     let line = |(quantity, values): &(&Quantity, Vec<f64>)| {
         let digits: Vec<String> = values.iter().map(|x| format!("{x:.16e}")).collect();
         format!("{} = {} {}\n", quantity.name, digits.join(" "), quantity.unit)

@@ -6,7 +6,7 @@ use crate::geometry::{SphereExtent, centre_of_mass, square_gyration_radius};
 use crate::spec::Vec3;
 
 /// Spheres centred at their centre of mass, with the properties required for joining.
-pub struct Cluster {
+pub(super) struct Cluster {
     pub spheres: Vec<Sphere>,
     pub sums: Sums,
     /// Squared gyration radius.
@@ -16,11 +16,11 @@ pub struct Cluster {
 }
 
 impl Cluster {
-    pub fn single(radius: f64, extent: SphereExtent) -> Self {
+    pub(super) fn single(radius: f64, extent: SphereExtent) -> Self {
         Self::new(vec![Sphere { centre: Vec3::zero(), radius }], extent)
     }
 
-    pub fn new(mut spheres: Vec<Sphere>, extent: SphereExtent) -> Self {
+    pub(super) fn new(mut spheres: Vec<Sphere>, extent: SphereExtent) -> Self {
         let centre = centre_of_mass(&spheres);
         for sphere in &mut spheres {
             sphere.centre = sphere.centre - centre;

@@ -18,7 +18,7 @@ const WIDENING: f64 = 1.02;
 const NEAR: f64 = 1.0 + 1e-9;
 
 /// Joins two clusters to one with the gyration radius of the law, or, where they cannot be placed so, with one as near as they can.
-pub fn join(a: &Cluster, b: &Cluster, law: &Law, stream: &mut Stream) -> Cluster {
+pub(super) fn join(a: &Cluster, b: &Cluster, law: &Law, stream: &mut Stream) -> Cluster {
     let farthest = a.reach + b.reach;
     let sums = a.sums.with(&b.sums);
     let whole = |spheres| Cluster::new(spheres, law.extent());

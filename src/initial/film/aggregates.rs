@@ -24,14 +24,14 @@ const DRAWS: usize = 5;
 const DIRECTIONS: usize = 56;
 
 /// An aggregate about its centre of mass.
-pub struct Aggregate {
+pub(super) struct Aggregate {
     pub spheres: Vec<Sphere>,
     /// Coefficient of diffusion.
     pub diffusion: f64,
 }
 
 /// The aggregates of a film, in the order in which they fall.
-pub fn aggregates(plan: &FilmPlan, seed: u64, interrupt: &Interrupt) -> Result<Vec<Aggregate>, Failure> {
+pub(super) fn aggregates(plan: &FilmPlan, seed: u64, interrupt: &Interrupt) -> Result<Vec<Aggregate>, Failure> {
     let mut stream = Stream::new(seed, "film numbers");
     let (mut sizes, mut total) = (Vec::new(), 0);
     while total < plan.spheres {
@@ -92,7 +92,7 @@ impl Diameters {
     }
 }
 
-pub fn draw(classes: &[(f64, f64)], stream: &mut Stream) -> f64 {
+pub(super) fn draw(classes: &[(f64, f64)], stream: &mut Stream) -> f64 {
     let share = stream.uniform();
     classes[classes.partition_point(|class| class.1 <= share).min(classes.len() - 1)].0
 }

@@ -20,7 +20,7 @@ const TURNS: usize = 100;
 const DOWN: Vec3<f64> = Vec3([0.0, 0.0, -1.0]);
 
 /// The film of some aggregates.
-pub fn deposited(
+pub(super) fn deposited(
     plan: &FilmPlan,
     aggregates: Vec<Aggregate>,
     seed: u64,
@@ -82,7 +82,7 @@ fn meets_itself(spheres: &[Sphere], sides: [f64; 2]) -> bool {
 }
 
 /// How an aggregate moves.
-pub struct Path {
+pub(super) struct Path {
     /// Velocity downwards.
     pub drift: f64,
     /// Coefficient of diffusion.
@@ -93,7 +93,13 @@ pub struct Path {
 
 impl Path {
     /// Where the centre of mass comes to rest, and whether on the floor.
-    pub fn fall(&self, column: &Column, spheres: &[Sphere], sides: [f64; 2], stream: &mut Stream) -> (Vec3<f64>, bool) {
+    pub(super) fn fall(
+        &self,
+        column: &Column,
+        spheres: &[Sphere],
+        sides: [f64; 2],
+        stream: &mut Stream,
+    ) -> (Vec3<f64>, bool) {
         let lowest = spheres.iter().map(|s| s.centre.0[2] - s.radius).fold(f64::INFINITY, f64::min);
         let mut at = Vec3([sides[0] * stream.uniform(), sides[1] * stream.uniform(), column.top() - lowest]);
         loop {

@@ -17,7 +17,7 @@ const POINTS: usize = 2000;
 const QUANTILES: [f64; 3] = [0.1, 0.5, 0.9];
 
 /// Quantiles of the pore diameters of the bulk, nm: lower bounds, for larger balls may have been missed.
-pub fn pores(film: &DepositedFilm, bulk: [f64; 2], seed: u64) -> [f64; 3] {
+pub(super) fn pores(film: &DepositedFilm, bulk: [f64; 2], seed: u64) -> [f64; 3] {
     let largest = film.spheres.iter().map(radius).fold(0.0, f64::max);
     let mut column = Column::new(film.sides, largest);
     for s in &film.spheres {

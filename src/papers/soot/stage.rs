@@ -14,7 +14,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 /// The inputs common to all stages.
-pub struct Ground {
+pub(super) struct Ground {
     /// Random numbers that choose which necks are removed.
     pub necks: Stream,
     /// Random numbers that choose the sphere to be indented.
@@ -24,7 +24,7 @@ pub struct Ground {
 }
 
 /// The initial system of a stage.
-pub fn set_up(stage: &SootStage, mut ground: Ground, mut system: System) -> Result<System, Error> {
+pub(super) fn set_up(stage: &SootStage, mut ground: Ground, mut system: System) -> Result<System, Error> {
     system.surfaces.retain(|surface| surface.material != TIP);
     match stage {
         SootStage::Deposition(test) => deposit(test, solid(stage)?, ground.radius, &mut system),
@@ -40,7 +40,7 @@ pub fn set_up(stage: &SootStage, mut ground: Ground, mut system: System) -> Resu
 }
 
 /// Whether a stage removes necks.
-pub fn removes_necks(stage: &SootStage) -> bool {
+pub(super) fn removes_necks(stage: &SootStage) -> bool {
     match stage {
         SootStage::Deposition(_) => false,
         SootStage::Indentation(Indentation { keep_necks, .. })
@@ -49,7 +49,7 @@ pub fn removes_necks(stage: &SootStage) -> bool {
 }
 
 /// The surface that a stage reads from a file, if any. The aggregate is placed outside it.
-pub fn solid(stage: &SootStage) -> Result<Option<Mesh>, Error> {
+pub(super) fn solid(stage: &SootStage) -> Result<Option<Mesh>, Error> {
     let Some(Solid { stl, unit }) = stage.solid() else { return Ok(None) };
     let mesh = read_stl(stl, unit.value)?;
     if mesh.is_closed() && mesh.volume() < 0.0 {
@@ -129,7 +129,7 @@ fn is_met_first(Particles { x, radius, .. }: &Particles, p: usize, tip: &Surface
 }
 
 /// Removes necks; the contacts that replace them begin with relaxed springs.
-pub fn break_necks(keep: f64, stream: &mut Stream, system: &mut System) {
+pub(super) fn break_necks(keep: f64, stream: &mut Stream, system: &mut System) {
     let all: Vec<(usize, usize)> = system.necks.iter().map(|&(i, j)| (i as usize, j as usize)).collect();
     let kept = keep_fraction(&all, keep, stream).into_iter().map(|(i, j)| (i as u32, j as u32));
     let kept: BTreeSet<(u32, u32)> = kept.collect();

@@ -11,7 +11,7 @@ use crate::case::units::{decimal, in_unit};
 use crate::spec::mechanics::stable_step::stable_time_step;
 
 /// Checks a case.
-pub fn problems(case: &Case, found: &mut Found) {
+pub(super) fn problems(case: &Case, found: &mut Found) {
     let (titania, Some(test)) = parts(case) else {
         let sample = match case.experiment {
             Experiment::Stretching(_) => "`agglomerate`",

@@ -7,7 +7,7 @@ use crate::system::{Motion, Steering, System};
 
 /// A stage.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Stage {
+pub(super) struct Stage {
     /// Its name in the records of a run.
     pub name: &'static str,
     /// The act.
@@ -64,13 +64,13 @@ const HELD: [Motion; 3] = [Motion::Velocity(0.0); 3];
 
 impl Stage {
     /// The release of two particles.
-    pub fn approach(test: &Approach, diameters: [f64; 2], dt: f64) -> Self {
+    pub(super) fn approach(test: &Approach, diameters: [f64; 2], dt: f64) -> Self {
         let act = StageAct::Approach { diameters, from: test.from.value };
         Self { name: "approach", act, damping: 0.0, duration: test.duration.value(dt) }
     }
 
     /// A particle is pressed onto a slab and dragged over it.
-    pub fn dragging(test: &Dragging, diameter: f64, rolls: bool, dt: f64) -> [Self; 2] {
+    pub(super) fn dragging(test: &Dragging, diameter: f64, rolls: bool, dt: f64) -> [Self; 2] {
         let (load, velocity) = (test.load.value, test.velocity.value);
         let press = StageAct::Press { diameters: [diameter, test.slab.value], load };
         let drag = StageAct::Drag { velocity, load, rolls };
@@ -82,7 +82,7 @@ impl Stage {
     }
 
     /// A chain is relaxed and pulled.
-    pub fn stretching(test: &Stretching, particles: u32, dt: f64) -> [Self; 2] {
+    pub(super) fn stretching(test: &Stretching, particles: u32, dt: f64) -> [Self; 2] {
         let (stiffness, velocity) = (test.stiffness.value, test.velocity.value);
         let relax = StageAct::Relax { particles };
         let pull = StageAct::Pull { particles, stiffness, velocity };
@@ -93,7 +93,7 @@ impl Stage {
     }
 
     /// Holds and drives the walls or springs of the act: the second wall, or the second spring of a pulled chain, is driven.
-    pub fn drive(&self, system: &mut System) {
+    pub(super) fn drive(&self, system: &mut System) {
         system.remove_walls();
         system.steerings.clear();
         match self.act {

@@ -12,26 +12,26 @@ use crate::spec::titania::eq10_peak_friction::peak_friction;
 use serde::{Deserialize, Serialize};
 
 /// The columns of the series.
-pub mod columns {
+pub(super) mod columns {
     use crate::output::Column;
 
     /// Centre distance of two particles.
-    pub const DISTANCE: Column = Column::new("distance", "nm");
+    pub(crate) const DISTANCE: Column = Column::new("distance", "nm");
     /// Distance over which a particle has been dragged.
-    pub const MOVED: Column = Column::new("moved", "nm");
+    pub(crate) const MOVED: Column = Column::new("moved", "nm");
     /// Friction force.
-    pub const FRICTION: Column = Column::new("friction", "pN");
+    pub(crate) const FRICTION: Column = Column::new("friction", "pN");
     /// Rolling resistance, as a force at the centre.
-    pub const ROLLING_RESISTANCE: Column = Column::new("rolling resistance", "pN");
+    pub(crate) const ROLLING_RESISTANCE: Column = Column::new("rolling resistance", "pN");
     /// Displacement of the far end of the spring.
-    pub const PULLED: Column = Column::new("pulled", "nm");
+    pub(crate) const PULLED: Column = Column::new("pulled", "nm");
     /// Mean force of the spring.
-    pub const PULL: Column = Column::new("pulling force", "pN");
+    pub(crate) const PULL: Column = Column::new("pulling force", "pN");
     /// Number of contacts.
-    pub const CONTACTS: Column = Column::pure("contacts");
+    pub(crate) const CONTACTS: Column = Column::pure("contacts");
 
     /// All columns.
-    pub const ALL: [Column; 12] = [
+    pub(crate) const ALL: [Column; 12] = [
         DISTANCE,
         MOVED,
         FRICTION,

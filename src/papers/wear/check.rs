@@ -6,7 +6,7 @@ use crate::case::check::{Found, expect};
 use crate::case::units::{decimal, in_unit, rounded};
 
 /// Checks a case.
-pub fn problems(case: &Case, found: &mut Found) {
+pub(super) fn problems(case: &Case, found: &mut Found) {
     properties(case, found);
     sample(case, found);
     if found.is_empty() {

@@ -102,7 +102,7 @@ impl Critical {
 }
 
 /// Every time step of the case, with its key.
-pub fn time_steps(case: &Case) -> Vec<(&'static str, &InCriticalSteps)> {
+pub(super) fn time_steps(case: &Case) -> Vec<(&'static str, &InCriticalSteps)> {
     let relaxation = match &case.sample {
         Sample::Amorphous(sample) => Some(("sample.amorphous.relaxation.dt", &sample.relaxation.dt)),
         _ => None,
@@ -119,7 +119,7 @@ pub fn time_steps(case: &Case) -> Vec<(&'static str, &InCriticalSteps)> {
 }
 
 /// Every damping of the case, with its key.
-pub fn dampings(case: &Case) -> Vec<(&'static str, &InCriticalDampings)> {
+pub(super) fn dampings(case: &Case) -> Vec<(&'static str, &InCriticalDampings)> {
     let relaxation = match &case.sample {
         Sample::Amorphous(sample) => vec![
             ("sample.amorphous.relaxation.repulsion_damping", &sample.relaxation.repulsion_damping),
@@ -139,7 +139,7 @@ pub fn dampings(case: &Case) -> Vec<(&'static str, &InCriticalDampings)> {
 }
 
 /// The derived values of a case, with units.
-pub fn derived(case: &Case) -> Vec<(String, String)> {
+pub(super) fn derived(case: &Case) -> Vec<(String, String)> {
     let (scales, own) = (Scales::of(case), material(case));
     let material = own.spec();
     let Critical { dt, damping, limit } = Critical::of_case(case);

@@ -53,32 +53,32 @@ pub struct Sheared {
 }
 
 /// The columns of all observers; a stage fills its own.
-pub mod columns {
+pub(super) mod columns {
     use crate::output::Column;
 
     /// Volume fraction of the spheres in the box.
-    pub const VOLUME_FRACTION: Column = Column::pure("volume fraction");
+    pub(crate) const VOLUME_FRACTION: Column = Column::pure("volume fraction");
     /// Strain normal to the walls.
-    pub const NORMAL_STRAIN: Column = Column::pure("normal strain");
+    pub(crate) const NORMAL_STRAIN: Column = Column::pure("normal strain");
     /// Shear strain parallel to the walls.
-    pub const SHEAR_STRAIN: Column = Column::pure("shear strain");
+    pub(crate) const SHEAR_STRAIN: Column = Column::pure("shear strain");
     /// Stress normal to the walls.
-    pub const NORMAL_STRESS: Column = Column::new("normal stress", "MPa");
+    pub(crate) const NORMAL_STRESS: Column = Column::new("normal stress", "MPa");
     /// Shear stress.
-    pub const SHEAR_STRESS: Column = Column::new("shear stress", "MPa");
+    pub(crate) const SHEAR_STRESS: Column = Column::new("shear stress", "MPa");
     /// Displacement of the upper wall.
-    pub const SLID: Column = Column::new("slid", "nm");
+    pub(crate) const SLID: Column = Column::new("slid", "nm");
     /// Distance between the bodies.
-    pub const SEPARATION: Column = Column::new("separation", "nm");
+    pub(crate) const SEPARATION: Column = Column::new("separation", "nm");
     /// Friction force.
-    pub const FRICTION: Column = Column::new("friction", "pN");
+    pub(crate) const FRICTION: Column = Column::new("friction", "pN");
     /// Revolutions of the third body.
-    pub const TURNS: Column = Column::pure("third body turns");
+    pub(crate) const TURNS: Column = Column::pure("third body turns");
 
     /// Columns of a relaxation.
-    pub const RELAXATION: [Column; 1] = [VOLUME_FRACTION];
+    pub(crate) const RELAXATION: [Column; 1] = [VOLUME_FRACTION];
     /// Columns of a test between two walls.
-    pub const TEST: [Column; 6] = [
+    pub(crate) const TEST: [Column; 6] = [
         NORMAL_STRAIN,
         SHEAR_STRAIN,
         NORMAL_STRESS,
@@ -87,7 +87,7 @@ pub mod columns {
         Column::new("peak stress", "MPa"),
     ];
     /// Columns of a sheared junction.
-    pub const JUNCTION: [Column; 13] = [
+    pub(crate) const JUNCTION: [Column; 13] = [
         SLID,
         SEPARATION,
         FRICTION,

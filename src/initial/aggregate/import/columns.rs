@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::initial::aggregate::components;
 
 /// Rows of four numbers, the radius first or last; lines that begin with `#` are comments.
-pub fn rows(source: &Source, radius_first: bool) -> Result<Raw, Error> {
+pub(super) fn rows(source: &Source, radius_first: bool) -> Result<Raw, Error> {
     let mut raw = Raw::default();
     for (k, line) in source.lines().filter(|(_, line)| !line.is_empty() && !line.starts_with('#')) {
         let words: Vec<&str> = line.split_whitespace().collect();
@@ -20,7 +20,7 @@ pub fn rows(source: &Source, radius_first: bool) -> Result<Raw, Error> {
 
 /// Whether the radius is the first of four columns or the last: the way in which the spheres hang together, if only one
 /// does.
-pub fn detect(source: &Source) -> Result<Format, Error> {
+pub(super) fn detect(source: &Source) -> Result<Format, Error> {
     let read = |format| {
         let raw = rows(source, format == Format::Mstm);
         raw.and_then(|raw| Ok(components(&raw.spheres(source, 1.0, None)?) == 1))
@@ -39,7 +39,7 @@ pub fn detect(source: &Source) -> Result<Format, Error> {
 
 /// A number, a comment, rows `species x y z` and perhaps a radius. A comment that lists `Properties` tells the columns. Without it
 /// a fifth column is the radius if it is the last: several may be a velocity or a force.
-pub fn xyz(source: &Source) -> Result<Raw, Error> {
+pub(super) fn xyz(source: &Source) -> Result<Raw, Error> {
     let mut lines = source.lines();
     let (_, first) = lines.next().unwrap_or_default();
     let number: usize =
@@ -88,7 +88,13 @@ fn layout(properties: &str) -> (Option<usize>, Option<usize>) {
 
 impl Raw {
     /// Appends a sphere; either all have a radius or none.
-    pub fn push(&mut self, source: &Source, line: usize, x: [&str; 3], radius: Option<&str>) -> Result<(), Error> {
+    pub(super) fn push(
+        &mut self,
+        source: &Source,
+        line: usize,
+        x: [&str; 3],
+        radius: Option<&str>,
+    ) -> Result<(), Error> {
         if !self.centres.is_empty() && radius.is_some() == self.radii.is_empty() {
             return Err(source.at(line, "expected a radius in every row or in none"));
         }

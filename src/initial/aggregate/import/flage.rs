@@ -5,7 +5,7 @@ use crate::error::Error;
 use roxmltree::{Document, Node, ParsingOptions};
 
 /// Three numbers in each `position`, with anything between them that is no number; a `radius` beside it is optional.
-pub fn read(source: &Source) -> Result<Raw, Error> {
+pub(super) fn read(source: &Source) -> Result<Raw, Error> {
     let options = ParsingOptions { allow_dtd: true, ..ParsingOptions::default() };
     let document = Document::parse_with_options(source.text, options)
         .map_err(|trouble| source.at(trouble.pos().row as usize, &format!("is not well-formed XML: {trouble}")))?;

@@ -5,7 +5,7 @@ use crate::error::Error;
 
 /// The section `Atoms # sphere`, rows `id type diameter density x y z`, or `Atoms # bpm/sphere`, with a molecule after the id. In order of the ids,
 /// each in the copy of the box that its image flags tell, if three follow the coordinates.
-pub fn read(source: &Source) -> Result<Raw, Error> {
+pub(super) fn read(source: &Source) -> Result<Raw, Error> {
     let keyword = |line: &str| line.starts_with(|c: char| c.is_ascii_alphabetic());
     let mut lines = source.lines().skip_while(|(_, line)| line.split_whitespace().next() != Some("Atoms"));
     let Some((head, title)) = lines.next() else {

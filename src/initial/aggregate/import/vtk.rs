@@ -11,7 +11,7 @@ use std::path::Path;
 const NECK: f64 = 0.1;
 
 /// The points of a `DATASET POLYDATA` in ASCII; what follows them is not read.
-pub fn read(source: &Source) -> Result<Raw, Error> {
+pub(super) fn read(source: &Source) -> Result<Raw, Error> {
     if let Some((line, _)) = source.words().find(|&(line, word)| line <= 4 && word == "BINARY") {
         return Err(source.at(line, "found `BINARY`, expected `ASCII`"));
     }

@@ -6,7 +6,7 @@ use crate::initial::film::column::Column;
 use crate::papers::titania::case::{Film, Spectroscopy};
 
 /// Checks the film; diameters must be `thick`.
-pub fn sample(film: &Film, thick: &str, core_gap: f64, found: &mut Found) {
+pub(super) fn sample(film: &Film, thick: &str, core_gap: f64, found: &mut Found) {
     let at = |key: &str| format!("sample.film.{key}");
     let most = "1 to 10000000";
     expect(found, (1..=10_000_000).contains(&film.particles), &at("particles"), film.particles, most);
@@ -54,7 +54,7 @@ pub fn sample(film: &Film, thick: &str, core_gap: f64, found: &mut Found) {
 }
 
 /// Checks the test.
-pub fn test(film: &Film, test: &Spectroscopy, thick: &str, core_gap: f64, found: &mut Found) {
+pub(super) fn test(film: &Film, test: &Spectroscopy, thick: &str, core_gap: f64, found: &mut Found) {
     let at = |key: &str| format!("experiment.spectroscopy.{key}");
     for (key, value, text) in [
         ("relaxation", test.relaxation.number(), test.relaxation.to_string()),

@@ -136,7 +136,7 @@ const RUNS: [(f64, f64); 6] =
 const TYPICAL: usize = 2;
 
 /// The results of a dragged particle.
-pub fn dragging(chapter: &mut Evidence, interrupt: &Interrupt) -> Result<(), Error> {
+pub(super) fn dragging(chapter: &mut Evidence, interrupt: &Interrupt) -> Result<(), Error> {
     let slid: Vec<Slid> =
         RUNS.into_par_iter().map(|(load, velocity)| slide(load, velocity, interrupt)).collect::<Result<_, _>>()?;
     let rolled: Vec<Rolled> =

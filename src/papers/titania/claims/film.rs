@@ -19,7 +19,7 @@ const TOUCH: f64 = 1e-6;
 const STRAIGHT: f64 = 1e4;
 
 /// Sizes and density, and the dependence of the density on diffusion.
-pub fn structure(chapter: &mut Evidence, interrupt: &Interrupt) -> Result<(), Error> {
+pub(super) fn structure(chapter: &mut Evidence, interrupt: &Interrupt) -> Result<(), Error> {
     let plan = FilmPlan::paper(PARTICLES / 4, [SIDE; 2]);
     let (drifting, straight) =
         (build(&plan, interrupt)?, build(&FilmPlan { drift: STRAIGHT, ..plan.clone() }, interrupt)?);

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 
 /// The contacts at the last examination, and the number of events since the first.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
-pub struct Contacts {
+pub(super) struct Contacts {
     /// The contacts, in the order of their ids.
     known: Vec<Known>,
     /// Number of contacts that slipped.
@@ -34,7 +34,7 @@ struct Known {
 
 impl Contacts {
     /// Records the initial contacts.
-    pub fn begin<M: Law>(simulation: &Simulation<M>) -> Self {
+    pub(super) fn begin<M: Law>(simulation: &Simulation<M>) -> Self {
         let mut contacts = Self::default();
         contacts.look(simulation);
         contacts
@@ -42,7 +42,7 @@ impl Contacts {
 
     /// Examines all contacts and returns the events since the last examination. A spring that has shortened by more than half a period in
     /// between has slipped.
-    pub fn look<M: Law>(&mut self, simulation: &Simulation<M>) -> Vec<String> {
+    pub(super) fn look<M: Law>(&mut self, simulation: &Simulation<M>) -> Vec<String> {
         let (system, period) = (simulation.system(), simulation.model().tables().law().lambda_t);
         let id = &system.particles.id;
         let (mut events, mut now) = (Vec::new(), Vec::with_capacity(self.known.len()));
@@ -87,7 +87,7 @@ impl Contacts {
     }
 
     /// Number of pairs in range at the last examination.
-    pub fn count(&self) -> usize {
+    pub(super) fn count(&self) -> usize {
         self.known.len()
     }
 }

@@ -5,7 +5,7 @@ use crate::system::{Domain, Particles};
 
 /// The centres of touching spheres of a radius in a square pyramid that stands on its apex, the lowest sphere at the origin, as wide at its base
 /// as `side`: every sphere lies in a hollow of four of the layer above it, so the faces rise at 54.7 degrees, as those of etched silicon do.
-pub fn pyramid(radius: f64, side: f64) -> Vec<Vec3<f64>> {
+pub(super) fn pyramid(radius: f64, side: f64) -> Vec<Vec3<f64>> {
     let layers = ((side / (2.0 * radius)).round() as i32).max(1);
     let rise = Real::sqrt(2.0) * radius;
     let mut centres = Vec::new();
@@ -19,7 +19,7 @@ pub fn pyramid(radius: f64, side: f64) -> Vec<Vec3<f64>> {
 }
 
 /// How far the tip must be lifted for no sphere of it to come closer to any of the particles than `clearance`.
-pub fn lift(centres: &[Vec3<f64>], radius: f64, particles: &Particles, domain: &Domain, clearance: f64) -> f64 {
+pub(super) fn lift(centres: &[Vec3<f64>], radius: f64, particles: &Particles, domain: &Domain, clearance: f64) -> f64 {
     let nearest = |a: usize, apart: f64| {
         let side = domain.sides[a];
         if domain.periodic[a] { apart - side * (apart / side).round() } else { apart }

@@ -11,7 +11,7 @@ use crate::system::System;
 use serde::{Deserialize, Serialize};
 
 /// The columns of the series.
-pub const COLUMNS: [Column; 8] = [
+pub(super) const COLUMNS: [Column; 8] = [
     MOVED,
     FORCE,
     Column::pure("menisci"),
