@@ -4,7 +4,7 @@ use crate::Vec3;
 use crate::mechanics::kick_and_drift::{drift, kick};
 
 /// Largest modulus of the eigenvalues of a step of the symplectic Euler method of a mass on a spring and a dashpot.
-pub fn spectral_radius(m: f64, k: f64, c: f64, dt: f64) -> f64 {
+pub(crate) fn spectral_radius(m: f64, k: f64, c: f64, dt: f64) -> f64 {
     let along = |x: f64| Vec3::new(x, 0.0, 0.0);
     let step = |x: f64, v: f64| {
         let force = along(-k * x - c * v);

@@ -93,10 +93,16 @@ impl fmt::Display for Error {
             Self::Halted(halt, None) => write!(f, "halted at {halt}"),
             Self::Halted(halt, Some(state)) => write!(f, "halted at {halt}; the state is in {}", state.display()),
             Self::Io(path, cause) => write!(f, "{}: {cause}", path.display()),
-            Self::Stopped(Some(run)) => write!(f, "stopped; resume with `veridem resume {}`", run.display()),
+            Self::Stopped(Some(run)) => write!(f, "stopped; resume with `{} resume {}`", program(), run.display()),
             Self::Stopped(None) => f.write_str("stopped; the same command resumes it"),
         }
     }
+}
+
+/// The name of the running program, which may be that of a paper of one's own.
+fn program() -> String {
+    let path = std::env::args_os().next().unwrap_or_default();
+    Path::new(&path).file_stem().unwrap_or_default().to_string_lossy().into()
 }
 
 impl std::error::Error for Error {}

@@ -25,7 +25,7 @@ impl Shares {
     pub fn count<M: PairModel>(blocks: &[Block<M>], system: &System) -> Self {
         let touching = |block: &Block<M>| -> Vec<[usize; 2]> {
             let ends = |pair: &Touchable| [block.member(pair.i), block.member(pair.j)];
-            let touching = block.touchable.iter().map(ends).filter(|&[i, j]| touch(system, i, j));
+            let touching = block.touchable.iter().map(ends).filter(|&[i, j]| touch(system, i, j, 0.0));
             touching.map(|[(p, _), (q, _)]| [p, q]).collect()
         };
         let touching: Vec<_> = blocks.par_iter().with_max_len(1).map(touching).collect();
@@ -56,11 +56,15 @@ impl Shares {
     }
 }
 
-/// Whether two spheres touch, each given by index and copy.
-fn touch(System { particles, domain, .. }: &System, (p, a): (usize, Image), (q, b): (usize, Image)) -> bool {
+/// Those that touch but for rounding are told what they may stop: the law may see them touch.
+const NEARLY: f64 = 1e-9;
+
+/// Whether two spheres, each given by index and copy, touch, or are apart by less than a share of the sum of their radii.
+fn touch(system: &System, (p, a): (usize, Image), (q, b): (usize, Image), share: f64) -> bool {
+    let System { particles, domain, .. } = system;
     let Particles { x, radius, .. } = particles;
     let branch = x[p] + domain.shift(a) - (x[q] + domain.shift(b));
-    let reach = radius[p] + radius[q];
+    let reach = (radius[p] + radius[q]) * (1.0 + share);
     branch.dot(branch) < reach * reach
 }
 
@@ -75,8 +79,11 @@ impl<M: PairModel> Simulation<M> {
         self.blocks.par_iter_mut().with_max_len(1).for_each(|block| {
             for k in 0..block.touchable.len() {
                 let Touchable { i, j, row, lane } = block.touchable[k];
-                let moment = shares.reduced(system, block.member(i).0, block.member(j).0);
-                block.pairs.change_constants(row, lane, |constants| model.turning(constants, moment));
+                let (i, j) = (block.member(i), block.member(j));
+                if touch(system, i, j, NEARLY) {
+                    let moment = shares.reduced(system, i.0, j.0);
+                    block.pairs.change_constants(row, lane, |constants| model.turning(constants, moment));
+                }
             }
         });
     }

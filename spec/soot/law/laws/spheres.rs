@@ -6,7 +6,7 @@ use crate::mechanics::primary_particle::solid_inertia;
 use crate::mechanics::verlet::{half_step, half_step_start};
 
 /// Solid spheres, of unit mass and radius unless they are given other radii, every pair with the same law.
-pub struct Spheres<const N: usize, S: Reading = Along> {
+pub(super) struct Spheres<const N: usize, S: Reading = Along> {
     pub law: Soot<S>,
     pub bonded: f64,
     pub radii: [f64; N],
@@ -18,10 +18,10 @@ pub struct Spheres<const N: usize, S: Reading = Along> {
 }
 
 /// Of a sphere of unit mass and radius.
-pub const INERTIA: f64 = 0.4;
+pub(super) const INERTIA: f64 = 0.4;
 
 impl<const N: usize, S: Reading> Spheres<N, S> {
-    pub fn new(law: Soot<S>, bonded: f64, x: [Vec3<f64>; N]) -> Self {
+    pub(super) fn new(law: Soot<S>, bonded: f64, x: [Vec3<f64>; N]) -> Self {
         let none = [Vec3::zero(); N];
         Self { law, bonded, radii: [1.0; N], x, v: none, omega: none, springs: vec![Memory::zero(); N * N], lost: 0.0 }
     }
@@ -34,7 +34,7 @@ impl<const N: usize, S: Reading> Spheres<N, S> {
     fn pairs() -> impl Iterator<Item = (usize, usize)> {
         (0..N).flat_map(|i| (0..i).map(move |j| (i, j)))
     }
-    pub fn contact(&self, i: usize, j: usize) -> Contact<f64> {
+    pub(super) fn contact(&self, i: usize, j: usize) -> Contact<f64> {
         Contact::new(
             self.x[i] - self.x[j],
             self.v[i] - self.v[j],
@@ -44,7 +44,7 @@ impl<const N: usize, S: Reading> Spheres<N, S> {
             self.radii[j],
         )
     }
-    pub fn gap(&self) -> f64 {
+    pub(super) fn gap(&self) -> f64 {
         self.contact(1, 0).gap
     }
     /// Forces and torques, the springs advanced by `dt`.
@@ -63,7 +63,7 @@ impl<const N: usize, S: Reading> Spheres<N, S> {
         on
     }
     /// Takes the velocities back by half a step.
-    pub fn start(&mut self, dt: f64) {
+    pub(super) fn start(&mut self, dt: f64) {
         let springs = self.springs.clone();
         for (i, (force, torque)) in self.forces(0.0).into_iter().enumerate() {
             let (m, inertia) = (self.mass(i), self.inertia(i));
@@ -71,7 +71,7 @@ impl<const N: usize, S: Reading> Spheres<N, S> {
         }
         (self.springs, self.lost) = (springs, 0.0);
     }
-    pub fn step(&mut self, dt: f64) {
+    pub(super) fn step(&mut self, dt: f64) {
         assert_eq!(INERTIA, solid_inertia(1.0, 1.0));
         for (i, (force, torque)) in self.forces(dt).into_iter().enumerate() {
             let (m, inertia) = (self.mass(i), self.inertia(i));
@@ -80,7 +80,7 @@ impl<const N: usize, S: Reading> Spheres<N, S> {
         }
     }
     /// Kinetic and stored energy; the former half a step behind.
-    pub fn energy(&self) -> f64 {
+    pub(super) fn energy(&self) -> f64 {
         let twice =
             |i: usize| self.mass(i) * self.v[i].dot(self.v[i]) + self.inertia(i) * self.omega[i].dot(self.omega[i]);
         let kinetic = (0..N).map(|i| 0.5 * twice(i));
@@ -91,10 +91,10 @@ impl<const N: usize, S: Reading> Spheres<N, S> {
         });
         kinetic.sum::<f64>() + stored.sum::<f64>()
     }
-    pub fn momentum(&self) -> Vec3<f64> {
+    pub(super) fn momentum(&self) -> Vec3<f64> {
         (0..N).fold(Vec3::zero(), |sum, i| sum + self.v[i] * self.mass(i))
     }
-    pub fn angular_momentum(&self) -> Vec3<f64> {
+    pub(super) fn angular_momentum(&self) -> Vec3<f64> {
         (0..N).fold(Vec3::zero(), |sum, i| {
             sum + self.x[i].cross(self.v[i]) * self.mass(i) + self.omega[i] * self.inertia(i)
         })
