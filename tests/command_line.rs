@@ -35,7 +35,7 @@ fn the_schema_lists_every_key_with_its_meaning_and_default() {
         listed
             .contains("# Young's modulus E. Expects a pressure such as `73 GPa`. Required.\n    young_modulus: ...\n")
     );
-    assert!(listed.contains("# Seed of every random stream. Expects a whole number.\nseed: 1\n"));
+    assert!(listed.contains("# Seed of all random streams. Expects a whole number.\nseed: 1\n"));
 }
 
 #[test]
