@@ -1,6 +1,6 @@
 //! A contact law of your own: a spring without damping or friction between spheres that overlap.
 //!
-//!     cargo run --release --example own_law
+//!     cargo run --example own_law
 //!
 //! The law is written once, over any number [`Real`], and without branches: the engine evaluates several pairs at once with it.
 

@@ -1,7 +1,7 @@
 //! An observer of your own for a case of a paper: the coated aggregate of Demidov, Gor & Khalizov (2024) restructures, and the number of its contacts
 //! under tension is counted, which is not a column of `series.csv`.
 //!
-//!     cargo run --release --example own_observer
+//!     cargo run --example own_observer
 
 use std::error::Error;
 use std::ops::ControlFlow;

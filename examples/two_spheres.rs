@@ -1,6 +1,6 @@
 //! Two silica spheres collide under the wear law of Pham-Ba & Molinari (2022).
 //!
-//!     cargo run --release --example two_spheres
+//!     cargo run --example two_spheres
 
 use std::error::Error;
 use veridem::run::advance_until;

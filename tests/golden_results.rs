@@ -1,10 +1,12 @@
-//! Are results the same text as in `golden/results`, over all instruction sets and for one and two threads?
+//! Are results the same text as in `golden/results`, over all instruction sets and for one and two threads, and does time never go back?
 
 mod common;
 
 use common::instruction_sets;
 use std::path::Path;
 use veridem::interrupt::Interrupt;
+use veridem::output::columns::TIME;
+use veridem::output::{RunFolder, Series};
 use veridem::papers::PAPERS;
 
 /// Compares a case of `tests/cases/good` with its golden results.
@@ -22,7 +24,10 @@ fn results_are_golden(case: &str) {
                 job.instructions = Some(instructions);
                 job.launch(&run, false, &Interrupt::default(), &mut |_| {}).map(drop).expect("a run to the end");
             });
-            let results = std::fs::read_to_string(run.join("results.yaml")).expect("results");
+            let folder = RunFolder::open(&run).expect("a run folder");
+            let times = Series::read(&folder).expect("a series").curve("", TIME, TIME);
+            assert!(times.is_sorted_by(|a, b| a.0 <= b.0), "{case}: time goes back from one stage to the next");
+            let results = std::fs::read_to_string(folder.results()).expect("results");
             let what = format!("{case}, {instructions:?}, {threads} threads");
             for (line, (is, expected)) in results.lines().zip(golden.lines()).enumerate() {
                 assert_eq!(is, expected, "{what}: line {}", line + 1);

@@ -3,6 +3,11 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use std::time::Duration;
+use veridem::error::Error;
+use veridem::interrupt::Interrupt;
+use veridem::output::{Manifest, RunFolder, Status};
+use veridem::papers::PAPERS;
 
 fn veridem(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_veridem")).arg("--quiet").args(arguments).output().unwrap()
@@ -161,4 +166,21 @@ fn a_run_is_not_resumed_with_another_case_or_another_file() {
     let case = std::fs::read_to_string(place.path().join("run/tip/case.yaml")).unwrap();
     write("run/tip/case.yaml", &case.replace("spheres: 10", "spheres: 11"));
     assert_eq!(resume("5"), (Some(65), "run/tip/case.yaml: has changed since the run was started\n".into()));
+}
+
+#[test]
+fn an_interruption_while_the_sample_is_built_leaves_a_run_to_resume() {
+    for name in ["soot-short", "titania-film"] {
+        let place = tempfile::tempdir().unwrap();
+        let [whole, parts] = ["whole", "parts"].map(|run| place.path().join(run));
+        let job = PAPERS.read(Path::new(&case(name))).unwrap();
+        let over = Interrupt::lasting(Duration::ZERO);
+        let stopped = job.launch(&parts, false, &over, &mut |_| {}).map(drop).unwrap_err();
+        assert!(matches!(&stopped, Error::Stopped(Some(run)) if *run == parts), "{name}: {stopped}");
+        assert_eq!(Manifest::read(&RunFolder::open(&parts).unwrap()).unwrap().status, Status::Stopped);
+        let resumed = veridem(&["resume", &parts.display().to_string()]);
+        assert!(resumed.status.success(), "{name}: {}", String::from_utf8_lossy(&resumed.stderr));
+        job.launch(&whole, false, &Interrupt::default(), &mut |_| {}).unwrap();
+        assert_same(&whole, &parts, name);
+    }
 }
