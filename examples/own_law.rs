@@ -59,12 +59,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     let spheres = System::builder()
         .sphere([0.0, 0.0, 0.0], 5.0, 1.0)
         .velocity([1.0, 0.0, 0.0])
-        .sphere([10.5, 0.0, 0.0], 5.0, 1.0)
+        .sphere([10.3, 0.0, 0.0], 5.0, 1.0)
         .velocity([-1.0, 0.0, 0.0])
         .build()?;
     let mut simulation = Simulation::new(Linear { k_n: 100.0 }, spheres, Settings::new(1e-3).skin(1.0))?;
     println!("   time [ns]  overlap [nm]  kinetic [zJ]  spring [zJ]  residual [zJ]");
-    for _ in 0..9 {
+    for _ in 0..12 {
         let ledger = simulation.ledger();
         println!(
             "{:12.3} {:13.4} {:13.4} {:12.4} {:14.1e}",
@@ -74,7 +74,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             ledger.stored[0],
             ledger.physical_residual(),
         );
-        advance(&mut simulation, 80)?;
+        advance(&mut simulation, 40)?;
     }
     Ok(())
 }

@@ -17,7 +17,7 @@ const CASE: &str = "
 title: A small coated aggregate
 model: {soot: {}}
 sample: {aggregate: {spheres: 40}}
-experiment: {restructuring: {duration: 1 ns, dt: 20 fs}}
+experiment: {restructuring: {duration: 0.5 ns, dt: 5 fs}}
 ";
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -5,7 +5,10 @@
 use std::error::Error;
 use veridem::run::advance_until;
 use veridem::simulation::{Settings, Simulation};
+use veridem::spec::PairModel;
+use veridem::spec::mechanics::reduced_mass::effective_mass;
 use veridem::spec::mechanics::sphere::sphere_mass;
+use veridem::spec::wear::a42_restitution::pair_restitution;
 use veridem::spec::wear::law::{Interaction, Material, Wear};
 use veridem::system::System;
 
@@ -43,6 +46,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("largest overlap            {largest:.4} nm");
     println!("apart again after          {:.4} ns", system.time);
     println!("coefficient of restitution {:.4}", system.particles.v[1].0[0] / 5.0);
+    // The paper takes the damping for the stated restitution from an approximation, Eq. A.43.
+    let k = law.coefficients(radius, radius, mass, mass);
+    println!("the same by Eq. A.42       {:.4}", pair_restitution(k.k_n, effective_mass(mass, mass), k.c_n));
     println!("energy lost to damping     {:.4} zJ of {:.4}", ledger.lost(), ledger.kinetic_at_start);
     Ok(())
 }
