@@ -169,6 +169,8 @@ macro_rules! flat_struct {
 }
 
 /// A contact model: the interaction of two spheres.
+///
+/// Units are those of SI here; any consistent system will do. The engine calls it with nm, ag and ns, hence pN and zJ.
 pub trait PairModel: Sync {
     /// What stays constant while two spheres are neighbours.
     type Coefficients<R: Real>: Flat<R>;

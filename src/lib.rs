@@ -39,7 +39,7 @@
 //! ([`output`]), into memory ([`run::Memory`]) or in a closure ([`run::Each`]).
 //!
 //! The programs in `examples/` show each of these: `two_spheres`, `own_law`, `own_observer`, `own_paper`. The feature `cli` adds the command line, reports and the
-//! claims of the papers, `verify` the number types that check the equations; the library builds without both.
+//! claims of the papers, `verify` the number types that check the equations; the library builds without either.
 
 pub mod case;
 #[cfg(feature = "cli")]

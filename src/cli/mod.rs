@@ -79,7 +79,7 @@ impl OutputMode {
     /// Prints a message to the user.
     pub fn say(self, message: impl AsRef<str>) {
         if !self.quiet {
-            eprintln!("{}", message.as_ref());
+            complain(message.as_ref());
         }
     }
 }
@@ -94,7 +94,7 @@ pub fn main(papers: Papers) -> ExitCode {
     let matches = command(papers).get_matches();
     let command_line = CommandLine::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
     std::panic::set_hook(Box::new(|panic| {
-        eprintln!("broken invariant: {panic}");
+        complain(&format!("broken invariant: {panic}"));
         std::process::exit(70);
     }));
     let manner = OutputMode { json: command_line.json, quiet: command_line.quiet };
@@ -119,10 +119,16 @@ pub fn main(papers: Papers) -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("{error}");
+            complain(&error.to_string());
             error.exit_code().into()
         }
     }
+}
+
+/// Writes a line to standard error; nobody need read it.
+pub(crate) fn complain(text: &str) {
+    use std::io::Write;
+    let _ = writeln!(std::io::stderr(), "{text}");
 }
 
 /// Writes to standard output; a closed pipe is not an error.

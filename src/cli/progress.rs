@@ -56,7 +56,10 @@ impl Progress {
         } else if taken > 0.0 && self.written.is_none_or(|at| at.elapsed() >= PAUSE) {
             self.written = Some(Instant::now());
             let left = each * (state.steps - state.step) as f64;
-            eprintln!("{} {}/{}, at most {left:.0} s left, {message}", state.stage, state.step, state.steps);
+            super::complain(&format!(
+                "{} {}/{}, at most {left:.0} s left, {message}",
+                state.stage, state.step, state.steps
+            ));
         }
     }
 

@@ -3,7 +3,7 @@
 use std::fmt;
 
 /// When and why a simulation halted.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct Halt {
     /// The step that failed.
     pub step: u64,
@@ -48,6 +48,20 @@ pub enum Reason {
         /// Id of the sphere that sets it.
         particle: u32,
     },
+    /// A setting with which no simulation can be advanced.
+    Setting {
+        /// Its name.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+        /// The values that it may have.
+        expected: &'static str,
+    },
+    /// A neck joins a sphere that does not exist.
+    NoSphere {
+        /// Its id.
+        particle: u32,
+    },
     /// Two spheres joined by a neck belong to the same rigid body or wall.
     Neck {
         /// Ids of the spheres.
@@ -76,11 +90,22 @@ impl fmt::Display for Halt {
             Reason::TimeStep { dt, limit, particle } => {
                 write!(f, "time step {dt} ns is not below the stability limit {limit} ns of particle {particle}")
             }
+            Reason::Setting { name, value, expected } => {
+                write!(f, "the setting `{name}` is {value}, expected {expected}")
+            }
+            Reason::NoSphere { particle } => write!(f, "a neck joins particle {particle}, which does not exist"),
             Reason::Neck { pair: (i, j) } => {
                 write!(f, "particles {i} and {j} are joined by a neck but belong to the same rigid body or wall")
             }
             Reason::TooManyNeighbours { particle } => write!(f, "particle {particle} has too many neighbours"),
         }
+    }
+}
+
+/// As it is displayed: `main` prints an error so.
+impl fmt::Debug for Halt {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
     }
 }
 

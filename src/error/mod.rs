@@ -38,7 +38,6 @@ impl fmt::Display for Problem {
 }
 
 /// The reason why a command failed.
-#[derive(Debug)]
 pub enum Error {
     /// The input is wrong; nothing was written.
     Input(Vec<Problem>),
@@ -103,6 +102,13 @@ impl fmt::Display for Error {
 fn program() -> String {
     let path = std::env::args_os().next().unwrap_or_default();
     Path::new(&path).file_stem().unwrap_or_default().to_string_lossy().into()
+}
+
+/// As it is displayed: `main` prints an error so.
+impl fmt::Debug for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
 }
 
 impl std::error::Error for Error {}

@@ -42,7 +42,7 @@ impl System {
 }
 
 impl Builder {
-    /// The box; without one it is just large enough for the spheres, and not periodic.
+    /// The box; without one it has the extent of the spheres, and is not periodic.
     pub fn domain(mut self, domain: Domain) -> Self {
         self.domain = Some(domain);
         self
@@ -74,7 +74,7 @@ impl Builder {
         self
     }
 
-    /// Joins two spheres by a neck.
+    /// Joins two spheres by a neck. A model without necks ignores it.
     pub fn neck(mut self, i: u32, j: u32) -> Self {
         self.necks.push((i.min(j), i.max(j)));
         self
@@ -103,7 +103,7 @@ impl Builder {
     /// # Errors
     ///
     /// All that is wrong with it: no sphere; a radius, mass or side that is not positive; a position, velocity or spin that is not finite; two spheres in one
-    /// place; a neck, body or wall of spheres that do not exist, or share a body or wall with others.
+    /// place; a wall whose motion is not finite; a neck, body or wall of spheres that do not exist, or share a body or wall with others.
     pub fn build(mut self) -> Result<System, Error> {
         let problems = self.problems();
         if !problems.is_empty() {
@@ -152,8 +152,9 @@ impl Builder {
                     wrong(sphere(), format!("its {name} is {:?}, expected finite numbers", u.0));
                 }
             }
+            let x = self.domain.map_or(particles.x[p], |domain| domain.folded(particles.x[p]));
             // Adding zero makes one zero of the two.
-            if !places.insert(particles.x[p].0.map(|a| (a + 0.0).to_bits())) {
+            if !places.insert(x.0.map(|a| (a + 0.0).to_bits())) {
                 wrong(sphere(), "its centre coincides with the centre of another sphere".into());
             }
         }
@@ -168,6 +169,9 @@ impl Builder {
                 for &id in members {
                     match of.get_mut(id as usize) {
                         None => wrong.push((key(), no_sphere(id, particles))),
+                        Some(Some(other)) if *other == number => {
+                            wrong.push((key(), format!("sphere {id} is given twice")))
+                        }
                         Some(Some(other)) => {
                             wrong.push((key(), format!("sphere {id} belongs to {name} {other} already")))
                         }
@@ -181,6 +185,18 @@ impl Builder {
         problems.into_iter().for_each(|(key, what)| wrong(key, what));
         let (wall, problems) = groups("wall", self.walls.iter().map(|wall| wall.0.as_slice()).collect());
         problems.into_iter().for_each(|(key, what)| wrong(key, what));
+        for (number, (_, motion)) in self.walls.iter().enumerate() {
+            let makes_sense = |motion: &Motion| match *motion {
+                Motion::Velocity(value) | Motion::Load(value) => value.is_finite(),
+                Motion::Return { speed, turn } => speed.is_finite() && turn > 0.0,
+            };
+            for motion in motion.iter().filter(|motion| !makes_sense(motion)) {
+                wrong(
+                    format!("wall {number}"),
+                    format!("its motion is {motion:?}, expected finite numbers and a positive duration"),
+                );
+            }
+        }
         let there = |id: &u32| (*id as usize) < particles.len();
         for (number, members) in self.bodies.iter().enumerate() {
             let key = || format!("body {number}");
@@ -228,10 +244,13 @@ fn no_sphere(id: u32, particles: &Particles) -> String {
     format!("there is no sphere {id}, expected an id below {}", particles.len())
 }
 
-/// The box from the origin to the farthest point of the spheres.
+/// A box with the extent of the spheres.
 fn bounds(particles: &Particles) -> Domain {
-    let reach = |a: usize| (0..particles.len()).map(|p| particles.x[p].0[a] + particles.radius[p]).fold(1.0, f64::max);
-    Domain { sides: std::array::from_fn(reach), periodic: [false; 3] }
+    let spheres = 0..particles.len();
+    let end = |a: usize, sign: f64| {
+        spheres.clone().map(|p| sign * particles.x[p].0[a] + particles.radius[p]).fold(f64::NEG_INFINITY, f64::max)
+    };
+    Domain { sides: std::array::from_fn(|a| end(a, 1.0) + end(a, -1.0)), periodic: [false; 3] }
 }
 
 #[cfg(test)]
@@ -275,6 +294,23 @@ mod tests {
         );
         let half = three().body(&[0, 1]).wall(&[1], [Motion::Velocity(0.0); 3]);
         assert_eq!(problems(half), ["body 0: only one of the spheres 0 and 1 belongs to a wall, expected all or none"]);
+    }
+
+    #[test]
+    fn spheres_that_coincide_across_a_period_and_walls_without_a_speed_are_refused() {
+        let periodic = System::builder().domain(Domain::periodic([50.0; 3])).sphere([0.0; 3], 1.0, 1.0);
+        let twice = "sphere 1: its centre coincides with the centre of another sphere";
+        assert_eq!(problems(periodic.sphere([50.0, 0.0, 0.0], 1.0, 1.0)), [twice]);
+        let motion = [Motion::Velocity(0.0), Motion::Velocity(f64::NAN), Motion::Velocity(0.0)];
+        let expected = "wall 0: its motion is Velocity(NaN), expected finite numbers and a positive duration";
+        assert_eq!(problems(three().wall(&[0], motion)), [expected]);
+        assert_eq!(problems(three().body(&[0, 0])), ["body 0: sphere 0 is given twice"]);
+    }
+
+    #[test]
+    fn without_a_box_there_is_one_of_the_extent_of_the_spheres() {
+        let system = System::builder().sphere([-100.0, 0.0, 5.0], 1.0, 1.0).sphere([-97.0, 0.0, 5.0], 2.0, 1.0).build();
+        assert_eq!(system.expect("spheres").domain.sides, [6.0, 4.0, 4.0]);
     }
 
     #[test]

@@ -222,7 +222,7 @@ impl<'a, S: Study> Driver<'a, S> {
 ///
 /// If the simulation leaves its domain.
 pub fn advance<M: PairModel>(simulation: &mut Simulation<M>, steps: u64) -> Result<(), Halt> {
-    let last = simulation.system().step + steps;
+    let last = simulation.system().step.saturating_add(steps);
     advance_until(simulation, |simulation| simulation.system().step == last)
 }
 

@@ -93,6 +93,8 @@ impl<S: Study> Runnable for S {
         let inputs = job.inputs()?;
         // Errors in the input are found before anything is written.
         let initial = match self.initial(interrupt) {
+            // A run that is to be replaced is worth more than one that has not begun.
+            Err(Error::Stopped(_)) if replace && RunFolder::open(root).is_ok() => return Err(Error::Stopped(None)),
             Err(Error::Stopped(_)) => {
                 let (folder, mut manifest) = job.make_folder(root, replace, inputs)?;
                 manifest.end(&folder, Status::Stopped)?;
@@ -118,7 +120,8 @@ impl<S: Study> Runnable for S {
     ) -> Result<Vec<Finding>, Error> {
         let mut driver = Driver::new(self, interrupt).using(job.instructions);
         if folder.checkpoints().is_empty()? {
-            let initial = self.initial(interrupt)?;
+            unchanged(&job.reads, &manifest)?;
+            let initial = self.initial(interrupt).map_err(|error| located(error, &job.file, &job.text))?;
             manifest.resume();
             manifest.write(folder)?;
             return job.conclude(folder, manifest, || {

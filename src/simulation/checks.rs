@@ -1,8 +1,9 @@
 //! The checks of every step.
 
-use super::Simulation;
+use super::{Settings, Simulation};
 use crate::error::{Halt, Reason};
 use crate::spec::{PairModel, Vec3};
+use std::collections::BTreeSet;
 
 impl<M: PairModel> Simulation<M> {
     pub(super) fn halt(&self, reason: Reason) -> Halt {
@@ -20,7 +21,32 @@ impl<M: PairModel> Simulation<M> {
             .fold((f64::INFINITY, 0), |least, limit| if limit.0 < least.0 { limit } else { least })
     }
 
-    pub(super) fn check_time_step(&self) -> Result<(), Halt> {
+    /// Settings that comparisons in the step loop take for granted.
+    pub(super) fn check_settings(&self) -> Result<(), Halt> {
+        let Settings { dt, damping, skin, max_overlap, far_every, .. } = self.settings;
+        let (finite, positive) = ("a finite number, 0 or more", "a positive number");
+        for (name, value, holds, expected) in [
+            ("dt", dt, dt > 0.0, positive),
+            ("damping", damping, damping >= 0.0 && damping.is_finite(), finite),
+            ("skin", skin, skin >= 0.0 && skin.is_finite(), finite),
+            ("max_overlap", max_overlap, max_overlap > 0.0, positive),
+            ("far_every", far_every as f64, far_every > 0, "1 or more"),
+        ] {
+            if !holds {
+                return Err(self.halt(Reason::Setting { name, value, expected }));
+            }
+        }
+        self.check_time_step()
+    }
+
+    /// Whether all necks join spheres of the system.
+    pub(super) fn check_necks(&self) -> Result<(), Halt> {
+        let ids: BTreeSet<u32> = self.system.particles.id.iter().copied().collect();
+        let stranger = self.system.necks.iter().flat_map(|&(i, j)| [i, j]).find(|id| !ids.contains(id));
+        stranger.map_or(Ok(()), |particle| Err(self.halt(Reason::NoSphere { particle })))
+    }
+
+    fn check_time_step(&self) -> Result<(), Halt> {
         let (limit, particle) = self.critical_time_step();
         let dt = self.settings.dt;
         if dt < limit { Ok(()) } else { Err(self.halt(Reason::TimeStep { dt, limit, particle })) }

@@ -61,7 +61,7 @@ impl<M: PairModel> Simulation<M> {
     ///
     /// # Errors
     ///
-    /// If the time step is too large, or a neck joins spheres of one body or wall.
+    /// If the time step is too large, another setting makes no sense, or a neck joins a sphere that does not exist, or two of one body or wall.
     pub fn new(model: M, mut system: System, settings: Settings) -> Result<Self, Halt> {
         let springs = std::mem::take(&mut system.springs);
         let listed = Listed { x: Vec::new(), sides: system.domain.sides, poses: Vec::new(), moving: 0 };
@@ -81,7 +81,8 @@ impl<M: PairModel> Simulation<M> {
             held: VerletState::default(),
             system,
         };
-        simulation.check_time_step()?;
+        simulation.check_settings()?;
+        simulation.check_necks()?;
         simulation.list_neighbours(&springs)?;
         simulation.open_ledger();
         if settings.integrator == Integrator::VelocityVerlet {

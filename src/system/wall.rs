@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 pub enum Motion {
     /// Moves at this velocity, m/s, whatever acts on it.
     Velocity(f64),
-    /// Is pushed by this force, pN, besides its spheres' neighbours, and moves as one body of its mass.
+    /// Is pushed by this force, pN, in addition to the forces of neighbouring spheres, and moves as one body of its mass.
     Load(f64),
     /// Prescribed approach along the axis, reversal and retraction.
     Return {
@@ -28,7 +28,7 @@ pub struct Wall {
     pub velocity: Vec3<f64>,
     /// Its mass, ag.
     pub mass: f64,
-    /// At which each of its spheres turns about its own centre, whatever acts on it, 1/ns.
+    /// The angular velocity of each of its spheres about its own centre, whatever acts on it, 1/ns.
     pub spin: Vec3<f64>,
     /// The force of the other spheres on it in the last step, pN.
     pub force: Vec3<f64>,
