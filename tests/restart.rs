@@ -184,3 +184,16 @@ fn an_interruption_while_the_sample_is_built_leaves_a_run_to_resume() {
         assert_same(&whole, &parts, name);
     }
 }
+
+#[test]
+fn a_record_shorter_than_its_checkpoint_leaves_the_run_as_it_was() {
+    let place = tempfile::tempdir().unwrap();
+    let run = place.path().join("run");
+    let out = place.path().display().to_string();
+    let stopped = veridem(&["run", &case("titania-pair"), "--out", &out, "--name", "run", "--stop-after-steps", "300"]);
+    assert_eq!(stopped.status.code(), Some(75), "{}", String::from_utf8_lossy(&stopped.stderr));
+    std::fs::write(run.join("series.csv"), "").unwrap();
+    let refused = veridem(&["resume", &run.display().to_string()]);
+    assert!(!refused.status.success(), "there is nothing to append to");
+    assert_eq!(Manifest::read(&RunFolder::open(&run).unwrap()).unwrap().status, Status::Stopped);
+}

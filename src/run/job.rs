@@ -131,10 +131,11 @@ impl<S: Study> Runnable for S {
         }
         let State { stage, dt, damping, skin, snapshot, watch, run, length } = folder.checkpoints().latest()?;
         unchanged(&self.reads_after(stage), &manifest)?;
+        // A record that is shorter than its checkpoint says leaves the run as it is.
+        let mut sink = Recorder::resume(folder, &job.output, length, show)?;
         manifest.resume();
         manifest.write(folder)?;
         job.conclude(folder, manifest, || {
-            let mut sink = Recorder::resume(folder, &job.output, length, show)?;
             let settings = Settings { dt, damping, skin, ..driver.settings(stage, snapshot.system()) };
             let simulation = Simulation::resume(self.model(stage), settings, snapshot)?;
             let stage = driver.stage(stage, simulation, watch);
