@@ -29,9 +29,9 @@ impl Interrupt {
         Ok(Self { signal, deadline: time.map(|time| Instant::now() + time), steps })
     }
 
-    /// Stops after `time` of the wall clock, and leaves signals alone.
-    pub fn lasting(time: Duration) -> Self {
-        Self { deadline: Some(Instant::now() + time), ..Self::default() }
+    /// The same wish, and to stop after `time` of the wall clock.
+    pub fn within(&self, time: Duration) -> Self {
+        Self { deadline: Some(Instant::now() + time), ..self.clone() }
     }
 
     /// Whether to stop now, after this many steps of this process.

@@ -174,7 +174,7 @@ fn an_interruption_while_the_sample_is_built_leaves_a_run_to_resume() {
         let place = tempfile::tempdir().unwrap();
         let [whole, parts] = ["whole", "parts"].map(|run| place.path().join(run));
         let job = PAPERS.read(Path::new(&case(name))).unwrap();
-        let over = Interrupt::lasting(Duration::ZERO);
+        let over = Interrupt::default().within(Duration::ZERO);
         let stopped = job.launch(&parts, false, &over, &mut |_| {}).map(drop).unwrap_err();
         assert!(matches!(&stopped, Error::Stopped(Some(run)) if *run == parts), "{name}: {stopped}");
         assert_eq!(Manifest::read(&RunFolder::open(&parts).unwrap()).unwrap().status, Status::Stopped);

@@ -45,9 +45,10 @@ pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> 
     let stem = arguments.case.file_stem().unwrap_or_default();
     let out = arguments.out.clone().unwrap_or_else(|| Path::new("run").join(stem));
     std::fs::create_dir_all(&out).at(&out)?;
+    let interrupt = Interrupt::new(None, None).map_err(|cause| Error::Io("signal handler".into(), cause))?;
     let mut tried = None;
     if !manner.quiet {
-        let (estimate, point) = estimate(&points, &out, &read)?;
+        let (estimate, point) = estimate(&points, &out, &interrupt, &read)?;
         manner.say(estimate);
         tried = point.map(|point| &point.name);
     }
@@ -55,7 +56,6 @@ pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> 
     let style = ProgressStyle::with_template("{bar:24} {pos}/{len} runs, {eta} left");
     bar.set_style(style.expect("the template is well formed"));
     let failures = Mutex::new(Vec::new());
-    let interrupt = Interrupt::new(None, None).map_err(|cause| Error::Io("signal handler".into(), cause))?;
     carry_out(&points, &out, &interrupt, &read, &|point, outcome| {
         let failed = outcome.is_err();
         let outcome = match outcome {
@@ -85,7 +85,12 @@ pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> 
 
 /// Runs the first new combination for a moment, on one core, and returns an estimate of the total time, and the name of the
 /// combination. Nothing is lost: the run is resumed later.
-fn estimate<'a>(points: &'a [Point], out: &Path, read: Reader) -> Result<(String, Option<&'a Point>), Error> {
+fn estimate<'a>(
+    points: &'a [Point],
+    out: &Path,
+    interrupt: &Interrupt,
+    read: Reader,
+) -> Result<(String, Option<&'a Point>), Error> {
     let workers = rayon::current_num_threads();
     let new: Vec<&Point> = points.iter().filter(|point| !out.join(&point.name).exists()).collect();
     let Some(&point) = new.first() else { return Ok((format!("{} runs, all started before", points.len()), None)) };
@@ -101,7 +106,7 @@ fn estimate<'a>(points: &'a [Point], out: &Path, read: Reader) -> Result<(String
     let one = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
     let ended = one.install(|| {
         let job = read(&point.write(out)?, &point.text)?;
-        job.launch(&out.join(&point.name), false, &Interrupt::lasting(TRIAL), &mut show)
+        job.launch(&out.join(&point.name), false, &interrupt.within(TRIAL), &mut show)
     });
     let (each, what) = match (ended, pace) {
         (Ok(_), _) => (begun.elapsed(), String::new()),
