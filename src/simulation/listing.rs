@@ -155,6 +155,7 @@ impl<M: PairModel> Simulation<M> {
         )
         .map_err(|reason| self.halt(reason))?;
         self.far_known = false;
+        self.shared = None;
         self.load_table = LoadTable::find(particles, self.listed.moving, self.system.bodies.len(), &self.blocks);
         self.on_walls = forces::places(&self.blocks)
             .filter_map(|(p, block, place)| Some((particles.wall[p].checked_sub(1)?, block, place)))

@@ -29,6 +29,7 @@ use crate::spec::{PairModel, Vec3};
 use crate::system::System;
 use listing::Listed;
 use rayon::prelude::*;
+use shares::Shares;
 use verlet::VerletState;
 
 /// A system under a contact model.
@@ -47,6 +48,8 @@ pub struct Simulation<M: PairModel> {
     reach: f64,
     /// Whether the far pairs have been evaluated since the last rebuild of the neighbour list.
     far_known: bool,
+    /// The counts by which contacts have their shares of moments of inertia; none before the first evaluation of a neighbour list.
+    shared: Option<Shares>,
     /// Rates of strain of the sides, 1/ns.
     box_rate: [f64; 3],
     momentum_flux: [f64; 3],
@@ -74,6 +77,7 @@ impl<M: PairModel> Simulation<M> {
             listed,
             reach: 0.0,
             far_known: false,
+            shared: None,
             box_rate: [0.0; 3],
             momentum_flux: [0.0; 3],
             stress: [0.0; 3],

@@ -11,6 +11,7 @@ use crate::system::{Image, Particles, System};
 use rayon::prelude::*;
 
 /// Number of contacts of each single sphere and of each body.
+#[derive(PartialEq)]
 pub(super) struct Shares {
     contacts: Vec<u32>,
 }
@@ -25,7 +26,7 @@ impl Shares {
     pub(super) fn count<M: PairModel>(blocks: &[Block<M>], system: &System) -> Self {
         let touching = |block: &Block<M>| -> Vec<[usize; 2]> {
             let ends = |pair: &Touchable| [block.member(pair.i), block.member(pair.j)];
-            let touching = block.touchable.iter().map(ends).filter(|&[i, j]| touch(system, i, j, 0.0));
+            let touching = block.touchable.iter().map(ends).filter(|&[i, j]| touch(system, i, j));
             touching.map(|[(p, _), (q, _)]| [p, q]).collect()
         };
         let touching: Vec<_> = blocks.par_iter().with_max_len(1).map(touching).collect();
@@ -56,15 +57,11 @@ impl Shares {
     }
 }
 
-/// Those that touch but for rounding are told what they may stop: the law may see them touch.
-const NEARLY: f64 = 1e-9;
-
-/// Whether two spheres, each given by index and copy, touch, or are apart by less than a share of the sum of their radii.
-fn touch(system: &System, (p, a): (usize, Image), (q, b): (usize, Image), share: f64) -> bool {
-    let System { particles, domain, .. } = system;
+/// Whether two spheres touch, each given by index and copy.
+fn touch(System { particles, domain, .. }: &System, (p, a): (usize, Image), (q, b): (usize, Image)) -> bool {
     let Particles { x, radius, .. } = particles;
     let branch = x[p] + domain.shift(a) - (x[q] + domain.shift(b));
-    let reach = (radius[p] + radius[q]) * (1.0 + share);
+    let reach = radius[p] + radius[q];
     branch.dot(branch) < reach * reach
 }
 
@@ -75,17 +72,19 @@ impl<M: PairModel> Simulation<M> {
             return;
         }
         let shares = Shares::count(&self.blocks, &self.system);
+        // A contact that comes or goes changes the count of its spheres.
+        if self.shared.as_ref() == Some(&shares) {
+            return;
+        }
         let (model, system) = (&self.model, &self.system);
         self.blocks.par_iter_mut().with_max_len(1).for_each(|block| {
             for k in 0..block.touchable.len() {
                 let Touchable { i, j, row, lane } = block.touchable[k];
-                let (i, j) = (block.member(i), block.member(j));
-                if touch(system, i, j, NEARLY) {
-                    let moment = shares.reduced(system, i.0, j.0);
-                    block.pairs.change_constants(row, lane, |constants| model.turning(constants, moment));
-                }
+                let moment = shares.reduced(system, block.member(i).0, block.member(j).0);
+                block.pairs.change_constants(row, lane, |constants| model.turning(constants, moment));
             }
         });
+        self.shared = Some(shares);
     }
 
     /// The shares of the pairs as they will be in the next step.

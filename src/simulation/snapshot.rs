@@ -77,6 +77,7 @@ impl<M: PairModel> Simulation<M> {
             listed,
             reach,
             far_known,
+            shared: None,
             box_rate,
             momentum_flux,
             stress,
