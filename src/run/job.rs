@@ -9,6 +9,7 @@ use crate::forces::Instructions;
 use crate::interrupt::Interrupt;
 use crate::output::{Finding, Manifest, RunFolder, Status, sha256_file, write_atomically};
 use crate::simulation::{Settings, Simulation};
+use crate::system::System;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -103,10 +104,7 @@ impl<S: Study> Runnable for S {
             initial => initial.map_err(|error| located(error, &job.file, &job.text))?,
         };
         let (folder, manifest) = job.make_folder(root, replace, inputs)?;
-        let findings = job.conclude(&folder, manifest, || {
-            let mut sink = Recorder::begin(self, &folder, &job.output, show)?;
-            Ok(Driver::new(self, interrupt).using(job.instructions).run_from(initial, &mut sink)?.findings)
-        })?;
+        let findings = from_the_beginning(self, job, &folder, manifest, initial, interrupt, show)?;
         Ok((folder, findings))
     }
 
@@ -118,17 +116,14 @@ impl<S: Study> Runnable for S {
         interrupt: &Interrupt,
         show: &mut dyn FnMut(RunProgress),
     ) -> Result<Vec<Finding>, Error> {
-        let mut driver = Driver::new(self, interrupt).using(job.instructions);
         if folder.checkpoints().is_empty()? {
             unchanged(&job.reads, &manifest)?;
             let initial = self.initial(interrupt).map_err(|error| located(error, &job.file, &job.text))?;
             manifest.resume();
             manifest.write(folder)?;
-            return job.conclude(folder, manifest, || {
-                let mut sink = Recorder::begin(self, folder, &job.output, show)?;
-                Ok(driver.run_from(initial, &mut sink)?.findings)
-            });
+            return from_the_beginning(self, job, folder, manifest, initial, interrupt, show);
         }
+        let mut driver = Driver::new(self, interrupt).using(job.instructions);
         let State { stage, dt, damping, skin, snapshot, watch, run, length } = folder.checkpoints().latest()?;
         unchanged(&self.reads_after(stage), &manifest)?;
         // A record that is shorter than its checkpoint says leaves the run as it is.
@@ -142,6 +137,22 @@ impl<S: Study> Runnable for S {
             Ok(driver.resume(stage, run, &mut sink)?.findings)
         })
     }
+}
+
+/// Runs all stages in a folder, and concludes the run.
+fn from_the_beginning<S: Study>(
+    study: &S,
+    job: &Job,
+    folder: &RunFolder,
+    manifest: Manifest,
+    initial: System,
+    interrupt: &Interrupt,
+    show: &mut dyn FnMut(RunProgress),
+) -> Result<Vec<Finding>, Error> {
+    job.conclude(folder, manifest, || {
+        let mut sink = Recorder::begin(study, folder, &job.output, show)?;
+        Ok(Driver::new(study, interrupt).using(job.instructions).run_from(initial, &mut sink)?.findings)
+    })
 }
 
 impl Job {

@@ -41,6 +41,9 @@ impl<M: PairModel> Simulation<M> {
 
     /// Whether all necks join spheres of the system.
     pub(super) fn check_necks(&self) -> Result<(), Halt> {
+        if self.system.necks.is_empty() {
+            return Ok(());
+        }
         let ids: BTreeSet<u32> = self.system.particles.id.iter().copied().collect();
         let stranger = self.system.necks.iter().flat_map(|&(i, j)| [i, j]).find(|id| !ids.contains(id));
         stranger.map_or(Ok(()), |particle| Err(self.halt(Reason::NoSphere { particle })))

@@ -4,7 +4,7 @@ use super::Simulation;
 use crate::error::Halt;
 use crate::forces;
 use crate::spec::{Flat, PairModel};
-use crate::system::{Bond, Springs};
+use crate::system::{Bond, Image, Springs};
 use std::collections::{BTreeMap, BTreeSet};
 
 impl<M: PairModel> Simulation<M> {
@@ -38,9 +38,8 @@ impl<M: PairModel> Simulation<M> {
     fn let_go(&mut self, springs: &Springs) {
         let held = |memory: &M::Memory<f64>| (0..M::Memory::<f64>::LEN).any(|k| *memory.at(k) != 0.0);
         let pairs_with_springs = || {
-            let pairs_with_springs =
-                self.blocks.iter().flat_map(|block| block.each_pair().map(move |pair| (block, pair)));
-            pairs_with_springs.filter(|(block, (_, _, row, lane))| held(&block.pairs.memory_of(*row, *lane)))
+            let pairs = self.blocks.iter().flat_map(|block| block.each_pair().map(move |pair| (block, pair)));
+            pairs.filter(|(block, (_, _, row, lane))| held(&block.pairs.memory_of(*row, *lane)))
         };
         if pairs_with_springs().count() == springs.bonds().len() {
             return;
@@ -69,7 +68,7 @@ impl<M: PairModel> Simulation<M> {
     }
 
     /// The persistent key of two spheres, each given by index and copy.
-    pub(super) fn bond(&self, (p, a): (usize, [i16; 3]), (q, b): (usize, [i16; 3])) -> Bond {
+    pub(super) fn bond(&self, (p, a): (usize, Image), (q, b): (usize, Image)) -> Bond {
         forces::bond(&self.system.particles, p, q, std::array::from_fn(|k| b[k] - a[k]))
     }
 }

@@ -13,7 +13,7 @@ use crate::papers::wear::case::{Compression, Deformation, Patch};
 use crate::papers::wear::fate::Witness;
 use crate::papers::wear::protocol::{Protocol, Setup, Stage};
 use crate::papers::wear::stages;
-use crate::run::{Driver, RunState, Sink, Step};
+use crate::run::{Driver, RunState, RunningStage, Sink, Step};
 use crate::simulation::Simulation;
 use crate::spec::wear::{Material, Wear};
 use crate::system::System;
@@ -65,21 +65,21 @@ fn observe(
     interrupt: &Interrupt,
     see: impl FnMut(&Simulation<Wear>) -> ControlFlow<()>,
 ) -> Result<System, Error> {
-    let protocol = Protocol { stages, initial: initial.clone(), material, max_overlap };
-    Ok(Driver::new(&protocol, interrupt).run_from(initial, &mut Seeing(see))?.system)
+    let protocol = Protocol { stages, initial, material, max_overlap };
+    Ok(Driver::new(&protocol, interrupt).run(&mut Seeing(see))?.system)
 }
 
 /// Shows a closure the initial state of each stage, too.
 struct Seeing<F>(F);
 
 impl<'p, F: FnMut(&Simulation<Wear>) -> ControlFlow<()>> Sink<Protocol<'p>> for Seeing<F> {
-    fn begin(&mut self, stage: &mut crate::run::RunningStage<'_, Protocol<'p>>, _: &RunState) -> Result<(), Error> {
+    fn begin(&mut self, stage: &mut RunningStage<'_, Protocol<'p>>, _: &RunState) -> Result<(), Error> {
         let _ = (self.0)(&stage.simulation);
         Ok(())
     }
     fn step(
         &mut self,
-        stage: &mut crate::run::RunningStage<'_, Protocol<'p>>,
+        stage: &mut RunningStage<'_, Protocol<'p>>,
         _: &RunState,
         _: &Step,
     ) -> Result<ControlFlow<()>, Error> {
