@@ -1,8 +1,7 @@
 //! Necks under another paper's contact law: is their energy accounted for, and does a contact replace a broken neck?
 
-use veridem::forces::Instructions;
 use veridem::run::advance;
-use veridem::simulation::{Integrator, Settings, Simulation};
+use veridem::simulation::{Settings, Simulation};
 use veridem::spec::mechanics::four_springs::Springs;
 use veridem::spec::mechanics::sphere::sphere_mass;
 use veridem::spec::titania::Titania;
@@ -29,16 +28,7 @@ fn pair(law: &Titania) -> System {
 }
 
 fn settings(dt: f64) -> Settings {
-    Settings {
-        dt,
-        integrator: Integrator::HalfStep,
-        far_every: 1,
-        damping: 0.0,
-        skin: 1.0,
-        max_overlap: 1.0,
-        relax_box: None,
-        instructions: Instructions::best(),
-    }
+    Settings::new(dt).skin(1.0).max_overlap(1.0)
 }
 
 /// The pair on its way apart.

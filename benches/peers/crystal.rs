@@ -3,7 +3,7 @@
 use veridem::error::Halt;
 use veridem::forces::Instructions;
 use veridem::initial::hcp;
-use veridem::simulation::{Integrator, Settings, Simulation};
+use veridem::simulation::{Settings, Simulation};
 use veridem::spec::wear::law::{Interaction, Material, Wear};
 use veridem::system::System;
 
@@ -42,15 +42,6 @@ fn crystal(cells: [usize; 3]) -> System {
 
 /// The crystal of so many orthogonal cells of four spheres, ready to run.
 pub(crate) fn simulation(cells: [usize; 3], instructions: Instructions) -> Result<Simulation<Wear>, Halt> {
-    let settings = Settings {
-        dt: 1e-4,
-        integrator: Integrator::HalfStep,
-        far_every: 1,
-        damping: 0.0,
-        skin: 0.1 * DIAMETER,
-        max_overlap: f64::INFINITY,
-        relax_box: None,
-        instructions,
-    };
+    let settings = Settings::new(1e-4).skin(0.1 * DIAMETER).instructions(instructions);
     Simulation::new(silica(), crystal(cells), settings)
 }

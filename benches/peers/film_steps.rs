@@ -6,10 +6,9 @@
 //! film is: a line with the sides of the box, the number of pairs in contact and of those in range, and a line `aggregate x y z radius
 //! mass fixed` for each sphere. Units: nm, ag.
 
-use veridem::forces::Instructions;
 use veridem::initial::film::{Bonding, FilmPlan};
 use veridem::run::advance;
-use veridem::simulation::{Integrator, Settings, Simulation};
+use veridem::simulation::{Settings, Simulation};
 use veridem::spec::mechanics::sphere::sphere_mass;
 use veridem::spec::titania::{Tabulated, Titania};
 
@@ -35,16 +34,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     });
     system.necks.clear();
     let radii: Vec<f64> = (3..=23).map(|d| law.contact_radius(f64::from(d))).collect();
-    let settings = Settings {
-        dt: 0.5e-3,
-        integrator: Integrator::HalfStep,
-        far_every: 1,
-        damping: 0.0,
-        skin: 3.0,
-        max_overlap: f64::INFINITY,
-        relax_box: None,
-        instructions: Instructions::best(),
-    };
+    let settings = Settings::new(0.5e-3).skin(3.0);
     let mut simulation = Simulation::new(Tabulated::new(law, &radii, 0.1), system, settings)?;
     if steps == 0 {
         let (system, in_range) = (simulation.system(), simulation.contacts().count());

@@ -1,10 +1,10 @@
 //! A builder of systems that checks them as a whole.
 
-use crate::error::{Error, Problem};
+mod problems;
+
+use crate::error::Error;
 use crate::spec::Vec3;
 use crate::system::{Domain, Motion, Particles, Surface, System};
-use std::collections::BTreeSet;
-use std::path::PathBuf;
 
 /// A system under construction. Spheres are named by their id, counted from zero in the order in which they are added.
 ///
@@ -124,124 +124,6 @@ impl Builder {
         }
         Ok(System { necks: self.necks, surfaces: self.surfaces, ..system })
     }
-
-    fn problems(&self) -> Vec<Problem> {
-        let mut found = Vec::new();
-        let mut wrong = |key: String, what: String| found.push(Problem { file: PathBuf::new(), line: None, key, what });
-        let particles = &self.particles;
-        let is_positive = |value: f64| value > 0.0 && value.is_finite();
-        let is_finite = |u: Vec3<f64>| u.0.iter().all(|a| a.is_finite());
-        for (axis, side) in self.domain.iter().flat_map(|domain| domain.sides).enumerate() {
-            if !is_positive(side) {
-                wrong("box".into(), format!("side {axis} is {side}, expected a positive number"));
-            }
-        }
-        if particles.is_empty() {
-            wrong("system".into(), "has no spheres, expected one at least".into());
-        }
-        let mut places = BTreeSet::new();
-        for p in 0..particles.len() {
-            let sphere = || format!("sphere {p}");
-            for (name, value) in [("radius", particles.radius[p]), ("mass", particles.mass[p])] {
-                if !is_positive(value) {
-                    wrong(sphere(), format!("its {name} is {value}, expected a positive number"));
-                }
-            }
-            for (name, u) in [("centre", particles.x[p]), ("velocity", particles.v[p]), ("spin", particles.w[p])] {
-                if !is_finite(u) {
-                    wrong(sphere(), format!("its {name} is {:?}, expected finite numbers", u.0));
-                }
-            }
-            let x = self.domain.map_or(particles.x[p], |domain| domain.folded(particles.x[p]));
-            // Adding zero makes one zero of the two.
-            if !places.insert(x.0.map(|a| (a + 0.0).to_bits())) {
-                wrong(sphere(), "its centre coincides with the centre of another sphere".into());
-            }
-        }
-        let groups = |name: &'static str, members: Vec<&[u32]>| -> (Vec<Option<usize>>, Vec<(String, String)>) {
-            let mut of = vec![None; particles.len()];
-            let mut wrong = Vec::new();
-            for (number, members) in members.into_iter().enumerate() {
-                let key = || format!("{name} {number}");
-                if members.is_empty() {
-                    wrong.push((key(), "has no spheres".into()));
-                }
-                for &id in members {
-                    match of.get_mut(id as usize) {
-                        None => wrong.push((key(), no_sphere(id, particles))),
-                        Some(Some(other)) if *other == number => {
-                            wrong.push((key(), format!("sphere {id} is given twice")))
-                        }
-                        Some(Some(other)) => {
-                            wrong.push((key(), format!("sphere {id} belongs to {name} {other} already")))
-                        }
-                        Some(none) => *none = Some(number),
-                    }
-                }
-            }
-            (of, wrong)
-        };
-        let (body, problems) = groups("body", self.bodies.iter().map(Vec::as_slice).collect());
-        problems.into_iter().for_each(|(key, what)| wrong(key, what));
-        let (wall, problems) = groups("wall", self.walls.iter().map(|wall| wall.0.as_slice()).collect());
-        problems.into_iter().for_each(|(key, what)| wrong(key, what));
-        for (number, (_, motion)) in self.walls.iter().enumerate() {
-            let makes_sense = |motion: &Motion| match *motion {
-                Motion::Velocity(value) | Motion::Load(value) => value.is_finite(),
-                Motion::Return { speed, turn } => speed.is_finite() && turn > 0.0,
-            };
-            for motion in motion.iter().filter(|motion| !makes_sense(motion)) {
-                wrong(
-                    format!("wall {number}"),
-                    format!("its motion is {motion:?}, expected finite numbers and a positive duration"),
-                );
-            }
-        }
-        let there = |id: &u32| (*id as usize) < particles.len();
-        for (number, members) in self.bodies.iter().enumerate() {
-            let key = || format!("body {number}");
-            let mut members = members.iter().filter(|id| there(id)).map(|&id| id as usize);
-            let Some(first) = members.next() else { continue };
-            for p in members {
-                if particles.v[p] != particles.v[first] {
-                    wrong(key(), format!("spheres {first} and {p} have different velocities, expected one for all"));
-                }
-                if wall[p] != wall[first] {
-                    wrong(
-                        key(),
-                        format!("only one of the spheres {first} and {p} belongs to a wall, expected all or none"),
-                    );
-                }
-            }
-        }
-        for (p, _) in body.iter().enumerate().filter(|(p, body)| body.is_some() && particles.w[*p] != Vec3::zero()) {
-            wrong(format!("sphere {p}"), "it belongs to a body, expected no spin of its own".into());
-        }
-        let mut joined = BTreeSet::new();
-        for &(i, j) in &self.necks {
-            let key = || format!("neck {i}-{j}");
-            for id in [i, j].iter().filter(|id| !there(id)) {
-                wrong(key(), no_sphere(*id, particles));
-            }
-            if i == j {
-                wrong(key(), "joins a sphere to itself".into());
-            }
-            if !joined.insert((i, j)) {
-                wrong(key(), "is given twice".into());
-            }
-            let share = |of: &[Option<usize>]| {
-                i != j && there(&i) && there(&j) && of[i as usize].is_some() && of[i as usize] == of[j as usize]
-            };
-            if share(&body) || share(&wall) {
-                wrong(key(), "joins two spheres of one rigid body or wall".into());
-            }
-        }
-        found
-    }
-}
-
-fn no_sphere(id: u32, particles: &Particles) -> String {
-    format!("there is no sphere {id}, expected an id below {}", particles.len())
 }
 
 /// A box with the extent of the spheres.

@@ -5,7 +5,7 @@ use crate::error::Halt;
 use crate::forces;
 use crate::spec::{Flat, PairModel};
 use crate::system::{Bond, Image, Springs};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 impl<M: PairModel> Simulation<M> {
     /// Rebuilds the neighbour list. The energy of springs that are dropped is entered as lost.
@@ -47,7 +47,7 @@ impl<M: PairModel> Simulation<M> {
         let found: BTreeSet<Bond> =
             pairs_with_springs().map(|(block, (i, j, ..))| self.bond(block.member(i), block.member(j))).collect();
         let particles = &self.system.particles;
-        let place: BTreeMap<u32, usize> = particles.id.iter().copied().zip(0..).collect();
+        let place = self.system.places();
         let mut lost: M::Losses<f64> = Flat::from_fn(|_| 0.0);
         for bond in springs.bonds().filter(|bond| !found.contains(bond)) {
             let (i, j) = (place[&bond.0], place[&bond.1]);

@@ -10,7 +10,7 @@ use crate::system::Springs;
 use crate::system::{Domain, Pose, System};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 /// What the neighbour list was built from.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -109,12 +109,12 @@ impl<M: PairModel> Simulation<M> {
             let (i, j, _) = forces::bond(particles, pair.p as usize, pair.q as usize, pair.image);
             missing.remove(&(i, j));
         }
-        let place: BTreeMap<u32, u32> = particles.id.iter().copied().zip(0..).collect();
+        let place = self.system.places();
         let domain = Domain { sides: self.listed.sides, ..*domain };
         let neighbours = |(i, j): (u32, u32)| {
             let (p, q) = (place[&i].min(place[&j]), place[&i].max(place[&j]));
-            let image = domain.nearest_image(self.listed.x[p as usize] - self.listed.x[q as usize]);
-            ((i, j), Neighbour { p, q, image })
+            let image = domain.nearest_image(self.listed.x[p] - self.listed.x[q]);
+            ((i, j), Neighbour { p: p as u32, q: q as u32, image })
         };
         missing.into_iter().map(neighbours).collect()
     }

@@ -19,6 +19,7 @@ pub use wall::{Motion, Wall};
 use crate::spec::Vec3;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 /// Smallest number of particles for which another thread pays.
 const LEAST: usize = 4096;
@@ -176,5 +177,10 @@ impl System {
     /// If there is none.
     pub fn place(&self, id: u32) -> usize {
         self.particles.id.iter().position(|&other| other == id).expect("a sphere of the system")
+    }
+
+    /// The place of every sphere, by id.
+    pub fn places(&self) -> BTreeMap<u32, usize> {
+        self.particles.id.iter().copied().zip(0..).collect()
     }
 }

@@ -9,7 +9,7 @@ use rand_chacha::rand_core::{Rng, SeedableRng};
 use std::io::Write;
 use veridem::forces::Instructions;
 use veridem::run::advance;
-use veridem::simulation::{Integrator, Settings, Simulation};
+use veridem::simulation::{Settings, Simulation};
 use veridem::spec::Vec3;
 use veridem::spec::mechanics::sphere::sphere_mass;
 use veridem::spec::wear::law::{Interaction, Material, Wear};
@@ -81,16 +81,7 @@ pub(crate) fn wear() -> Wear {
 
 /// Settings that the crowd is stable and quick with.
 pub(crate) fn settings(dt: f64) -> Settings {
-    Settings {
-        dt,
-        integrator: Integrator::HalfStep,
-        far_every: 1,
-        damping: 0.0,
-        skin: 0.3,
-        max_overlap: f64::INFINITY,
-        relax_box: None,
-        instructions: Instructions::best(),
-    }
+    Settings::new(dt).skin(0.3)
 }
 
 /// A simulation after some steps.

@@ -1,7 +1,6 @@
 //! Aggregates of soot for the tests of the engine.
 
 use std::path::Path;
-use veridem::forces::Instructions;
 use veridem::geometry::Sphere;
 use veridem::initial::aggregate::necks::necks;
 use veridem::initial::aggregate::{Method, Radii, Recipe, aggregate};
@@ -10,7 +9,7 @@ use veridem::papers::parse;
 use veridem::papers::soot::tip::tetrahedron;
 use veridem::papers::soot::{self, case::parts};
 use veridem::run::advance;
-use veridem::simulation::{Integrator, Settings, Simulation};
+use veridem::simulation::{Settings, Simulation};
 use veridem::spec::Vec3;
 use veridem::spec::soot::{Along, SUBSTRATE, Soot, TIP};
 use veridem::system::{Domain, Particles, PrescribedMotion, Shape, Surface, System};
@@ -85,8 +84,7 @@ pub(crate) fn between(substrate: Shape) -> System {
 
 /// Settings for a time step.
 pub(crate) fn settings(dt: f64) -> Settings {
-    let (integrator, instructions) = (Integrator::HalfStep, Instructions::best());
-    Settings { dt, integrator, damping: 0.0, skin: 2.0, max_overlap: 0.1, relax_box: None, far_every: 1, instructions }
+    Settings::new(dt).skin(2.0).max_overlap(0.1)
 }
 
 /// A simulation after some steps.
