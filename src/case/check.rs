@@ -21,7 +21,9 @@ pub(super) fn general(output: &Output, limits: &Limits, found: &mut Found) {
     {
         expect(found, interval.number() > 0.0, &format!("output.{key}"), interval, "more than zero");
     }
-    expect(found, limits.overlap > 0.0, "limits.overlap", decimal(limits.overlap), "more than zero");
+    let overlap = limits.overlap;
+    let whole = "more than 0 and at most 1, where the centres coincide";
+    expect(found, overlap > 0.0 && overlap <= 1.0, "limits.overlap", decimal(overlap), whole);
 }
 
 /// Formats alternatives: `a`, `b` or `c`.

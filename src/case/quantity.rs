@@ -101,8 +101,29 @@ impl<K: Kind> Quantity<K> {
         if dimension != K::DIMENSION {
             return Err(wrong(", which has the wrong dimension"));
         }
-        Ok(Self { value: shifted(number, power), written: text.trim().into(), kind: PhantomData })
+        let value = in_range(shifted(number, power), text)?;
+        Ok(Self { value, written: text.trim().into(), kind: PhantomData })
     }
+}
+
+/// The largest magnitude of a number in a case, in engine units, and the inverse of the smallest: products of such numbers, as energies
+/// are, stay finite.
+const LARGEST: f64 = 1e40;
+
+/// The number, if it is zero or of a magnitude that can be computed with.
+///
+/// # Errors
+///
+/// That the number, as it was `written`, is out of range.
+pub(super) fn in_range(number: f64, written: &str) -> Result<f64, String> {
+    // A number that is not zero may underflow in engine units.
+    let digits = written.split(['e', 'E', ' ']).next().unwrap_or_default();
+    let zero = number == 0.0 && !digits.contains(|digit| ('1'..='9').contains(&digit));
+    if zero || (1.0 / LARGEST..=LARGEST).contains(&number.abs()) {
+        return Ok(number);
+    }
+    let range = format!("a magnitude between {:e} and {LARGEST:e} in units of nm, ns and ag", 1.0 / LARGEST);
+    Err(format!("found `{written}`, expected 0 or {range}"))
 }
 
 /// A quantity written in the source code, not by a user.
@@ -148,7 +169,7 @@ impl<K: Kind, S: Scale> Scaled<K, S> {
         if let Some((number, rest)) = number_and_unit(text)
             && rest == S::SYMBOL
         {
-            return Ok(Self::times(number.parse().expect("the number has been parsed before")));
+            return in_range(number.parse().expect("the number has been parsed before"), text).map(Self::times);
         }
         let or_multiple =
             |error: String| format!("{error} or `{} {}`", if S::SYMBOL == "steps" { "1000" } else { "1.5" }, S::SYMBOL);

@@ -2,8 +2,9 @@
 //!
 //! From one declaration come the Rust structure, the reader that knows its keys, and the listing of `veridem schema`.
 
-use super::quantity::{Kind, Quantity, Scale, Scaled};
-use serde::de::{Deserialize, DeserializeSeed, Deserializer, Error, MapAccess, Visitor};
+use super::quantity::{Kind, Quantity, Scale, Scaled, in_range};
+use super::units::decimal;
+use serde::de::{Deserialize, DeserializeOwned, DeserializeSeed, Deserializer, Error, MapAccess, Visitor};
 use std::fmt;
 use std::path::PathBuf;
 
@@ -25,9 +26,17 @@ pub struct Key {
 }
 
 /// A type that the value of a key may have.
-pub trait Field: serde::Serialize {
+pub trait Field: serde::Serialize + DeserializeOwned {
     /// The values that it accepts.
     fn expects() -> String;
+    /// Reads the value of a key; every number in it is finite.
+    ///
+    /// # Errors
+    ///
+    /// If the value is none that is accepted.
+    fn read<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        Self::deserialize(deserializer)
+    }
     /// The keys below it.
     fn keys() -> Vec<Key> {
         Vec::new()
@@ -50,7 +59,44 @@ impl Field for () {
     }
 }
 
-plain_fields!(bool: "`true` or `false`", f64: "a number", u64: "a whole number", String: "a text", PathBuf: "a path");
+plain_fields!(bool: "`true` or `false`", u64: "a whole number", String: "a text", PathBuf: "a path");
+
+impl Field for f64 {
+    fn expects() -> String {
+        "a number".into()
+    }
+    fn read<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_f64(PlainNumber)
+    }
+}
+
+/// Reads a plain number, which is finite.
+struct PlainNumber;
+
+impl Visitor<'_> for PlainNumber {
+    type Value = f64;
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a number")
+    }
+    fn visit_f64<E: Error>(self, number: f64) -> Result<f64, E> {
+        in_range(number, &decimal(number)).map_err(E::custom)
+    }
+    fn visit_u64<E: Error>(self, number: u64) -> Result<f64, E> {
+        self.visit_f64(number as f64)
+    }
+    fn visit_i64<E: Error>(self, number: i64) -> Result<f64, E> {
+        self.visit_f64(number as f64)
+    }
+}
+
+/// A value read by [`Field::read`], for the lists and options that hold it, and as the seed of a key.
+pub struct Read<T>(pub T);
+
+impl<'de, T: Field> Deserialize<'de> for Read<T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        T::read(deserializer).map(Self)
+    }
+}
 
 impl<K: Kind> Field for Quantity<K> {
     fn expects() -> String {
@@ -63,6 +109,9 @@ impl<K: Kind, S: Scale> Field for Scaled<K, S> {
     }
 }
 impl<T: Field> Field for Option<T> {
+    fn read<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        Ok(Option::<Read<T>>::deserialize(deserializer)?.map(|value| value.0))
+    }
     fn expects() -> String {
         T::expects()
     }
@@ -71,6 +120,9 @@ impl<T: Field> Field for Option<T> {
     }
 }
 impl<T: Field> Field for Vec<T> {
+    fn read<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        Ok(Vec::<Read<T>>::deserialize(deserializer)?.into_iter().map(|value| value.0).collect())
+    }
     fn expects() -> String {
         format!("a list of: {}", T::expects())
     }
@@ -78,20 +130,32 @@ impl<T: Field> Field for Vec<T> {
         T::keys()
     }
 }
-impl<T: Field> Field for [T; 2] {
+impl<T: Field> Field for [T; 2]
+where
+    Self: DeserializeOwned,
+{
+    fn read<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        Ok(<[Read<T>; 2]>::deserialize(deserializer)?.map(|value| value.0))
+    }
     fn expects() -> String {
         format!("two of: {}", T::expects())
     }
 }
-impl<T: Field> Field for [T; 3] {
+impl<T: Field> Field for [T; 3]
+where
+    Self: DeserializeOwned,
+{
+    fn read<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        Ok(<[Read<T>; 3]>::deserialize(deserializer)?.map(|value| value.0))
+    }
     fn expects() -> String {
         format!("three of: {}", T::expects())
     }
 }
 
 /// The bounds on a type parameter of a section.
-pub trait Part: Field + serde::de::DeserializeOwned + Clone + fmt::Debug + PartialEq {}
-impl<T: Field + serde::de::DeserializeOwned + Clone + fmt::Debug + PartialEq> Part for T {}
+pub trait Part: Field + Clone + fmt::Debug + PartialEq {}
+impl<T: Field + Clone + fmt::Debug + PartialEq> Part for T {}
 
 /// Reads the name of a key, which must be known and not repeated, so that a wrong key is reported on its own line.
 pub struct KeyName<'a> {
@@ -204,7 +268,7 @@ macro_rules! section {
                         let (known, mut seen) = (&[$(stringify!($key)),*], Vec::new());
                         while let Some(key) = map.next_key_seed($crate::case::section::KeyName { known, seen: &seen })? {
                             match key {
-                                $(stringify!($key) => $key = Some(map.next_value()?),)*
+                                $(stringify!($key) => $key = Some(map.next_value::<$crate::case::section::Read<$type>>()?.0),)*
                                 _ => unreachable!("KeyName returns a known key"),
                             }
                             seen.push(key);
@@ -274,7 +338,7 @@ macro_rules! choice {
                     fn visit_map<A: serde::de::MapAccess<'de>>(self, mut map: A) -> Result<$name, A::Error> {
                         const KEYS: &[&str] = &[$($key),*];
                         let chosen = match $crate::case::section::only_key(&mut map, KEYS)? {
-                            $($key => $name::$variant(map.next_value()?),)*
+                            $($key => $name::$variant(map.next_value::<$crate::case::section::Read<$type>>()?.0),)*
                             _ => unreachable!("KeyName returns a known key"),
                         };
                         match map.next_key_seed($crate::case::section::KeyName { known: KEYS, seen: &[] })? {

@@ -55,7 +55,7 @@ impl Progress {
             bar.set_message(message);
         } else if taken > 0.0 && self.written.is_none_or(|at| at.elapsed() >= PAUSE) {
             self.written = Some(Instant::now());
-            let left = each * (state.steps - state.step) as f64;
+            let left = each * state.steps.saturating_sub(state.step) as f64;
             super::complain(&format!(
                 "{} {}/{}, at most {left:.0} s left, {message}",
                 state.stage, state.step, state.steps

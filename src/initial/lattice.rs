@@ -21,6 +21,17 @@ pub fn hcp_cells(diameter: f64, lengths: [f64; 3]) -> [usize; 3] {
     std::array::from_fn(|a| ((lengths[a] / cell[a]).round() as usize).max(2))
 }
 
+/// Side lengths of the box of whole cells that is nearest to `lengths`.
+pub fn hcp_sides(diameter: f64, lengths: [f64; 3]) -> [f64; 3] {
+    let (cell, cells) = (cell(diameter), hcp_cells(diameter, lengths));
+    std::array::from_fn(|a| cells[a] as f64 * cell[a])
+}
+
+/// Number of spheres in a box of whole cells.
+pub fn hcp_number(diameter: f64, sides: [f64; 3]) -> f64 {
+    BASIS.len() as f64 * hcp_cells(diameter, sides).iter().map(|&cells| cells as f64).product::<f64>()
+}
+
 /// Touching equal spheres on the lattice in a periodic box of whole cells, at rest. The mass of a sphere is such that the
 /// *box* has the given density, as the paper does with its relaxed samples.
 pub fn hcp(diameter: f64, cells: [usize; 3], density: f64) -> System {

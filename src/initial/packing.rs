@@ -31,6 +31,10 @@ impl Sizes {
 
     /// A diameter: drawn from the whole distribution until it lies within the bounds.
     fn draw(&self, (mu, sigma): (f64, f64), stream: &mut Stream) -> f64 {
+        // Equal diameters have no deviation: rounding alone would decide whether any is within the bounds.
+        if self.d_s == self.d_l {
+            return self.d_0;
+        }
         loop {
             let d = Real::exp(mu + sigma * stream.normal());
             if d >= self.d_s && d <= self.d_l {

@@ -31,12 +31,9 @@ pub(super) fn deposited(
     let mut column = Column::new(plan.sides, largest);
     let mut film = DepositedFilm { spheres: Vec::new(), on_floor: Vec::new(), sides: plan.sides, thickness: 0.0 };
     for Aggregate { mut spheres, diffusion } in aggregates {
-        if interrupt.is_due() {
-            return Err(Failure::Ungrown(Ungrown::Interrupted));
-        }
         orient(&mut spheres, plan.sides, &mut stream)?;
         let path = Path { drift: plan.drift, diffusion, graze: GRAZE * largest };
-        let (at, on_floor) = path.fall(&column, &spheres, plan.sides, &mut stream);
+        let (at, on_floor) = path.fall(&column, &spheres, plan.sides, &mut stream, interrupt)?;
         let folded = |a: usize| at.0[a] - (at.0[a] / plan.sides[a]).floor() * plan.sides[a];
         let at = Vec3([folded(0), folded(1), at.0[2]]);
         let aggregate = film.on_floor.len() as u32;
@@ -99,15 +96,19 @@ impl Path {
         spheres: &[Sphere],
         sides: [f64; 2],
         stream: &mut Stream,
-    ) -> (Vec3<f64>, bool) {
+        interrupt: &Interrupt,
+    ) -> Result<(Vec3<f64>, bool), Failure> {
         let lowest = spheres.iter().map(|s| s.centre.0[2] - s.radius).fold(f64::INFINITY, f64::min);
         let mut at = Vec3([sides[0] * stream.uniform(), sides[1] * stream.uniform(), column.top() - lowest]);
         loop {
+            if interrupt.is_due() {
+                return Err(Failure::Ungrown(Ungrown::Interrupted));
+            }
             let anything = FreeDistance { gap: f64::INFINITY, nearest: Nearest::Unknown };
             let room = spheres.iter().fold(anything, |room, s| column.room(at + s.centre, s.radius, room));
             match room.nearest {
-                Nearest::Floor if room.gap < self.graze => return (at + DOWN * room.gap, true),
-                Nearest::Sphere(towards) if room.gap < self.graze => return (at + towards * room.gap, false),
+                Nearest::Floor if room.gap < self.graze => return Ok((at + DOWN * room.gap, true)),
+                Nearest::Sphere(towards) if room.gap < self.graze => return Ok((at + towards * room.gap, false)),
                 _ => {}
             }
             let cosine = exit_cosine(1.0 - stream.uniform(), self.drift, room.gap, self.diffusion).clamp(-1.0, 1.0);

@@ -124,7 +124,8 @@ fn a_fall_spreads_as_far_as_diffusion_in_the_time_of_the_drift() {
     for seed in 0..falls {
         let mut begin = Stream::new(seed, "fall");
         let (x, y) = (sides[0] * begin.uniform(), sides[1] * begin.uniform());
-        let (at, on_floor) = path.fall(&column, &sphere, sides, &mut Stream::new(seed, "fall"));
+        let (at, on_floor) =
+            path.fall(&column, &sphere, sides, &mut Stream::new(seed, "fall"), &Interrupt::default()).expect("a place");
         assert!(on_floor && (at.0[2] - 0.1).abs() < 1e-12);
         squares += (at.0[0] - x).powi(2) + (at.0[1] - y).powi(2);
     }

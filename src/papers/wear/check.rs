@@ -1,7 +1,7 @@
 //! Checks of a case of the wear paper beyond its grammar.
 
 use super::case::{Case, Deformation, Experiment, Sample};
-use super::derived::{Critical, Scales, dampings, material, time_steps};
+use super::derived::{Critical, Scales, dampings, material, spheres, time_steps};
 use crate::case::check::{Found, expect};
 use crate::case::units::{decimal, in_unit, rounded};
 
@@ -48,10 +48,14 @@ fn sample(case: &Case, found: &mut Found) {
     let at = |key: &str| format!("{section}.{key}");
     expect(found, a.smallest.number() > 0.0, &at("smallest"), &a.smallest, "more than zero");
     let phi = a.volume_fraction;
-    expect(found, phi > 0.0 && phi <= 1.0, &at("volume_fraction"), decimal(phi), "more than 0 and at most 1");
+    let dense = "0.5 to 1: looser spheres do not become a solid";
+    expect(found, (0.5..=1.0).contains(&phi), &at("volume_fraction"), decimal(phi), dense);
     let relaxation = &a.relaxation;
     let stress = &relaxation.residual_stress;
     expect(found, stress.number() > 0.0, &at("relaxation.residual_stress"), stress, "more than zero");
+    for (key, steps) in [("repulsion_steps", relaxation.repulsion_steps), ("max_steps", relaxation.max_steps)] {
+        expect(found, steps > 0, &at(&format!("relaxation.{key}")), steps, "at least 1");
+    }
     if found.is_empty() {
         let Scales { d_0, d_s, d_l, size, .. } = Scales::of(case);
         let nm = |d: f64| in_unit(d, "nm");
@@ -74,22 +78,25 @@ fn sample(case: &Case, found: &mut Found) {
             expect(found, side >= 2.0 * d_l, &at(&format!("size[{axis}]")), &a.size[axis], &least);
         }
     }
+    if found.is_empty() {
+        let number = spheres(case);
+        expect(found, number <= MOST, &at("size"), format!("{number:.1e} spheres"), &format!("at most {MOST:.0e}"));
+    }
 }
 
+/// Largest number of spheres of a sample, whose ids have 32 bits.
+const MOST: f64 = 4e9;
+
 fn experiment(case: &Case, found: &mut Found) {
-    let Scales { size: [length, height, depth], walls, .. } = Scales::of(case);
+    let Scales { size: [length, height, depth], walls, d_0, .. } = Scales::of(case);
     let nm = |d: f64| in_unit(d, "nm");
+    let thick = format!("at least half the most frequent diameter, {}: a thinner wall has no spheres", nm(0.5 * d_0));
     match &case.experiment {
         Experiment::Patch(patch) => {
             let key = "experiment.patch.walls";
-            expect(found, walls > 0.0, key, &patch.walls, "more than zero");
-            expect(
-                found,
-                2.0 * walls < height,
-                key,
-                &patch.walls,
-                &format!("less than half the height of the box, {}", nm(0.5 * height)),
-            );
+            expect(found, walls >= 0.5 * d_0, key, &patch.walls, &thick);
+            let room = format!("at most {}, which leaves a diameter between the walls", nm(0.5 * (height - d_0)));
+            expect(found, walls <= 0.5 * (height - d_0), key, &patch.walls, &room);
             if patch.compression.is_none() && patch.tension.is_none() && patch.shear.is_none() {
                 let what = "expected at least one of the keys `compression`, `tension`, `shear`";
                 found.push(("experiment.patch".into(), what.into()));
@@ -124,7 +131,7 @@ fn experiment(case: &Case, found: &mut Found) {
             expect(found, junction.height.number() > 0.0, &at("height"), &junction.height, "more than zero");
             let fits = format!("a height that fits between the walls in the box of height {}", nm(height));
             expect(found, bodies < height, &at("height"), &junction.height, &fits);
-            expect(found, walls > 0.0, &at("walls"), &junction.walls, "more than zero");
+            expect(found, walls >= 0.5 * d_0, &at("walls"), &junction.walls, &thick);
             expect(found, junction.duration.number() > 0.0, &at("duration"), &junction.duration, "more than zero");
         }
     }

@@ -1,8 +1,11 @@
 //! Derived values of a case of the wear paper: its scales in engine units, and the resolved keys.
 
-use super::case::{Amorphous, Case, Experiment, InCriticalDampings, InCriticalSteps, Material, Model, Sample};
+use super::case::{Amorphous, Case, Experiment, Hcp, InCriticalDampings, InCriticalSteps, Material, Model, Sample};
 use crate::case::units::{in_unit, rounded};
+use crate::initial::lattice::{hcp_number, hcp_sides};
+use crate::spec::mechanics::solids::sphere_volume;
 use crate::spec::mechanics::sphere::sphere_mass;
+use crate::spec::mechanics::truncated_lognormal::truncated_moments;
 use crate::spec::wear::eq06_critical_time_step::critical_time_step;
 use crate::spec::wear::eq18_critical_diameter::critical_diameter;
 use crate::spec::wear::eq19_minimum_diameter::minimum_diameter;
@@ -59,20 +62,40 @@ impl Scales {
         let material = material(case).spec();
         let d_c = critical_diameter(material.surface_energy, material.young_modulus, material.tensile_strength);
         let (d_0, d_s, d_l, size) = match &case.sample {
-            Sample::Hcp(hcp) => {
-                let d_0 = hcp.diameter.value(d_c);
-                (d_0, d_0, d_0, &hcp.size)
-            }
-            Sample::Amorphous(Amorphous { diameter, smallest, largest, size, .. }) => {
+            Sample::Hcp(Hcp { diameter, .. }) => {
                 let d_0 = diameter.value(d_c);
-                (d_0, smallest.value(d_0), largest.value(d_0), size)
+                (d_0, d_0, d_0, hcp_sides(d_0, asked(case, d_0)))
+            }
+            Sample::Amorphous(Amorphous { diameter, smallest, largest, .. }) => {
+                let d_0 = diameter.value(d_c);
+                (d_0, smallest.value(d_0), largest.value(d_0), asked(case, d_0))
             }
         };
         let walls = match &case.experiment {
             Experiment::Patch(patch) => &patch.walls,
             Experiment::Junction(junction) => &junction.walls,
         };
-        Self { d_c, d_0, d_s, d_l, size: std::array::from_fn(|a| size[a].value(d_0)), walls: walls.value(d_0) }
+        Self { d_c, d_0, d_s, d_l, size, walls: walls.value(d_0) }
+    }
+}
+
+/// The side lengths of the box that a case asks for, nm, where `d_0` is the most frequent diameter.
+fn asked(case: &Case, d_0: f64) -> [f64; 3] {
+    let (Sample::Hcp(Hcp { size, .. }) | Sample::Amorphous(Amorphous { size, .. })) = &case.sample;
+    std::array::from_fn(|axis| size[axis].value(d_0))
+}
+
+/// The number of spheres of a case; estimated before a random packing is made.
+pub(super) fn spheres(case: &Case) -> f64 {
+    let Scales { d_0, d_s, d_l, size, .. } = Scales::of(case);
+    let volume: f64 = size.iter().product();
+    match &case.sample {
+        Sample::Hcp(_) => hcp_number(d_0, size),
+        Sample::Amorphous(sample) => {
+            let mixed = d_s < d_0 && d_0 < d_l;
+            let cube = if mixed { truncated_moments(d_0, d_s, d_l).3 } else { d_0 * d_0 * d_0 };
+            sample.volume_fraction * volume / sphere_volume(0.5 * cube.cbrt())
+        }
     }
 }
 
@@ -150,7 +173,13 @@ pub(super) fn derived(case: &Case) -> Vec<(String, String)> {
     let mass = |d: f64| sphere_mass(own.density.value, 0.5 * d);
     let law = own.law(wear::Interaction::Full);
     let pair = law.coefficients(r, r, mass(scales.d_0), mass(scales.d_0));
-    let size = scales.size.map(|side| in_unit(side, "nm")).join(" x ");
+    let lengths = |sides: [f64; 3]| sides.map(|side| in_unit(side, "nm")).join(" x ");
+    let size = match &case.sample {
+        Sample::Hcp(_) => {
+            format!("{}, whole cells for {}", lengths(scales.size), lengths(asked(case, scales.d_0)))
+        }
+        Sample::Amorphous(_) => format!("{} before the relaxation", lengths(scales.size)),
+    };
     let rows = [
         ("critical diameter d_c", in_unit(scales.d_c, "nm")),
         ("minimum diameter d_min", in_unit(minimum_diameter(surface_energy, tensile_strength), "nm")),

@@ -136,7 +136,7 @@ impl Stage {
     /// The largest number of steps.
     pub fn steps(&self, dt: f64) -> u64 {
         match &self.stop {
-            Stop::After(duration) => (duration.value(dt) / dt).round() as u64,
+            Stop::After(duration) => ((duration.value(dt) / dt).round() as u64).max(1),
             Stop::Relaxed { most, .. } => *most,
         }
     }

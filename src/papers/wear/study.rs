@@ -5,6 +5,7 @@ use super::derived::{Scales, material};
 use super::protocol::{Setup, Stage};
 use super::stages;
 use super::watch::{self, Watch};
+use crate::case::units::in_unit;
 use crate::error::Error;
 use crate::initial::lattice::hcp_cells;
 use crate::initial::{Sizes, hcp, random_packing};
@@ -111,7 +112,18 @@ impl Study for Plan {
     }
 
     fn set_up(&self, stage: usize, system: System) -> Result<System, Error> {
-        Ok(self.stages[stage].set_up(system, &material(&self.case).spec()))
+        let system = self.stages[stage].set_up(system, &material(&self.case).spec());
+        let is_empty = |wall: usize| !system.particles.wall.iter().any(|&number| number as usize == wall + 1);
+        if (0..system.walls.len()).any(is_empty) {
+            let key = match self.case.experiment {
+                Experiment::Patch(_) => "experiment.patch.walls",
+                Experiment::Junction(_) => "experiment.junction.walls",
+            };
+            let what =
+                format!("found {}, expected walls in which a sphere has its centre", in_unit(self.scales.walls, "nm"));
+            return Err(Error::of_key(key, what));
+        }
+        Ok(system)
     }
 
     fn model(&self, stage: usize) -> Wear {

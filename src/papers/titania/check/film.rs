@@ -5,6 +5,11 @@ use crate::case::units::decimal;
 use crate::initial::film::column::Column;
 use crate::papers::titania::case::{Film, Spectroscopy};
 
+/// Largest width of the column, in cells that hold the largest particles: ten thousand by ten thousand cells a layer.
+const WIDEST: f64 = 1e4;
+/// Largest number of layers of the tip, which has a third of the cube of it in spheres.
+const LAYERS: f64 = 200.0;
+
 /// Checks the film; diameters must be `thick`.
 pub(super) fn sample(film: &Film, thick: &str, core_gap: f64, found: &mut Found) {
     let at = |key: &str| format!("sample.film.{key}");
@@ -23,8 +28,12 @@ pub(super) fn sample(film: &Film, thick: &str, core_gap: f64, found: &mut Found)
     expect(found, largest.value <= smallest.value + 31.0, &at("diameters.largest"), largest, classes);
     let least = Column::least_side(0.5 * largest.value);
     for (axis, side) in film.sides.iter().enumerate() {
-        let wide = format!("at least one and a half times the largest diameter, {} nm", decimal(least));
-        expect(found, side.value >= least, &at(&format!("sides[{axis}]")), side, &wide);
+        let wide = format!(
+            "at least one and a half times the largest diameter, {} nm, and at most {WIDEST} times that",
+            decimal(least)
+        );
+        let fits = (least..=WIDEST * least).contains(&side.value);
+        expect(found, fits, &at(&format!("sides[{axis}]")), side, &wide);
     }
     let between = format!("between the smallest and the largest diameter, {smallest} and {largest}");
     let median = &diameters.median;
@@ -37,7 +46,6 @@ pub(super) fn sample(film: &Film, thick: &str, core_gap: f64, found: &mut Found)
     let inside = median >= 1.0 && median <= numbers.largest as f64;
     expect(found, inside, &at("aggregates.median"), decimal(median), "at least 1 and at most the largest number");
     for (key, value, text) in [
-        ("aggregates.deviation", numbers.deviation, decimal(numbers.deviation)),
         ("prefactor", film.prefactor, decimal(film.prefactor)),
         ("gas.temperature", film.gas.temperature.value, film.gas.temperature.to_string()),
         ("gas.viscosity", film.gas.viscosity.value, film.gas.viscosity.to_string()),
@@ -46,6 +54,9 @@ pub(super) fn sample(film: &Film, thick: &str, core_gap: f64, found: &mut Found)
     ] {
         expect(found, value > 0.0, &at(key), text, "more than zero");
     }
+    let deviation = numbers.deviation;
+    let bounded = "more than 0 and at most 10, beyond which hardly any number is within the bounds";
+    expect(found, deviation > 0.0 && deviation <= 10.0, &at("aggregates.deviation"), decimal(deviation), bounded);
     let (largest, most) = (numbers.largest, "1 to 1000000");
     expect(found, (1..=1_000_000).contains(&largest), &at("aggregates.largest"), largest, most);
     expect(found, film.cluster >= 1, &at("cluster"), film.cluster, "1 or more");
@@ -80,4 +91,6 @@ pub(super) fn test(film: &Film, test: &Spectroscopy, thick: &str, core_gap: f64,
         format!("at least the diameter of its spheres and less than the width of the column, {} nm", decimal(width));
     let fits = side.value >= 2.0 * radius.value && side.value < width;
     expect(found, fits, &at("tip.side"), side, &narrow);
+    let few = format!("at most {LAYERS} times the diameter of its spheres, {radius} in radius");
+    expect(found, side.value <= 2.0 * LAYERS * radius.value, &at("tip.side"), side, &few);
 }

@@ -109,19 +109,28 @@ impl<M: Law> Plan<M> {
         Structure::of(&film, 2.0 * sizes[0].0 - sizes[0].1, self.seed)
     }
 
-    /// Places the tip above the middle of the film, and starts the approach.
-    fn add_tip(&self, system: &mut System) {
+    /// The spheres of the tip above the middle of the film, and their radius and mass.
+    fn tip(&self, system: &System) -> Result<(Vec<Vec3<f64>>, f64, f64), Error> {
         let case::Tip { radius, side, clearance } = &self.test.tip;
         let [width, depth, _] = system.domain.sides;
         let (radius, mass) = self.titania.particle(2.0 * radius.value);
         let middle = Vec3([0.5 * width, 0.5 * depth, 0.0]);
         let centres: Vec<_> = tip::pyramid(radius, side.value).into_iter().map(|c| c + middle).collect();
         let lifted = tip::lift(&centres, radius, &system.particles, &system.domain, clearance.value);
+        let none =
+            || Error::of_key("sample.film", "no sphere lies below the tip, expected a denser film or a wider tip");
+        let lifted = lifted.ok_or_else(none)?;
+        Ok((centres.into_iter().map(|c| c + Vec3([0.0, 0.0, lifted])).collect(), radius, mass))
+    }
+
+    /// Places the tip above the middle of the film, and starts the approach.
+    fn add_tip(&self, system: &mut System) -> Result<(), Error> {
+        let (centres, radius, mass) = self.tip(system)?;
         let first = system.particles.len();
         // The ids continue those of the film, because indices no longer equal ids.
         let tag = system.particles.tag.iter().copied().max().map_or(0, |tag| tag + 1);
         for c in centres {
-            system.particles.push(c + Vec3([0.0, 0.0, lifted]), radius, mass, tag);
+            system.particles.push(c, radius, mass, tag);
         }
         system.add_body(&(first..system.particles.len()).collect::<Vec<_>>());
         let tip = system.bodies.len() as u32;
@@ -130,6 +139,7 @@ impl<M: Law> Plan<M> {
         let top = system.particles.x.iter().map(|x| x.0[2]).fold(0.0, f64::max);
         // Pictures are to show the tip during its retraction too.
         system.domain.sides[2] = top + radius + 0.5 * self.test.retraction.value;
+        Ok(())
     }
 }
 
@@ -150,13 +160,15 @@ impl<M: Law> Study for Plan<M> {
             return Ok(system);
         }
         let film = self.film.plan().build(self.seed, interrupt).map_err(|failure| failure.of("sample.film"))?;
-        Ok(film.system(M::BONDING, |d| self.titania.particle(d)))
+        let system = film.system(M::BONDING, |d| self.titania.particle(d));
+        // A film that leaves nothing below the tip is found before it is relaxed.
+        self.tip(&system).map(|_| system)
     }
 
     fn set_up(&self, stage: usize, mut system: System) -> Result<System, Error> {
         match self.stages[stage] {
             FilmStage::Relaxation => {}
-            FilmStage::Approach => self.add_tip(&mut system),
+            FilmStage::Approach => self.add_tip(&mut system)?,
             FilmStage::Retraction => {
                 let turning = Motion::Return { speed: self.test.speed.value, turn: self.test.reversal.value };
                 system.walls[TIP].redirect([AT_REST[0], AT_REST[1], turning]);

@@ -18,20 +18,28 @@ pub(super) fn pyramid(radius: f64, side: f64) -> Vec<Vec3<f64>> {
     centres
 }
 
-/// How far the tip must be lifted for no sphere of it to come closer to any of the particles than `clearance`.
-pub(super) fn lift(centres: &[Vec3<f64>], radius: f64, particles: &Particles, domain: &Domain, clearance: f64) -> f64 {
+/// How far the tip must be lifted for no sphere of it to come closer to any of the particles than `clearance`; nothing if no
+/// particle is below the tip.
+pub(super) fn lift(
+    centres: &[Vec3<f64>],
+    radius: f64,
+    particles: &Particles,
+    domain: &Domain,
+    clearance: f64,
+) -> Option<f64> {
     let nearest = |a: usize, apart: f64| {
         let side = domain.sides[a];
         if domain.periodic[a] { apart - side * (apart / side).round() } else { apart }
     };
-    let mut most = f64::NEG_INFINITY;
+    let mut most = None;
     for (x, r) in particles.x.iter().zip(&particles.radius) {
         let reach = radius + r + clearance;
         for c in centres {
             let (dx, dy) = (nearest(0, x.0[0] - c.0[0]), nearest(1, x.0[1] - c.0[1]));
             let left = reach * reach - dx * dx - dy * dy;
             if left > 0.0 {
-                most = most.max(x.0[2] - c.0[2] + left.sqrt());
+                let lifted = x.0[2] - c.0[2] + left.sqrt();
+                most = Some(most.map_or(lifted, |most: f64| most.max(lifted)));
             }
         }
     }
@@ -57,8 +65,16 @@ mod tests {
         let domain = Domain { sides: [100.0, 100.0, 50.0], periodic: [true, true, false] };
         let mut particles = Particles::default();
         particles.push(Vec3([95.0, 0.0, 7.0]), 5.0, 1.0, 0);
-        let lifted = lift(&[Vec3::zero()], 20.0, &particles, &domain, 1.0);
+        let lifted = lift(&[Vec3::zero()], 20.0, &particles, &domain, 1.0).expect("a particle below");
         let apart = Vec3([-5.0, 0.0, 7.0 - lifted]).norm();
         assert!((apart - 26.0).abs() < 1e-12 && lifted > 0.0);
+    }
+
+    #[test]
+    fn a_tip_above_no_particle_cannot_be_placed() {
+        let domain = Domain { sides: [100.0, 100.0, 50.0], periodic: [true, true, false] };
+        let mut particles = Particles::default();
+        particles.push(Vec3([50.0, 50.0, 7.0]), 5.0, 1.0, 0);
+        assert_eq!(lift(&[Vec3::zero()], 20.0, &particles, &domain, 1.0), None);
     }
 }

@@ -1,0 +1,122 @@
+//! Is a value that makes no sense refused by key and line, wherever it stands, or the run that it gives finite?
+
+use serde_yaml::Value;
+use std::panic::catch_unwind;
+use std::path::{Path, PathBuf};
+use veridem::error::Error;
+use veridem::interrupt::Interrupt;
+use veridem::papers::PAPERS;
+
+const VALUES: [&str; 14] = [
+    ".nan",
+    ".inf",
+    "-.inf",
+    "0",
+    "-1",
+    "1e300",
+    "1e-300",
+    "12 parsec",
+    "~",
+    "[1, 2]",
+    "1e300 nm",
+    "0 steps",
+    "1 ag",
+    "1e30 d_0",
+];
+
+/// Steps that a run of a value is tried for.
+const STEPS: u64 = 100;
+
+fn files(folder: &str) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    let mut folders = vec![Path::new(env!("CARGO_MANIFEST_DIR")).join(folder)];
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() { folders.push(path) } else { found.push(path) }
+        }
+    }
+    found.sort();
+    found
+}
+
+/// The places of all values in a case.
+fn places(value: &Value, place: &[String], found: &mut Vec<Vec<String>>) {
+    let below = |part: String| [place, &[part]].concat();
+    match value {
+        Value::Mapping(section) => {
+            section.iter().for_each(|(key, value)| places(value, &below(key.as_str().unwrap().into()), found));
+        }
+        Value::Sequence(list) => {
+            list.iter().enumerate().for_each(|(at, value)| places(value, &below(at.to_string()), found));
+        }
+        _ => found.push(place.to_vec()),
+    }
+}
+
+fn with(case: &Value, place: &[String], value: Value) -> String {
+    let mut changed = case.clone();
+    let target = place.iter().fold(&mut changed, |at, part| match at {
+        Value::Sequence(list) => &mut list[part.parse::<usize>().unwrap()],
+        section => section.get_mut(part.as_str()).unwrap(),
+    });
+    *target = value;
+    serde_yaml::to_string(&changed).unwrap()
+}
+
+/// Tries every value in the place of every number of a case; `accepted` is asked of what is accepted.
+fn each(file: &Path, mut accepted: impl FnMut(&str, &str)) {
+    let text = std::fs::read_to_string(file).unwrap();
+    let mut case: Value = serde_yaml::from_str(&PAPERS.parse(file, &text).unwrap().resolved).unwrap();
+    case.as_mapping_mut().unwrap().remove("derived");
+    let mut all = Vec::new();
+    places(&case, &[], &mut all);
+    for place in all {
+        for value in VALUES {
+            let (text, what) = (with(&case, &place, serde_yaml::from_str(value).unwrap()), place.join("."));
+            let what = format!("{}: {what}: {value}", file.file_name().unwrap().display());
+            match catch_unwind(|| PAPERS.parse(file, &text).map(drop)).unwrap_or_else(|_| panic!("{what} panics")) {
+                Ok(()) => accepted(&text, &what),
+                Err(Error::Input(problems)) => {
+                    for problem in problems {
+                        assert!(problem.line.is_some() && !problem.key.is_empty(), "{what}: {problem}");
+                    }
+                }
+                Err(error) => panic!("{what}: {error}"),
+            }
+        }
+    }
+}
+
+#[test]
+fn a_value_that_makes_no_sense_is_refused_by_key_and_line() {
+    for file in files("cases") {
+        each(&file, |_, _| {});
+    }
+}
+
+#[test]
+#[ignore = "minutes: runs every value that is accepted"]
+fn what_is_accepted_runs_or_halts_by_name() {
+    let place = tempfile::tempdir().unwrap();
+    for file in files("tests/cases/good") {
+        each(&file, |text, what| {
+            let begun = std::time::Instant::now();
+            if [".load:", ".save:"].iter().any(|path| what.contains(path)) {
+                return;
+            }
+            let job = PAPERS.parse(&file, text).unwrap();
+            let interrupt = Interrupt::new(None, Some(STEPS)).unwrap().within(std::time::Duration::from_secs(20));
+            let run =
+                std::panic::AssertUnwindSafe(|| job.launch(&place.path().join("run"), true, &interrupt, &mut |_| {}));
+            let ended = catch_unwind(run).unwrap_or_else(|_| panic!("{what} panics"));
+            if begun.elapsed().as_secs() > 5 {
+                println!("{what} takes {:?}", begun.elapsed());
+            }
+            match ended {
+                Ok(_) | Err(Error::Stopped(_) | Error::Halted(..) | Error::Input(_)) => {}
+                Err(error) => println!("{what}: {error}"),
+            }
+        });
+    }
+}
