@@ -1,7 +1,7 @@
 //! Progress of a run, shown to the user.
 
 use super::OutputMode;
-use crate::run::RunProgress;
+use crate::run::{Message, RunProgress};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::IsTerminal;
 use std::time::{Duration, Instant};
@@ -30,8 +30,16 @@ impl Progress {
         Self { manner, bar, stage: String::new(), begun: (Instant::now(), 0), written: None }
     }
 
-    /// Shows the progress of a run.
-    pub(super) fn show(&mut self, state: RunProgress) {
+    /// Shows a message of a run.
+    pub(super) fn tell(&mut self, message: Message) {
+        match (message, &self.bar) {
+            (Message::Progress(state), _) => self.show(state),
+            (Message::Note(text), Some(bar)) => bar.suspend(|| self.manner.say(text)),
+            (Message::Note(text), None) => self.manner.say(text),
+        }
+    }
+
+    fn show(&mut self, state: RunProgress) {
         if self.manner.quiet {
             return;
         }

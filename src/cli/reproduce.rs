@@ -1,10 +1,10 @@
 //! `veridem reproduce`: the claims of a paper beside the measured values.
 
 use super::{OutputMode, print};
-use crate::error::{AtPath, Error};
+use crate::error::Error;
 use crate::figures::Report;
 use crate::interrupt::Interrupt;
-use crate::output::write_atomically;
+use crate::output::{create_folder, write_atomically};
 use crate::papers::{AnyPaper, Papers};
 use crate::reproduce::{Chapter, Claim, Evidence, Extent, Setting, Verdict};
 use clap::builder::{PossibleValue, PossibleValuesParser};
@@ -128,7 +128,7 @@ fn markdown(claims: &[Claim]) -> String {
 
 fn write(path: &Path, text: &str) -> Result<(), Error> {
     if let Some(folder) = path.parent() {
-        std::fs::create_dir_all(folder).at(folder)?;
+        create_folder(folder)?;
     }
     write_atomically(path, text.as_bytes())
 }

@@ -6,7 +6,6 @@ use super::run::{Limits, conclude};
 use crate::error::Error;
 use crate::output::{Manifest, RunFolder, Status};
 use crate::papers::Papers;
-use crate::run::RunProgress;
 use std::path::PathBuf;
 
 /// The arguments.
@@ -33,8 +32,7 @@ pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> 
         );
     }
     let mut progress = Progress::new(manner);
-    let mut show = |state: RunProgress| progress.show(state);
-    let findings = job.resume(&folder, manifest, &interrupt, &mut show);
+    let findings = job.resume(&folder, manifest, &interrupt, &mut |message| progress.tell(message));
     progress.finish();
     conclude(&folder, &findings?, manner)
 }

@@ -54,7 +54,7 @@ pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> 
     let root = arguments.out.join(arguments.name.clone().unwrap_or_else(stem));
     let job = papers.read(&arguments.case)?;
     let mut progress = Progress::new(manner);
-    let ended = job.launch(&root, arguments.force, &interrupt, &mut |state| progress.show(state));
+    let ended = job.launch(&root, arguments.force, &interrupt, &mut |message| progress.tell(message));
     progress.finish();
     let (folder, findings) = ended?;
     conclude(&folder, &findings, manner)

@@ -3,12 +3,12 @@
 use super::{OutputMode, print};
 use crate::case::units::decimal;
 use crate::case::unmarked;
-use crate::error::{AtPath, Error};
+use crate::error::Error;
 use crate::interrupt::Interrupt;
-use crate::output::{Finding, Manifest, RunFolder, write_atomically};
+use crate::output::{Finding, Manifest, RunFolder, create_folder, write_atomically};
 use crate::papers::Papers;
 use crate::run::sweep::{Point, carry_out, distinct};
-use crate::run::{Reader, RunProgress};
+use crate::run::{Message, Reader};
 use indicatif::{HumanDuration, ProgressBar, ProgressStyle};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
@@ -44,7 +44,7 @@ pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> 
     let points = points(&arguments.case, &text, &axes, &read)?;
     let stem = arguments.case.file_stem().unwrap_or_default();
     let out = arguments.out.clone().unwrap_or_else(|| Path::new("run").join(stem));
-    std::fs::create_dir_all(&out).at(&out)?;
+    create_folder(&out)?;
     let interrupt = Interrupt::new(None, None).map_err(|cause| Error::Io("signal handler".into(), cause))?;
     let mut tried = None;
     if !manner.quiet {
@@ -95,7 +95,8 @@ fn estimate<'a>(
     let new: Vec<&Point> = points.iter().filter(|point| !out.join(&point.name).exists()).collect();
     let Some(&point) = new.first() else { return Ok((format!("{} runs, all started before", points.len()), None)) };
     let (mut stage, mut since, mut pace) = (String::new(), Instant::now(), None);
-    let mut show = |state: RunProgress| {
+    let mut show = |message: Message| {
+        let Message::Progress(state) = message else { return };
         if stage != state.stage {
             (stage, since, pace) = (state.stage.into(), Instant::now(), None);
         } else if state.step > 0 {

@@ -1,7 +1,7 @@
 //! Complete states on disk: a heading, a checksum, and the state.
 
 use super::files::{read, write_atomically};
-use crate::error::{AtPath, Error};
+use crate::error::{AtPath, Error, Problem};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::path::{Path, PathBuf};
@@ -18,7 +18,7 @@ pub enum SavedKind {
 impl SavedKind {
     fn heading(self) -> &'static [u8] {
         match self {
-            Self::Checkpoint => b"veridem checkpoint 1\n",
+            Self::Checkpoint => b"veridem checkpoint 2\n",
             Self::Sample => b"veridem sample 1\n",
         }
     }
@@ -100,21 +100,21 @@ impl Checkpoints {
     /// If the file cannot be written.
     pub fn save<T: Serialize>(&self, steps: u64, state: &T) -> Result<(), Error> {
         save_state(&self.path(&format!("{steps:012}")), SavedKind::Checkpoint, state)?;
-        let due = self.due()?;
-        for path in &due[..due.len().saturating_sub(2)] {
-            std::fs::remove_file(path).at(path)?;
-        }
-        self.forget_stopped()
+        self.prune()
     }
 
-    /// Removes the checkpoint of a stop, which the resumed run has passed.
+    /// Removes all but the last two, and the checkpoint of a stop, which the resumed run has passed.
     ///
     /// # Errors
     ///
-    /// If the file cannot be removed.
-    pub fn forget_stopped(&self) -> Result<(), Error> {
-        let stopped = self.path(STOPPED);
-        if stopped.exists() { std::fs::remove_file(&stopped).at(&stopped) } else { Ok(()) }
+    /// If a file cannot be removed.
+    pub fn prune(&self) -> Result<(), Error> {
+        let due = self.due()?;
+        let stopped = Some(self.path(STOPPED)).filter(|path| path.exists());
+        due[..due.len().saturating_sub(2)]
+            .iter()
+            .chain(&stopped)
+            .try_for_each(|path| std::fs::remove_file(path).at(path))
     }
 
     /// Saves the state in which a run is stopped.
@@ -126,21 +126,27 @@ impl Checkpoints {
         save_state(&self.path(STOPPED), SavedKind::Checkpoint, state)
     }
 
-    /// The latest readable state; the error of the latest if none is readable.
+    /// The latest readable state that `fits` the record of its run, and the problems of those that were passed over.
     ///
     /// # Errors
     ///
-    /// If there is no checkpoint, or none can be read.
-    pub fn latest<T: DeserializeOwned>(&self) -> Result<T, Error> {
+    /// If there is none; if a file cannot be read.
+    pub fn latest<T: DeserializeOwned>(
+        &self,
+        mut fits: impl FnMut(&T) -> Result<(), Error>,
+    ) -> Result<(T, Vec<Problem>), Error> {
         let candidates = [self.path(STOPPED)].into_iter().filter(|path| path.exists());
-        let mut complaint = None;
+        let mut passed_over = Vec::new();
         for path in candidates.chain(self.due()?.into_iter().rev()) {
-            match load_state(&path, SavedKind::Checkpoint) {
-                Ok(state) => return Ok(state),
-                Err(error) => complaint = complaint.or(Some(error)),
+            match load_state(&path, SavedKind::Checkpoint).and_then(|state| fits(&state).map(|()| state)) {
+                Ok(state) => return Ok((state, passed_over)),
+                Err(Error::Input(problems)) => passed_over.extend(problems),
+                Err(error) => return Err(error),
             }
         }
-        Err(complaint.unwrap_or_else(|| Error::input(&self.folder, "holds no checkpoint")))
+        let what = "holds no checkpoint from which the run can be resumed".into();
+        passed_over.push(Problem { file: self.folder.clone(), line: None, key: String::new(), what });
+        Err(Error::Input(passed_over))
     }
 }
 
@@ -157,7 +163,7 @@ mod tests {
         assert_eq!(load_state::<Vec<f64>>(&path, SavedKind::Sample).unwrap(), state);
         assert_eq!(
             load_state::<Vec<f64>>(&path, SavedKind::Checkpoint).unwrap_err().to_string(),
-            format!("{}: does not begin with `veridem checkpoint 1`", path.display())
+            format!("{}: does not begin with `veridem checkpoint 2`", path.display())
         );
         let mut bytes = std::fs::read(&path).unwrap();
         *bytes.last_mut().unwrap() ^= 1;
@@ -176,12 +182,19 @@ mod tests {
             checkpoints.save(step, &step).unwrap();
         }
         assert_eq!(checkpoints.due().unwrap().len(), 2);
-        assert_eq!(checkpoints.latest::<u64>().unwrap(), 3000);
+        let latest = |fits: &dyn Fn(&u64) -> bool| {
+            let fits = |state: &u64| if fits(state) { Ok(()) } else { Err(Error::input(folder.path(), "differs")) };
+            checkpoints.latest::<u64>(fits).map(|(state, passed_over)| (state, passed_over.len()))
+        };
+        assert_eq!(latest(&|_| true).unwrap(), (3000, 0));
+        assert_eq!(latest(&|&state| state < 3000).unwrap(), (200, 1));
         std::fs::write(checkpoints.path("000000003000"), b"half a file").unwrap();
-        assert_eq!(checkpoints.latest::<u64>().unwrap(), 200);
+        assert_eq!(latest(&|_| true).unwrap(), (200, 1));
+        assert_eq!(latest(&|_| false).unwrap_err().to_string().lines().count(), 3);
         checkpoints.keep_stopped(&2500u64).unwrap();
-        assert_eq!(checkpoints.latest::<u64>().unwrap(), 2500);
+        assert_eq!(latest(&|_| true).unwrap(), (2500, 0));
         checkpoints.save(4000, &4000u64).unwrap();
-        assert_eq!(checkpoints.latest::<u64>().unwrap(), 4000);
+        assert_eq!(latest(&|_| true).unwrap(), (4000, 0));
+        assert!(!checkpoints.path(STOPPED).exists());
     }
 }

@@ -1,12 +1,13 @@
-//! Files that are either complete or absent, and files that grow by complete lines.
+//! Files that are either complete or absent, also after a power failure.
 
 use crate::error::{AtPath, Error};
 use sha2::{Digest, Sha256};
-use std::fs::{File, OpenOptions};
+use std::fs::File;
 use std::io::{ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
 
-/// Writes a file under a temporary name, syncs and renames it: a reader sees the complete file or none.
+/// Writes a file under a temporary name, syncs and renames it, and syncs its folder: a reader sees the complete file or none, and
+/// once this returns the file survives a power failure.
 ///
 /// # Errors
 ///
@@ -24,7 +25,53 @@ pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), Error> {
         std::fs::remove_file(&temporary).ok();
     }
     written.at(path)?;
-    std::fs::rename(&temporary, path).at(path)
+    std::fs::rename(&temporary, path).at(path)?;
+    sync_folder(folder_of(path))
+}
+
+/// Creates a folder and those that it is in, unless they exist; the new ones survive a power failure.
+///
+/// # Errors
+///
+/// If a folder cannot be created.
+pub fn create_folder(path: &Path) -> Result<(), Error> {
+    if path.is_dir() {
+        return Ok(());
+    }
+    let parent = folder_of(path);
+    create_folder(parent)?;
+    match std::fs::create_dir(path) {
+        // Another process may have been faster.
+        Err(cause) if cause.kind() == ErrorKind::AlreadyExists && path.is_dir() => {}
+        created => created.at(path)?,
+    }
+    sync_folder(parent)
+}
+
+/// Makes the names of the files in a folder, as they were created, renamed and removed, survive a power failure.
+///
+/// # Errors
+///
+/// If the operating system cannot write them.
+pub fn sync_folder(folder: &Path) -> Result<(), Error> {
+    use ErrorKind::{InvalidInput, PermissionDenied, Unsupported};
+    if cfg!(unix) {
+        match File::open(folder).and_then(|folder| folder.sync_all()) {
+            // Some file systems write them at once instead; a folder that cannot be listed cannot be opened.
+            Err(cause) if [InvalidInput, PermissionDenied, Unsupported].contains(&cause.kind()) => {}
+            synced => synced.at(folder)?,
+        }
+    }
+    Ok(())
+}
+
+/// The folder that a file or folder is in.
+fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
+        Some(parent) if parent.as_os_str().is_empty() => Path::new("."),
+        Some(parent) => parent,
+        None => path,
+    }
 }
 
 /// Reads a whole input file.
@@ -51,56 +98,5 @@ pub fn sha256_file(path: &Path) -> Result<String, Error> {
             Err(cause) if cause.kind() == ErrorKind::Interrupted => {}
             Err(cause) => return Err(Error::Io(path.into(), cause)),
         }
-    }
-}
-
-/// A file that only grows, with a known length at every checkpoint.
-pub struct Appending {
-    path: PathBuf,
-    file: File,
-    length: u64,
-}
-
-impl Appending {
-    /// A new, empty file.
-    ///
-    /// # Errors
-    ///
-    /// If the file cannot be written.
-    pub fn create(path: PathBuf) -> Result<Self, Error> {
-        let file = File::create(&path).at(&path)?;
-        Ok(Self { path, file, length: 0 })
-    }
-
-    /// Reopens a file at an earlier length; what was written later is truncated.
-    ///
-    /// # Errors
-    ///
-    /// If the file cannot be opened, or is shorter than `length`.
-    pub fn resume(path: PathBuf, length: u64) -> Result<Self, Error> {
-        let file = OpenOptions::new().append(true).open(&path).at(&path)?;
-        let found = file.metadata().at(&path)?.len();
-        if found < length {
-            return Err(Error::input(&path, format!("has {found} bytes, but had {length} at the checkpoint")));
-        }
-        file.set_len(length).at(&path)?;
-        Ok(Self { path, file, length })
-    }
-
-    /// Appends a line without buffering.
-    ///
-    /// # Errors
-    ///
-    /// If the file cannot be written.
-    pub fn line(&mut self, text: &str) -> Result<(), Error> {
-        let line = format!("{text}\n");
-        self.file.write_all(line.as_bytes()).at(&self.path)?;
-        self.length += line.len() as u64;
-        Ok(())
-    }
-
-    /// The length in bytes.
-    pub fn length(&self) -> u64 {
-        self.length
     }
 }

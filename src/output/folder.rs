@@ -1,6 +1,6 @@
 //! The layout of a run folder.
 
-use super::Checkpoints;
+use super::{Checkpoints, create_folder};
 use crate::error::{AtPath, Error};
 use std::path::{Path, PathBuf};
 
@@ -29,9 +29,7 @@ impl RunFolder {
             }
             std::fs::remove_dir_all(root).at(root)?;
         }
-        for path in [folder.frames(), folder.checkpoint_folder(), folder.figures()] {
-            std::fs::create_dir_all(&path).at(&path)?;
-        }
+        folder.complete()?;
         Ok(folder)
     }
 
@@ -72,6 +70,15 @@ impl RunFolder {
         let folder = Self { root: root.into() };
         std::fs::metadata(folder.case()).map_err(|cause| Error::NoInput(folder.case(), cause))?;
         Ok(folder)
+    }
+
+    /// Creates the folders in it that are missing.
+    ///
+    /// # Errors
+    ///
+    /// If a folder cannot be created.
+    pub fn complete(&self) -> Result<(), Error> {
+        [self.frames(), self.checkpoint_folder(), self.figures()].iter().try_for_each(|path| create_folder(path))
     }
 
     /// The folder itself.

@@ -1,5 +1,6 @@
 //! The run folder: the output of a run, written so that an incomplete file is never mistaken for a result.
 
+mod appending;
 mod checkpoint;
 pub mod columns;
 mod files;
@@ -9,9 +10,10 @@ mod manifest;
 mod reading;
 mod series;
 
+pub use appending::{Appending, Fingerprint};
 pub use checkpoint::{Checkpoints, SavedKind, load_state, save_state};
 pub use columns::Column;
-pub use files::{Appending, read, sha256_file, write_atomically};
+pub use files::{create_folder, read, sha256_file, sync_folder, write_atomically};
 pub use folder::RunFolder;
 pub use frames::{SURFACES, extended_xyz, frame_name, wavefront};
 pub use manifest::{Manifest, Status};

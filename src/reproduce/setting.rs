@@ -1,9 +1,9 @@
 //! The setting in which a chapter is computed, and its saved runs.
 
 use super::Extent;
-use crate::error::{AtPath, Error};
+use crate::error::Error;
 use crate::interrupt::Interrupt;
-use crate::output::{Manifest, RunFolder};
+use crate::output::{Manifest, RunFolder, create_folder};
 use crate::run::Reader;
 use crate::run::sweep::{Point, carry_out};
 use indicatif::HumanDuration;
@@ -40,7 +40,7 @@ impl Setting<'_> {
     ///
     /// The first run that fails, and a folder that cannot be written.
     pub fn run_all(&self, points: &[Point]) -> Result<RunSet, Error> {
-        std::fs::create_dir_all(&self.runs).at(&self.runs)?;
+        create_folder(&self.runs)?;
         let (begin, state) = (Instant::now(), Mutex::new((0, 0, None)));
         carry_out(points, &self.runs, self.interrupt, self.read, &|_, outcome| {
             let (done, new, failure) = &mut *state.lock().expect("no worker panics");

@@ -1,7 +1,7 @@
 //! A job: a checked case, ready to be run into its run folder.
 
 use super::recorder::{Recorder, State};
-use super::{Driver, RunProgress, Study};
+use super::{Driver, Message, Study};
 use crate::case::{Output, located};
 use crate::error::{AtPath, Error};
 use crate::figures::Graph;
@@ -50,7 +50,7 @@ pub trait Runnable {
     ///
     /// If a file it needs is missing or wrong.
     fn examine(&self) -> Result<(), Error>;
-    /// Runs a job in a new folder at `root`, replacing it if requested; `show` receives the progress.
+    /// Runs a job in a new folder at `root`, replacing it if requested; `tell` receives its messages.
     ///
     /// # Errors
     ///
@@ -61,7 +61,7 @@ pub trait Runnable {
         root: &Path,
         replace: bool,
         interrupt: &Interrupt,
-        show: &mut dyn FnMut(RunProgress),
+        tell: &mut dyn FnMut(Message),
     ) -> Result<(RunFolder, Vec<Finding>), Error>;
     /// Resumes a job from its latest checkpoint, or from the beginning if it has none.
     ///
@@ -74,7 +74,7 @@ pub trait Runnable {
         folder: &RunFolder,
         manifest: Manifest,
         interrupt: &Interrupt,
-        show: &mut dyn FnMut(RunProgress),
+        tell: &mut dyn FnMut(Message),
     ) -> Result<Vec<Finding>, Error>;
 }
 
@@ -89,7 +89,7 @@ impl<S: Study> Runnable for S {
         root: &Path,
         replace: bool,
         interrupt: &Interrupt,
-        show: &mut dyn FnMut(RunProgress),
+        tell: &mut dyn FnMut(Message),
     ) -> Result<(RunFolder, Vec<Finding>), Error> {
         let inputs = job.inputs()?;
         // Errors in the input are found before anything is written.
@@ -104,7 +104,7 @@ impl<S: Study> Runnable for S {
             initial => initial.map_err(|error| located(error, &job.file, &job.text))?,
         };
         let (folder, manifest) = job.make_folder(root, replace, inputs)?;
-        let findings = from_the_beginning(self, job, &folder, manifest, initial, interrupt, show)?;
+        let findings = from_the_beginning(self, job, &folder, manifest, initial, interrupt, tell)?;
         Ok((folder, findings))
     }
 
@@ -114,20 +114,33 @@ impl<S: Study> Runnable for S {
         folder: &RunFolder,
         mut manifest: Manifest,
         interrupt: &Interrupt,
-        show: &mut dyn FnMut(RunProgress),
+        tell: &mut dyn FnMut(Message),
     ) -> Result<Vec<Finding>, Error> {
+        folder.complete()?;
         if folder.checkpoints().is_empty()? {
             unchanged(&job.reads, &manifest)?;
             let initial = self.initial(interrupt).map_err(|error| located(error, &job.file, &job.text))?;
             manifest.resume();
             manifest.write(folder)?;
-            return from_the_beginning(self, job, folder, manifest, initial, interrupt, show);
+            return from_the_beginning(self, job, folder, manifest, initial, interrupt, tell);
         }
         let mut driver = Driver::new(self, interrupt).using(job.instructions);
-        let State { stage, dt, damping, skin, snapshot, watch, run, length } = folder.checkpoints().latest()?;
+        let mut missing = Vec::new();
+        let fits = |state: &State<S::Watch>| {
+            missing = state.recorded.check(folder)?;
+            Ok(())
+        };
+        let (state, passed_over) = folder.checkpoints().latest(fits)?;
+        let State { stage, dt, damping, skin, snapshot, watch, run, recorded } = state;
         unchanged(&self.reads_after(stage), &manifest)?;
-        // A record that is shorter than its checkpoint says leaves the run as it is.
-        let mut sink = Recorder::resume(folder, &job.output, length, show)?;
+        for problem in passed_over {
+            tell(Message::Note(format!("warning: {problem}; an older checkpoint is used")));
+        }
+        if let Some(first) = missing.first() {
+            let what = format!("{} missing frame files, the first is {}", missing.len(), first.display());
+            tell(Message::Note(format!("warning: {what}; frames before the checkpoint are not written again")));
+        }
+        let mut sink = Recorder::resume(folder, &job.output, recorded, tell)?;
         manifest.resume();
         manifest.write(folder)?;
         job.conclude(folder, manifest, || {
@@ -147,16 +160,16 @@ fn from_the_beginning<S: Study>(
     manifest: Manifest,
     initial: System,
     interrupt: &Interrupt,
-    show: &mut dyn FnMut(RunProgress),
+    tell: &mut dyn FnMut(Message),
 ) -> Result<Vec<Finding>, Error> {
     job.conclude(folder, manifest, || {
-        let mut sink = Recorder::begin(study, folder, &job.output, show)?;
+        let mut sink = Recorder::begin(study, folder, &job.output, tell)?;
         Ok(Driver::new(study, interrupt).using(job.instructions).run_from(initial, &mut sink)?.findings)
     })
 }
 
 impl Job {
-    /// Creates a run folder and runs the job from beginning to end; `show` receives the progress.
+    /// Creates a run folder and runs the job from beginning to end; `tell` receives its messages.
     ///
     /// # Errors
     ///
@@ -166,10 +179,10 @@ impl Job {
         root: &Path,
         replace: bool,
         interrupt: &Interrupt,
-        show: &mut dyn FnMut(RunProgress),
+        tell: &mut dyn FnMut(Message),
     ) -> Result<(RunFolder, Vec<Finding>), Error> {
         self.needs(root)?;
-        self.study.start(self, root, replace, interrupt, show)
+        self.study.start(self, root, replace, interrupt, tell)
     }
 
     /// Resumes a run from its latest checkpoint. Its case must not have changed since it was started.
@@ -182,13 +195,13 @@ impl Job {
         folder: &RunFolder,
         manifest: Manifest,
         interrupt: &Interrupt,
-        show: &mut dyn FnMut(RunProgress),
+        tell: &mut dyn FnMut(Message),
     ) -> Result<Vec<Finding>, Error> {
         let begun_with = sha256_file(&folder.case())?;
         if !manifest.inputs.values().any(|input| *input == begun_with) {
             return Err(Error::input(&folder.case(), "has changed since the run was started"));
         }
-        self.study.resume(self, folder, manifest, interrupt, show)
+        self.study.resume(self, folder, manifest, interrupt, tell)
     }
 
     /// Starts or resumes a run in a folder unless it has finished; returns whether there was anything left to do.
@@ -275,7 +288,7 @@ impl Job {
             write_atomically(&folder.results(), results.as_bytes())?;
             #[cfg(feature = "cli")]
             crate::figures::report(&self.title, self.graphs, folder, &findings)?;
-            folder.checkpoints().forget_stopped()?;
+            folder.checkpoints().prune()?;
             Ok(findings)
         });
         let status = match &result {

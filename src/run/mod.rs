@@ -11,7 +11,7 @@ pub mod sweep;
 
 pub use driver::{Driver, Outcome, RunState, RunningStage, advance, advance_until};
 pub use job::{Job, Reader, Runnable};
-pub use recorder::RunProgress;
+pub use recorder::{Message, RunProgress};
 pub use row::{Row, columns};
 pub use sink::{Each, Memory, Sink, Step};
 pub use study::{Progress, Study};

@@ -1,17 +1,43 @@
 //! Writes the output of a run as it proceeds.
 
-use crate::error::Error;
-use crate::output::{Appending, Cell, RunFolder, SURFACES, extended_xyz, frame_name, row, wavefront, write_atomically};
+use crate::error::{AtPath, Error};
+use crate::output::{
+    Appending, Cell, Fingerprint, RunFolder, SURFACES, extended_xyz, frame_name, row, wavefront, write_atomically,
+};
 use crate::system::System;
 use serde::{Deserialize, Serialize};
 use serde_json::json;
+use std::path::PathBuf;
 
-/// The length of the record at a checkpoint, to which its files are truncated when the run is resumed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub(super) struct RecordLength {
-    series: u64,
-    events: u64,
-    frames: u64,
+/// The record at a checkpoint, to which its files are truncated when the run is resumed.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub(super) struct Recorded {
+    series: Fingerprint,
+    events: Fingerprint,
+    /// Of each frame, and of the surfaces beside it.
+    frames: Vec<(Fingerprint, Option<Fingerprint>)>,
+}
+
+impl Recorded {
+    /// Checks that the record of a folder begins with this one; returns the frames that are missing, which a run does not need to be
+    /// resumed.
+    pub(super) fn check(&self, folder: &RunFolder) -> Result<Vec<PathBuf>, Error> {
+        self.series.check(&folder.series())?;
+        self.events.check(&folder.events())?;
+        let mut missing = Vec::new();
+        for (number, (frame, surfaces)) in (0..).zip(&self.frames) {
+            let path = frame_path(folder, number);
+            let files = [(path.with_extension(SURFACES), *surfaces), (path, Some(*frame))];
+            for (path, fingerprint) in files.into_iter().filter_map(|(path, of)| Some((path, of?))) {
+                if path.exists() { fingerprint.check(&path)? } else { missing.push(path) }
+            }
+        }
+        Ok(missing)
+    }
+}
+
+fn frame_path(folder: &RunFolder, number: usize) -> PathBuf {
+    folder.frames().join(frame_name(number as u64))
 }
 
 /// The growing files of a run folder.
@@ -19,33 +45,30 @@ pub(super) struct Record {
     folder: RunFolder,
     series: Appending,
     events: Appending,
-    frames: u64,
+    frames: Vec<(Fingerprint, Option<Fingerprint>)>,
 }
 
 impl Record {
     /// Creates the record of a new run.
     pub(super) fn begin(folder: &RunFolder, columns: &[String]) -> Result<Self, Error> {
+        remove_frames_after(folder, 0)?;
         let mut series = Appending::create(folder.series())?;
         series.line(&columns.join(","))?;
-        Ok(Self { folder: folder.clone(), series, events: Appending::create(folder.events())?, frames: 0 })
+        Ok(Self { folder: folder.clone(), series, events: Appending::create(folder.events())?, frames: Vec::new() })
     }
 
     /// Restores a record to its state at a checkpoint.
-    pub(super) fn resume(folder: &RunFolder, length: RecordLength) -> Result<Self, Error> {
-        let series = Appending::resume(folder.series(), length.series)?;
-        let events = Appending::resume(folder.events(), length.events)?;
-        let outdated = (length.frames..).map(|number| folder.frames().join(frame_name(number)));
-        for frame in outdated.take_while(|path| path.exists()) {
-            for path in [frame.with_extension(SURFACES), frame].into_iter().filter(|path| path.exists()) {
-                std::fs::remove_file(&path).map_err(|cause| Error::Io(path, cause))?;
-            }
-        }
-        Ok(Self { folder: folder.clone(), series, events, frames: length.frames })
+    pub(super) fn resume(folder: &RunFolder, recorded: Recorded) -> Result<Self, Error> {
+        let Recorded { series, events, frames } = recorded;
+        let series = Appending::resume(folder.series(), &series)?;
+        let events = Appending::resume(folder.events(), &events)?;
+        remove_frames_after(folder, frames.len())?;
+        Ok(Self { folder: folder.clone(), series, events, frames })
     }
 
-    /// The present length.
-    pub(super) fn length(&self) -> RecordLength {
-        RecordLength { series: self.series.length(), events: self.events.length(), frames: self.frames }
+    /// Makes the record survive a power failure; returns its present state.
+    pub(super) fn sync(&self) -> Result<Recorded, Error> {
+        Ok(Recorded { series: self.series.sync()?, events: self.events.sync()?, frames: self.frames.clone() })
     }
 
     /// Appends a row to the series.
@@ -61,13 +84,27 @@ impl Record {
 
     /// Writes the next frame, and next to it the surfaces.
     pub(super) fn frame(&mut self, stage: &str, system: &System) -> Result<(), Error> {
-        let path = self.folder.frames().join(frame_name(self.frames));
+        let path = frame_path(&self.folder, self.frames.len());
+        let write = |path: PathBuf, text: String| {
+            write_atomically(&path, text.as_bytes()).map(|()| Fingerprint::of(text.as_bytes()))
+        };
         // Surfaces are written first, so that an existing frame is complete.
-        if !system.surfaces.is_empty() {
-            write_atomically(&path.with_extension(SURFACES), wavefront(system).as_bytes())?;
-        }
-        write_atomically(&path, extended_xyz(system, stage).as_bytes())?;
-        self.frames += 1;
+        let drawn = (!system.surfaces.is_empty()).then(|| write(path.with_extension(SURFACES), wavefront(system)));
+        let surfaces = drawn.transpose()?;
+        self.frames.push((write(path, extended_xyz(system, stage))?, surfaces));
         Ok(())
     }
+}
+
+/// Removes the frames that a process wrote after the checkpoint from which the run is resumed.
+fn remove_frames_after(folder: &RunFolder, count: usize) -> Result<(), Error> {
+    for entry in std::fs::read_dir(folder.frames()).at(&folder.frames())? {
+        let path = entry.at(&folder.frames())?.path();
+        let number = path.file_stem().and_then(|stem| stem.to_str()?.parse().ok());
+        let is_frame = |number| [frame_path(folder, number), frame_path(folder, number).with_extension(SURFACES)];
+        if number.is_some_and(|number: usize| number >= count && is_frame(number).contains(&path)) {
+            std::fs::remove_file(&path).at(&path)?;
+        }
+    }
+    Ok(())
 }

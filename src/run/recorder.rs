@@ -1,6 +1,6 @@
 //! The sink that is a run folder: rows, frames, pictures, events and checkpoints.
 
-use super::record::{Record, RecordLength};
+use super::record::{Record, Recorded};
 use super::{RunState, RunningStage, Sink, Step, Study, columns};
 use crate::case::{InSteps, Output};
 use crate::error::{Error, Halt};
@@ -20,7 +20,16 @@ pub(super) struct State<W> {
     pub(super) snapshot: Snapshot,
     pub(super) watch: W,
     pub(super) run: RunState,
-    pub(super) length: RecordLength,
+    pub(super) recorded: Recorded,
+}
+
+/// A message of a run to its user.
+#[derive(Clone, Debug)]
+pub enum Message<'a> {
+    /// Its progress.
+    Progress(RunProgress<'a>),
+    /// A remark about its folder.
+    Note(String),
 }
 
 /// Progress of a run.
@@ -54,7 +63,7 @@ pub(super) struct Recorder<'a> {
     folder: &'a RunFolder,
     output: &'a Output,
     record: Record,
-    show: &'a mut dyn FnMut(RunProgress),
+    tell: &'a mut dyn FnMut(Message),
     /// Relative residual and largest overlap of the last row.
     seen: (f64, f64),
 }
@@ -65,20 +74,20 @@ impl<'a> Recorder<'a> {
         study: &S,
         folder: &'a RunFolder,
         output: &'a Output,
-        show: &'a mut dyn FnMut(RunProgress),
+        tell: &'a mut dyn FnMut(Message),
     ) -> Result<Self, Error> {
         let record = Record::begin(folder, &columns(study))?;
-        Ok(Self { folder, output, record, show, seen: (0.0, 0.0) })
+        Ok(Self { folder, output, record, tell, seen: (0.0, 0.0) })
     }
 
     /// Restores the record to its state at a checkpoint.
     pub(super) fn resume(
         folder: &'a RunFolder,
         output: &'a Output,
-        length: RecordLength,
-        show: &'a mut dyn FnMut(RunProgress),
+        recorded: Recorded,
+        tell: &'a mut dyn FnMut(Message),
     ) -> Result<Self, Error> {
-        Ok(Self { folder, output, record: Record::resume(folder, length)?, show, seen: (0.0, 0.0) })
+        Ok(Self { folder, output, record: Record::resume(folder, recorded)?, tell, seen: (0.0, 0.0) })
     }
 
     fn intervals<S: Study>(&self, stage: &RunningStage<'_, S>) -> Intervals {
@@ -108,12 +117,14 @@ impl<'a> Recorder<'a> {
     fn show<S: Study>(&mut self, stage: &RunningStage<'_, S>) {
         let system = stage.simulation.system();
         let ((residual, overlap), steps, particles) = (self.seen, stage.last_step(), system.particles.len());
-        (self.show)(RunProgress { stage: &stage.name, step: system.step, steps, particles, residual, overlap });
+        let progress = RunProgress { stage: &stage.name, step: system.step, steps, particles, residual, overlap };
+        (self.tell)(Message::Progress(progress));
     }
 
-    fn state<S: Study>(&self, stage: &RunningStage<'_, S>, run: &RunState) -> State<S::Watch> {
+    /// The state of a run whose record up to here survives a power failure.
+    fn state<S: Study>(&self, stage: &RunningStage<'_, S>, run: &RunState) -> Result<State<S::Watch>, Error> {
         let Settings { dt, damping, skin, .. } = *stage.simulation.settings();
-        State {
+        Ok(State {
             stage: stage.number,
             dt,
             damping,
@@ -121,8 +132,8 @@ impl<'a> Recorder<'a> {
             snapshot: stage.simulation.snapshot(),
             watch: stage.watch.clone(),
             run: run.clone(),
-            length: self.record.length(),
-        }
+            recorded: self.record.sync()?,
+        })
     }
 }
 
@@ -158,23 +169,25 @@ impl<S: Study> Sink<S> for Recorder<'_> {
         }
         if taken.is_multiple_of(checkpoints) && !last {
             self.event(stage, "checkpoint")?;
-            self.folder.checkpoints().save(run.steps, &self.state(stage, run))?;
+            self.folder.checkpoints().save(run.steps, &self.state(stage, run)?)?;
         }
         Ok(ControlFlow::Continue(()))
     }
 
     fn end(&mut self, stage: &mut RunningStage<'_, S>, _: &RunState) -> Result<(), Error> {
         self.picture(stage, "end")?;
-        self.event(stage, "end")
+        self.event(stage, "end")?;
+        self.record.sync().map(drop)
     }
 
     fn fail(&mut self, stage: &mut RunningStage<'_, S>, reason: &str) -> Result<(), Error> {
-        self.event(stage, &format!("failed: {reason}"))
+        self.event(stage, &format!("failed: {reason}"))?;
+        self.record.sync().map(drop)
     }
 
     fn stop(&mut self, stage: &mut RunningStage<'_, S>, run: &RunState) -> Error {
         self.show(stage);
-        match self.folder.checkpoints().keep_stopped(&self.state(stage, run)) {
+        match self.state(stage, run).and_then(|state| self.folder.checkpoints().keep_stopped(&state)) {
             Ok(()) => Error::Stopped(Some(self.folder.root().into())),
             Err(error) => error,
         }
@@ -184,6 +197,7 @@ impl<S: Study> Sink<S> for Recorder<'_> {
     fn halt(&mut self, stage: &mut RunningStage<'_, S>, halt: Halt) -> Error {
         stage.simulation.place_members();
         let dumped = self.event(stage, &format!("halted at {halt}")).and_then(|()| {
+            self.record.sync()?;
             let frame = extended_xyz(stage.simulation.system(), &stage.name);
             write_atomically(&self.folder.halted(), frame.as_bytes())
         });
