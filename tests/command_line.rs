@@ -86,12 +86,17 @@ fn a_sweep_begins_in_a_folder_that_holds_no_run_yet_and_leaves_others_alone() {
     std::fs::create_dir_all(swept.join("seed=3")).unwrap();
     std::fs::write(swept.join("seed=3/notes.txt"), "mine").unwrap();
     let sweep = telling(place.path(), &["sweep", &case("patch-hcp"), "seed=1..3", "--out", "swept"]);
-    assert_eq!(sweep.status.code(), Some(4));
+    assert_eq!(sweep.status.code(), Some(2), "the exit status of the run that failed");
     let (told, table) = (text(&sweep.stderr), text(&sweep.stdout));
     let refused = "seed=3: swept/seed=3: is not a resumable run; remove this folder to start again\n";
     assert!(told.contains(refused), "{told}");
-    let status: Vec<&str> = table.lines().skip(1).map(|row| row.split(',').nth(1).unwrap()).collect();
-    assert_eq!(status, ["finished", "finished", "not run"]);
+    let cells = |row: &str| {
+        let cells: Vec<String> = row.split(',').map(str::to_string).collect();
+        [cells[1].clone(), cells[cells.len() - 2].clone(), cells[cells.len() - 1].clone()]
+    };
+    let rows: Vec<[String; 3]> = table.lines().skip(1).map(cells).collect();
+    let reason = "swept/seed=3: is not a resumable run; remove this folder to start again";
+    assert_eq!(rows, [["finished", "", "seed=1"], ["finished", "", "seed=2"], ["not run", reason, "seed=3"]]);
     assert!(swept.join("seed=3/notes.txt").exists());
 }
 
@@ -136,10 +141,149 @@ fn a_sweep_over_a_wrong_key_or_value_is_refused_before_anything_runs() {
         "{message}"
     );
     assert_eq!(
-        refused("seed=1..x"),
-        (Some(2), "`seed=1..x`: a range without `:COUNT` must have whole numbers as limits\n".into())
+        refused("seed=1..2.5"),
+        (Some(2), "`seed=1..2.5`: a range without `:COUNT` must have whole numbers as limits\n".into())
     );
-    assert_eq!(refused("title.x=1"), (Some(2), "`title.x`: there is no such key\n".into()));
+    assert_eq!(refused("title.x=1"), (Some(2), "`title.x=1`: `title` is not a section\n".into()));
+    assert_eq!(refused("seed.=1"), (Some(2), "`seed.=1`: expected a key such as `sample.hcp.size[1]`\n".into()));
+    let (code, message) = refused("sample.hcp.siz[0]=9 d_0");
+    assert_eq!(code, Some(65));
+    assert!(message.ends_with("sample.hcp: unknown key `siz`, did you mean `size`?\n"), "{message}");
+}
+
+#[test]
+fn a_sweep_varies_lists_their_items_and_keys_that_have_defaults() {
+    let place = tempfile::tempdir().unwrap();
+    let whole = std::fs::read_to_string(case("patch-hcp")).unwrap();
+    let bare = whole.replace("    size: [6 d_0, 8 d_0, 3 d_0]\n", "");
+    std::fs::write(place.path().join("patch.yaml"), bare).unwrap();
+    let sweep = |keys: &[&str]| {
+        let all = [&["sweep", "patch.yaml", "--out", "swept", "--stop-after-steps", "2"], keys].concat();
+        let output = veridem(place.path(), &all);
+        assert_eq!(output.status.code(), Some(75), "{}", text(&output.stderr));
+        text(&output.stdout)
+    };
+    let lists = ["sample.hcp.size=[6 d_0, 8 d_0, 3 d_0],[8 d_0, 6 d_0, 3 d_0]", "title='one, two'"];
+    assert_eq!(sweep(&lists).lines().count(), 3);
+    let items = ["sample.hcp.size[0]=6 d_0", "sample.hcp.size[1]=6 d_0", "limits.overlap=0.7..0.9:3"];
+    let table = sweep(&items);
+    assert_eq!(table.lines().count(), 6, "{table}");
+    let head = "sample.hcp.size,title,sample.hcp.size[0],sample.hcp.size[1],limits.overlap,status,reason,run\n";
+    assert!(table.starts_with(head), "{table}");
+    assert!(table.contains("\n\"[8 d_0, 6 d_0, 3 d_0]\",\"'one, two'\",,,,stopped,"), "{table}");
+    assert!(table.contains("\n,,6 d_0,6 d_0,0.8,stopped,"), "{table}");
+    for entry in std::fs::read_dir(place.path().join("swept")).unwrap() {
+        let entry = entry.unwrap();
+        let name = entry.file_name().into_string().unwrap();
+        assert!(name.len() < 200 && name.chars().all(|c| c.is_ascii_alphanumeric() || "._=,-".contains(c)), "{name}");
+        if entry.path().is_dir() {
+            let case = std::fs::read_to_string(entry.path().join("case.yaml")).unwrap();
+            assert!(case.contains("- 3 d_0\n") || case.contains("- 3.0 d_0\n"), "the default is kept: {case}");
+        }
+    }
+}
+
+#[test]
+fn the_summary_of_a_sweep_keeps_earlier_rows_and_is_never_made_of_another_file() {
+    let place = tempfile::tempdir().unwrap();
+    let sweep = |key: &str| veridem(place.path(), &["--json", "sweep", &case("patch-hcp"), key, "--out", "swept"]);
+    assert!(sweep("seed=1").status.success());
+    let halted = sweep("limits.overlap=0.001,0.8");
+    assert_eq!(halted.status.code(), Some(5));
+    let json: serde_json::Value = serde_json::from_slice(&halted.stdout).expect("one document");
+    assert_eq!((&json[0]["status"], &json[0]["error"]["exit"]), (&"halted".into(), &5.into()));
+    assert!(json[0]["reason"].as_str().unwrap().starts_with("halted at step "), "{json}");
+    assert_eq!((&json[1]["status"], &json[1]["error"]), (&"finished".into(), &serde_json::Value::Null));
+    let file = place.path().join("swept/summary.csv");
+    let summary = std::fs::read_to_string(&file).unwrap();
+    let first = |row: &str| row.split(',').take(3).map(str::to_string).collect::<Vec<_>>();
+    let rows: Vec<Vec<String>> = summary.lines().map(first).collect();
+    let expected =
+        [["seed", "limits.overlap", "status"], ["1", "", "finished"], ["", "0.001", "halted"], ["", "0.8", "finished"]];
+    assert_eq!(rows, expected);
+    std::fs::write(&file, "date,notes\n1,mine\n").unwrap();
+    let refused = sweep("seed=7");
+    assert_eq!(refused.status.code(), Some(65));
+    assert!(!place.path().join("swept/seed=7").exists());
+    assert_eq!(std::fs::read_to_string(&file).unwrap(), "date,notes\n1,mine\n");
+}
+
+#[test]
+fn forced_a_sweep_begins_every_run_anew() {
+    let place = tempfile::tempdir().unwrap();
+    let sweep = |force: &[&str]| {
+        let output =
+            telling(place.path(), &[&["sweep", &case("patch-hcp"), "seed=1,2", "--out", "swept"], force].concat());
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        let written =
+            |seed| place.path().join(format!("swept/seed={seed}/series.csv")).metadata().unwrap().modified().unwrap();
+        [written(1), written(2)]
+    };
+    let first = sweep(&[]);
+    assert_eq!(sweep(&[]), first);
+    let anew = sweep(&["--force"]);
+    assert!(anew[0] > first[0] && anew[1] > first[1]);
+}
+
+#[test]
+fn with_json_every_command_writes_one_document_and_every_error_is_an_object() {
+    let place = tempfile::tempdir().unwrap();
+    let json = |arguments: &[&str]| -> serde_json::Value {
+        let output = veridem(place.path(), &[&["--json"], arguments].concat());
+        let parsed = serde_json::from_slice(&output.stdout);
+        let json: serde_json::Value =
+            parsed.unwrap_or_else(|error| panic!("{arguments:?}: {error}: {}", text(&output.stdout)));
+        if let Some(error) = json.get("error") {
+            assert_eq!(error["exit"], output.status.code().unwrap(), "{arguments:?}");
+            assert!(!error["what"].as_str().unwrap().is_empty());
+        } else {
+            assert!(output.status.success(), "{arguments:?}: {}", text(&output.stderr));
+        }
+        json
+    };
+    let patch = case("patch-hcp");
+    for arguments in
+        [&["run", &patch][..], &["check", &patch], &["inspect", "run/patch-hcp"], &["schema"], &["eq", "list"]]
+    {
+        assert!(json(arguments).get("error").is_none(), "{arguments:?}");
+    }
+    let diff = json(&["inspect", "--diff", "run/patch-hcp", "run/patch-hcp"]);
+    assert_eq!(diff["identical"], true);
+    assert_eq!(json(&["eq", "show", "wear-3"])["id"], "wear-3");
+    assert_eq!(json(&["completions", "bash"])["shell"], "bash");
+    for (arguments, exit) in [
+        (&["run", &patch][..], 2),
+        (&["run", "nowhere.yaml"], 66),
+        (&["resume", "nowhere"], 66),
+        (&["inspect", "nowhere"], 66),
+        (&["check"], 2),
+        (&["eq", "show", "wear-nothing"], 2),
+        (&["import", "nowhere"], 66),
+        (&["frobnicate"], 2),
+    ] {
+        assert_eq!(json(arguments)["error"]["exit"], exit, "{arguments:?}");
+    }
+    std::fs::write(place.path().join("wrong.yaml"), "title: x\nsead: 3\n").unwrap();
+    let error = &json(&["check", "wrong.yaml"])["error"];
+    assert_eq!((&error["file"], &error["line"]), (&"wrong.yaml".into(), &2.into()));
+    assert_eq!(error["problems"][0]["what"], "unknown key `sead`, did you mean `seed`?");
+}
+
+#[test]
+fn a_batch_with_a_wrong_line_answers_all_and_exits_65() {
+    use std::io::Write;
+    let mut batch = Command::new(env!("CARGO_BIN_EXE_veridem"))
+        .args(["eq", "eval", "--batch"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let good = r#"{"id": "mechanics-sphere-volume", "in": {"r": 1}}"#;
+    batch.stdin.take().unwrap().write_all(format!("{good}\n\n{good}").as_bytes()).unwrap();
+    let output = batch.wait_with_output().unwrap();
+    assert_eq!((output.status.code(), text(&output.stdout).lines().count()), (Some(65), 3));
+    assert_eq!(text(&output.stderr), "standard input: 1 of 3 lines were answered with an error\n");
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! `veridem completions`: completions of the command line for a shell.
 
-use super::{command, print};
+use super::{OutputMode, command, print};
 use crate::error::Error;
 use crate::papers::Papers;
 
@@ -12,8 +12,13 @@ pub(super) struct Arguments {
 }
 
 /// Writes the completions to standard output.
-pub(super) fn run(arguments: &Arguments, papers: Papers) -> Result<(), Error> {
+pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
     let mut script = Vec::new();
     clap_complete::generate(arguments.shell, &mut command(papers), "veridem", &mut script);
-    print(&String::from_utf8_lossy(&script))
+    let script = String::from_utf8_lossy(&script);
+    if manner.json {
+        let shell = arguments.shell.to_string();
+        return print(&format!("{:#}\n", serde_json::json!({ "shell": shell, "script": script })));
+    }
+    print(&script)
 }

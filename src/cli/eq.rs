@@ -5,7 +5,8 @@ mod call;
 mod show;
 
 use super::{OutputMode, print};
-use crate::error::{AtPath, Error};
+use crate::error::Error;
+use batch::Lines;
 use call::Registry;
 use std::path::Path;
 
@@ -32,7 +33,9 @@ enum Action {
         id: Option<String>,
         /// Arguments as name="value unit", vectors as n="1 0 0" or v="[1, 0, 0] m/s"; a value without unit is in SI
         arguments: Vec<String>,
-        /// Read lines {"id": ..., "in": {name: number or array, ...}} in SI from stdin, write one line each
+        /// Read lines {"id": ..., "in": {name: number or array, ...}} in SI from stdin and answer each, blank and wrong ones too, with a
+        /// line {"id": ..., "out": ...} or {"id": ..., "error": "..."}. `out` is a number or an array for an equation with one
+        /// result, an object of these by name for one with several. The exit status is 65 if a line was answered with an error
         #[arg(long, conflicts_with_all = ["id", "arguments"])]
         batch: bool,
     },
@@ -42,12 +45,21 @@ enum Action {
 pub(super) fn run(arguments: &Arguments, manner: OutputMode) -> Result<(), Error> {
     let registry = Registry::new();
     match &arguments.action {
-        Action::List if manner.json => print(&show::list_as_json(&registry)),
-        Action::List => print(&show::list(&registry)),
-        Action::Show { id } => print(&show::entry(registry.find(id).map_err(Error::Usage)?)),
-        Action::Eval { batch: true, .. } => {
-            batch::run(&registry, &mut std::io::stdin().lock(), &mut std::io::stdout().lock()).at(Path::new("batch"))
+        Action::List if manner.json => {
+            print(&format!("{:#}\n", registry.0.iter().map(show::as_json).collect::<serde_json::Value>()))
         }
+        Action::List => print(&show::list(&registry)),
+        Action::Show { id } => {
+            let entry = registry.find(id).map_err(Error::Usage)?;
+            print(&if manner.json { format!("{:#}\n", show::as_json(entry)) } else { show::entry(entry) })
+        }
+        Action::Eval { batch: true, .. } => match batch::run(&registry, &mut std::io::stdin().lock(), print)? {
+            Lines { failed: 0, .. } => Ok(()),
+            Lines { read, failed } => Err(Error::input(
+                Path::new("standard input"),
+                format!("{failed} of {read} lines were answered with an error"),
+            )),
+        },
         Action::Eval { id, arguments, .. } => {
             let id = id.as_deref().unwrap_or_default();
             let results = registry.eval(id, arguments).map_err(Error::Usage)?;

@@ -17,13 +17,15 @@ mod sweep;
 use crate::error::Error;
 use crate::papers::Papers;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
+use serde_json::json;
 use std::process::ExitCode;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Executable specification and fast engine of contact models for the discrete element method.
 #[derive(Parser)]
 #[command(name = "veridem", version, max_term_width = 100, after_help = EXIT_CODES)]
 pub struct CommandLine {
-    /// Write results as JSON to standard output
+    /// Write one JSON document to standard output: the result, or {"error": {"exit", "what", "file", "line", "key", "problems"}}
     #[arg(long, global = true)]
     json: bool,
     /// Write no messages
@@ -91,13 +93,17 @@ pub fn command(papers: Papers) -> clap::Command {
 
 /// Runs the program for these papers: parses the command line, executes the command, and returns the exit status.
 pub fn main(papers: Papers) -> ExitCode {
-    let matches = command(papers).get_matches();
-    let command_line = CommandLine::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
-    std::panic::set_hook(Box::new(|panic| {
-        complain(&format!("broken invariant: {panic}"));
+    let matches = command(papers).try_get_matches().unwrap_or_else(|error| refuse(&error));
+    let command_line = CommandLine::from_arg_matches(&matches).unwrap_or_else(|error| refuse(&error));
+    let manner = OutputMode { json: command_line.json, quiet: command_line.quiet };
+    std::panic::set_hook(Box::new(move |panic| {
+        let what = format!("broken invariant: {panic}");
+        complain(&what);
+        if manner.json {
+            print_error(&json!({ "exit": 70, "what": what }));
+        }
         std::process::exit(70);
     }));
-    let manner = OutputMode { json: command_line.json, quiet: command_line.quiet };
     // The main thread works too: handing every step over to another thread and waiting for it would cost more than a small step.
     let threads = command_line.threads.map_or(0, usize::from);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).use_current_thread();
@@ -114,16 +120,38 @@ pub fn main(papers: Papers) -> ExitCode {
         #[cfg(feature = "verify")]
         Command::Golden(arguments) => golden::run(&arguments, manner),
         Command::Schema(arguments) => schema::run(&arguments, papers, manner),
-        Command::Completions(arguments) => completions::run(&arguments, papers),
+        Command::Completions(arguments) => completions::run(&arguments, papers, manner),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             complain(&error.to_string());
+            if manner.json {
+                print_error(&error.to_json());
+            }
             error.exit_code().into()
         }
     }
 }
+
+/// Ends the program for a wrong command line, or with the help that was asked for.
+fn refuse(error: &clap::Error) -> ! {
+    if error.use_stderr() && std::env::args_os().any(|argument| argument == "--json") {
+        print_error(&Error::Usage(error.to_string().trim_end().into()).to_json());
+    }
+    error.exit()
+}
+
+/// Prints an error as JSON, unless the command has printed its result already: standard output holds one document.
+fn print_error(error: &serde_json::Value) {
+    if !PRINTED.load(Ordering::Relaxed) {
+        // The exit status tells as much.
+        let _ = print(&format!("{:#}\n", json!({ "error": error })));
+    }
+}
+
+/// Whether anything was printed.
+static PRINTED: AtomicBool = AtomicBool::new(false);
 
 /// Writes a line to standard error; nobody need read it.
 pub(crate) fn complain(text: &str) {
@@ -138,6 +166,7 @@ pub(crate) fn complain(text: &str) {
 /// If standard output cannot be written.
 pub fn print(text: &str) -> Result<(), Error> {
     use std::io::Write;
+    PRINTED.store(true, Ordering::Relaxed);
     match std::io::stdout().write_all(text.as_bytes()) {
         Err(cause) if cause.kind() != std::io::ErrorKind::BrokenPipe => Err(Error::Io("standard output".into(), cause)),
         _ => Ok(()),

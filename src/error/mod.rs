@@ -6,6 +6,7 @@ mod halt;
 
 pub use halt::{Halt, Reason};
 
+use serde_json::{Value, json};
 use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -21,6 +22,15 @@ pub struct Problem {
     pub key: String,
     /// What was found and what was expected.
     pub what: String,
+}
+
+impl Problem {
+    /// The problem for programs; what is not known is null.
+    fn to_json(&self) -> Value {
+        let known = |text: String| (!text.is_empty()).then_some(text);
+        let (file, key) = (known(self.file.display().to_string()), known(self.key.clone()));
+        json!({ "file": file, "line": self.line, "key": key, "what": self.what })
+    }
 }
 
 impl fmt::Display for Problem {
@@ -49,6 +59,8 @@ pub enum Error {
     Halted(Halt, Option<PathBuf>),
     /// A verification failed.
     Verification(String),
+    /// Some of several runs failed: how many, and the name and error of the first, which decides the exit status.
+    Runs(String, String, Box<Error>),
     /// Writing a file failed, or reading one after it was opened.
     Io(PathBuf, io::Error),
     /// A run was stopped and can be resumed from its checkpoint; without a path: several runs, which the same command resumes.
@@ -62,11 +74,29 @@ impl Error {
             Self::Usage(_) => 2,
             Self::Verification(_) => 4,
             Self::Halted(..) => 5,
+            Self::Runs(_, _, first) => first.exit_code(),
             Self::Input(_) => 65,
             Self::NoInput(..) => 66,
             Self::Io(..) => 74,
             Self::Stopped(_) => 75,
         }
+    }
+
+    /// The error for programs: its exit status, its text, and file, line and key of every problem of the input.
+    pub fn to_json(&self) -> Value {
+        let first = if let Self::Runs(_, _, first) = self { first } else { self };
+        let problems = match first {
+            Self::Input(problems) => problems.iter().map(Problem::to_json).collect(),
+            _ => Vec::new(),
+        };
+        let (file, line, key) = match (first, &problems[..]) {
+            (_, [first, ..]) => (first["file"].clone(), first["line"].clone(), first["key"].clone()),
+            (Self::NoInput(path, _) | Self::Io(path, _), _) => {
+                (path.display().to_string().into(), Value::Null, Value::Null)
+            }
+            _ => Default::default(),
+        };
+        json!({ "exit": self.exit_code(), "what": self.to_string(), "file": file, "line": line, "key": key, "problems": problems })
     }
 
     /// A problem with the value of a key of the case, found when the file is no longer open.
@@ -89,6 +119,7 @@ impl fmt::Display for Error {
             }
             Self::NoInput(path, cause) => write!(f, "{}: cannot be read: {cause}", path.display()),
             Self::Usage(what) | Self::Verification(what) => f.write_str(what),
+            Self::Runs(what, name, first) => write!(f, "{what}; the first, {name}: {first}"),
             Self::Halted(halt, None) => write!(f, "halted at {halt}"),
             Self::Halted(halt, Some(state)) => write!(f, "halted at {halt}; the state is in {}", state.display()),
             Self::Io(path, cause) => write!(f, "{}: {cause}", path.display()),

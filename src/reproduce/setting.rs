@@ -42,7 +42,7 @@ impl Setting<'_> {
     pub fn run_all(&self, points: &[Point]) -> Result<RunSet, Error> {
         create_folder(&self.runs)?;
         let (begin, state) = (Instant::now(), Mutex::new((0, 0, None)));
-        carry_out(points, &self.runs, self.interrupt, self.read, &|_, outcome| {
+        carry_out(points, &self.runs, self.interrupt, self.read, &|_| false, &|_, outcome| {
             let (done, new, failure) = &mut *state.lock().expect("no worker panics");
             match outcome {
                 Ok(was_left) => {

@@ -3,12 +3,15 @@
 use super::Reader;
 use crate::error::Error;
 use crate::interrupt::Interrupt;
-use crate::output::write_atomically;
 use rayon::ThreadPoolBuilder;
-use serde_yaml::Value;
+use serde_yaml::{Mapping, Value};
+use sha2::{Digest, Sha256};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Longest part of the name of a folder that shows its values, in bytes.
+const LONGEST: usize = 160;
 
 /// A run of a sweep.
 #[derive(Clone, Debug)]
@@ -17,6 +20,8 @@ pub struct Point {
     pub name: String,
     /// The values of the varied keys.
     pub values: Vec<String>,
+    /// The file that its messages name: it stands nowhere but in them.
+    pub file: PathBuf,
     /// Its case.
     pub text: String,
     /// Its case with every default and derived value.
@@ -32,29 +37,37 @@ impl Point {
     pub fn new(file: &Path, base: &Value, values: &[(&str, &str)], read: Reader) -> Result<Self, Error> {
         let mut case = base.clone();
         for (key, value) in values {
-            set(&mut case, key, value)?;
+            set(&mut case, key, value, read)?;
         }
-        let short = |key: &str| key.rsplit('.').next().unwrap_or_default().to_string();
-        let parts = values.iter().map(|(key, value)| format!("{}={}", short(key), value.replace([' ', '/'], "")));
-        let parts: Vec<String> = parts.collect();
         let text = serde_yaml::to_string(&case).expect("a case is plain data");
         let whole: Vec<String> = values.iter().map(|(key, value)| format!("{key}={value}")).collect();
         let place = format!("{} with {}", file.file_name().unwrap_or_default().display(), whole.join(" "));
-        let resolved = read(&file.with_file_name(place), &text).map_err(without_lines)?.resolved;
+        // Beside the file, from which the paths in it are relative.
+        let place = file.with_file_name(place.replace(std::path::is_separator, "_"));
+        let resolved = read(&place, &text).map_err(without_lines)?.resolved;
+        let name = name(values);
         let values = values.iter().map(|(_, value)| value.to_string()).collect();
-        Ok(Self { name: parts.join(","), values, text, resolved })
+        Ok(Self { name, values, file: place, text, resolved })
     }
+}
 
-    /// Writes its case beside its folder.
-    ///
-    /// # Errors
-    ///
-    /// If the file cannot be written.
-    pub fn write(&self, out: &Path) -> Result<PathBuf, Error> {
-        let case = out.join(format!("{}.yaml", self.name));
-        write_atomically(&case, self.text.as_bytes())?;
-        Ok(case)
+/// The name of the folder of a run: one path component, short enough for any file system, without characters that a shell or another
+/// system takes for something else. A name that does not show its values in full ends with a part of their hash.
+fn name(values: &[(&str, &str)]) -> String {
+    let plain = |c: char| c.is_alphanumeric() || ".+-_".contains(c);
+    let word = |text: &str| text.chars().map(|c| if plain(c) { c } else { '_' }).collect::<String>();
+    let short = |key: &str| word(key.rsplit('.').next().unwrap_or_default());
+    let part = |&(key, value): &(&str, &str)| format!("{}={}", short(key), word(&value.replace(' ', "")));
+    let mut name = values.iter().map(part).collect::<Vec<_>>().join(",");
+    if name.len() > LONGEST || values.iter().any(|(_, value)| !value.chars().all(|c| plain(c) || c == ' ')) {
+        let whole: String = values.iter().map(|(key, value)| format!("{key}={value}\n")).collect();
+        while name.len() > LONGEST {
+            name.pop();
+        }
+        name.push('-');
+        name.extend(Sha256::digest(whole).iter().take(4).map(|byte| format!("{byte:02x}")));
     }
+    name
 }
 
 /// Checks that no two runs are the same or share a folder.
@@ -83,33 +96,101 @@ fn without_lines(error: Error) -> Error {
     Error::Input(problems)
 }
 
-/// Sets the value of a key such as `sample.hcp.size[1]`, creating its sections as needed.
+/// Sets the value of a key such as `sample.hcp.size[1]`, creating its sections as needed; a list that is not there is first filled with
+/// its default.
 ///
 /// # Errors
 ///
 /// If the key is unknown, or cannot hold a value.
-pub fn set(case: &mut Value, key: &str, value: &str) -> Result<(), Error> {
-    let mut place = case;
-    for part in key.split(['.', '[']) {
-        place = match part.strip_suffix(']').map(str::parse::<usize>) {
-            Some(Ok(number)) => place.get_mut(number),
-            _ => place
-                .as_mapping_mut()
-                .map(|section| section.entry(part.into()).or_insert(Value::Mapping(Default::default()))),
+pub fn set(case: &mut Value, key: &str, given: &str, read: Reader) -> Result<(), Error> {
+    let wrong = |what: &str| Error::Usage(format!("`{key}={given}`: {what}"));
+    let value = serde_yaml::from_str(given).map_err(|error| wrong(&error.to_string()))?;
+    let path = path(key).ok_or_else(|| wrong("expected a key such as `sample.hcp.size[1]`"))?;
+    if lacks_list(case, &path) {
+        // With nothing in its place an unknown key is refused by the reader, and another has its default.
+        let list = path.iter().position(|part| matches!(part, Part::Item(_))).unwrap_or(path.len());
+        let resolved = |case: &Value| -> Result<Value, Error> {
+            let text = serde_yaml::to_string(case).expect("a case is plain data");
+            let job = read(Path::new(&format!("{key}={given}")), &text).map_err(without_lines)?;
+            Ok(serde_yaml::from_str(&job.resolved).expect("a resolved case is plain data"))
+        };
+        if let Some(default) = find(&resolved(case)?, &path[..list]) {
+            *enter(case, &path[..list]).map_err(|what| wrong(&what))? = default.clone();
+        } else {
+            enter(case, &path[..list]).map_err(|what| wrong(&what))?;
+            resolved(case)?;
         }
-        .ok_or_else(|| Error::Usage(format!("`{key}`: there is no such key")))?;
     }
-    *place = serde_yaml::from_str(value).map_err(|error| Error::Usage(format!("`{key}={value}`: {error}")))?;
+    *enter(case, &path).map_err(|what| wrong(&what))? = value;
     Ok(())
 }
 
-/// Starts or resumes all runs that have not finished, one on each core; `ended` receives whether there was anything left to do. After
-/// an interruption no further run is started.
+/// A part of the path of a key.
+enum Part<'a> {
+    Key(&'a str),
+    Item(usize),
+}
+
+/// The parts of a key such as `sample.hcp.size[1]`.
+fn path(key: &str) -> Option<Vec<Part<'_>>> {
+    let mut parts = Vec::new();
+    for section in key.split('.') {
+        let mut words = section.split('[');
+        parts.push(words.next().filter(|word| !word.is_empty()).map(Part::Key)?);
+        for item in words {
+            parts.push(Part::Item(item.strip_suffix(']')?.trim().parse().ok()?));
+        }
+    }
+    Some(parts)
+}
+
+/// The value at a path.
+fn find<'a>(case: &'a Value, path: &[Part]) -> Option<&'a Value> {
+    path.iter().try_fold(case, |place, part| match *part {
+        Part::Key(word) => place.get(word),
+        Part::Item(number) => place.get(number),
+    })
+}
+
+/// Whether the path leads into a list that is not written in the case.
+fn lacks_list(case: &Value, path: &[Part]) -> bool {
+    let list = path.iter().position(|part| matches!(part, Part::Item(_)));
+    list.is_some_and(|list| find(case, &path[..list]).is_none_or(Value::is_null))
+}
+
+/// The place at the end of a path, with the sections that lead to it.
+fn enter<'a>(case: &'a mut Value, path: &[Part]) -> Result<&'a mut Value, String> {
+    let mut place = case;
+    let mut name = String::from("the case");
+    for part in path {
+        place = match *part {
+            Part::Item(number) => {
+                let length = place.as_sequence().map(Vec::len).ok_or_else(|| format!("`{name}` is not a list"))?;
+                let what = || format!("`{name}` has {length} values, counted from 0: there is no `[{number}]`");
+                place.get_mut(number).ok_or_else(what)?
+            }
+            Part::Key(word) => {
+                // A section without content is written as nothing.
+                if place.is_null() {
+                    *place = Value::Mapping(Mapping::new());
+                }
+                let section = place.as_mapping_mut().ok_or_else(|| format!("`{name}` is not a section"))?;
+                name = word.into();
+                section.entry(word.into()).or_insert(Value::Null)
+            }
+        };
+    }
+    Ok(place)
+}
+
+/// Starts or resumes all runs that have not finished, one on each core; those of `anew` replace what is in their folder. `ended` receives
+/// whether there was anything left to do. After an interruption no further run is started.
 pub fn carry_out(
     points: &[Point],
     out: &Path,
     interrupt: &Interrupt,
     read: Reader,
+    anew: &(dyn Fn(&Point) -> bool + Sync),
     ended: &(dyn Fn(&Point, Result<bool, Error>) + Sync),
 ) {
     let next = AtomicUsize::new(0);
@@ -120,7 +201,13 @@ pub fn carry_out(
                 while !interrupt.is_due()
                     && let Some(point) = points.get(next.fetch_add(1, Ordering::Relaxed))
                 {
-                    let run = || read(&point.write(out)?, &point.text)?.complete(&out.join(&point.name), interrupt);
+                    let run = || {
+                        let (root, job) = (out.join(&point.name), read(&point.file, &point.text)?);
+                        if anew(point) {
+                            return job.launch(&root, true, interrupt, &mut |_| {}).map(|_| true);
+                        }
+                        job.complete(&root, interrupt)
+                    };
                     ended(point, core.install(run));
                 }
             });

@@ -87,13 +87,13 @@ impl Entry {
                 return Err(format!("`{name}` is {} numbers, expected {}", value.len(), shape(quantity)));
             }
             if !quantity.domain.contains(&value) {
-                return Err(format!("`{name}` = {value:?} is outside its domain: {}", quantity.domain));
+                return Err(format!("`{name}` = {} is outside its domain: {}", plainly(&value), quantity.domain));
             }
             numbers.extend(value);
         }
         let out = (self.equation.eval.f64)(&numbers);
         if out.iter().any(|y| !y.is_finite()) {
-            return Err(format!("{} has no finite value for these arguments: {out:?}", self.equation.id));
+            return Err(format!("{} has no finite value for these arguments: {}", self.equation.id, plainly(&out)));
         }
         let mut rest = out.as_slice();
         let mut take = |size| {
@@ -102,6 +102,14 @@ impl Entry {
             parts.to_vec()
         };
         Ok(self.document.results.iter().map(|quantity| (quantity, take(quantity.size))).collect())
+    }
+}
+
+/// One number, or several as a list.
+fn plainly(values: &[f64]) -> String {
+    match values {
+        [value] => units::decimal(*value),
+        _ => format!("[{}]", values.iter().map(|value| units::decimal(*value)).collect::<Vec<_>>().join(", ")),
     }
 }
 
@@ -117,6 +125,10 @@ fn with_unit(quantity: &Quantity, text: &str) -> Result<Vec<f64>, String> {
     let cleared = text.replace(['[', ']', ','], " ");
     let (mut rest, mut decimals) = (cleared.trim(), vec![]);
     while decimals.len() < quantity.size {
+        let word = rest.split_whitespace().next().unwrap_or_default();
+        if word.parse::<f64>().is_ok_and(|number| !number.is_finite()) {
+            return Err(wrong(&format!("`{word}` is not a finite number")));
+        }
         let (decimal, after) = units::number_and_unit(rest).ok_or_else(|| wrong("too few numbers"))?;
         decimals.push(decimal.to_string());
         rest = after;
@@ -217,7 +229,7 @@ mod tests {
     #[test]
     fn what_lies_outside_the_domain_is_refused() {
         let error = eval(["k_n=-1", "delta_e=1", "delta_f=2", "delta_n=0"]).unwrap_err();
-        assert_eq!(error, "`k_n` = [-1.0] is outside its domain: > 0");
+        assert_eq!(error, "`k_n` = -1 is outside its domain: > 0");
         let error = eval(["k_n=1", "delta_e=1", "delta_f=2", "delta_f=2"]).unwrap_err();
         assert_eq!(error, "`delta_f` is given twice");
     }

@@ -11,8 +11,8 @@ pub(super) fn list(registry: &Registry) -> String {
     registry.0.iter().map(line).collect()
 }
 
-/// The complete documentation of every equation, as JSON.
-pub(super) fn list_as_json(registry: &Registry) -> String {
+/// The complete documentation of an equation, as JSON.
+pub(super) fn as_json(Entry { equation, document }: &Entry) -> Value {
     let quantities = |quantities: &[Quantity]| -> Vec<Value> {
         let row = |q: &Quantity| {
             json!({ "name": q.name, "symbol": q.symbol, "unit": q.unit, "size": q.size,
@@ -20,21 +20,18 @@ pub(super) fn list_as_json(registry: &Registry) -> String {
         };
         quantities.iter().map(row).collect()
     };
-    let entry = |Entry { equation, document }: &Entry| {
-        json!({
-            "id": equation.id,
-            "numbers": equation.covers,
-            "function": equation.function,
-            "file": format!("spec/{}", equation.file),
-            "title": plain_text(&document.title),
-            "formula": document.formula,
-            "arguments": quantities(&document.arguments),
-            "results": quantities(&document.results),
-            "laws": document.laws,
-            "rounding": document.rounding,
-        })
-    };
-    format!("{:#}\n", registry.0.iter().map(entry).collect::<Value>())
+    json!({
+        "id": equation.id,
+        "numbers": equation.covers,
+        "function": equation.function,
+        "file": format!("spec/{}", equation.file),
+        "title": plain_text(&document.title),
+        "formula": document.formula,
+        "arguments": quantities(&document.arguments),
+        "results": quantities(&document.results),
+        "laws": document.laws,
+        "rounding": document.rounding,
+    })
 }
 
 /// The documentation of an equation.

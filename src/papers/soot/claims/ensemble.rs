@@ -76,7 +76,7 @@ fn points(protocol: &Protocol, kinds: &[Kind], read: Reader) -> Result<Vec<Point
     let mut base: Value = serde_yaml::from_str(CASE).expect("the case is well formed");
     let look = format!("{LOOK} ns");
     for (key, value) in protocol.keys.iter().copied().chain([("output.series", &*look), ("output.frames", "1 µs")]) {
-        set(&mut base, key, value)?;
+        set(&mut base, key, value, read)?;
     }
     let seeds = (1..=protocol.aggregates).map(|seed| seed.to_string());
     let members = seeds.flat_map(|seed| kinds.iter().map(move |kind| (seed.clone(), kind)));
