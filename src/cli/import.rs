@@ -2,9 +2,9 @@
 
 use super::{OutputMode, print};
 use crate::case::quantity::{Length, Quantity};
-use crate::error::Error;
+use crate::error::{Error, notice};
 use crate::initial::aggregate::import::{Imported, Options, extended_xyz, read, read_necks};
-use crate::initial::aggregate::necks::{NECK_DISTANCE, necks};
+use crate::initial::aggregate::necks::{NECK_DISTANCE, missing_necks, necks};
 use crate::output::write_atomically;
 use std::path::PathBuf;
 
@@ -54,6 +54,9 @@ pub(super) fn run(arguments: &Arguments, manner: OutputMode) -> Result<(), Error
     if let Some(path) = &arguments.out {
         write_atomically(path, extended_xyz(&imported.spheres).as_bytes())?;
         manner.say(format!("written: {}", path.display()));
+    }
+    if let Some(remark) = missing_necks(&imported.spheres, necks, NECK_DISTANCE, imported.decimals) {
+        notice(format!("{}: {remark}", arguments.file.display()));
     }
     let Imported { format, report, .. } = imported;
     if manner.json {

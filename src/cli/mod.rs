@@ -104,6 +104,9 @@ pub fn main(papers: Papers) -> ExitCode {
         }
         std::process::exit(70);
     }));
+    if manner.quiet {
+        crate::error::silence();
+    }
     // The main thread works too: handing every step over to another thread and waiting for it would cost more than a small step.
     let threads = command_line.threads.map_or(0, usize::from);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).use_current_thread();

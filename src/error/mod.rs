@@ -3,8 +3,10 @@
 //! A wrong input is a [`Problem`]; a simulation that left its domain is a [`Halt`]; a broken invariant is a panic.
 
 mod halt;
+mod notice;
 
 pub use halt::{Halt, Reason};
+pub use notice::{notice, silence};
 
 use serde_json::{Value, json};
 use std::fmt;

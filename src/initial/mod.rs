@@ -4,6 +4,7 @@ pub mod aggregate;
 mod bodies;
 mod builder;
 pub mod film;
+mod foreign;
 pub mod lattice;
 pub mod packing;
 pub mod stl;

@@ -1,13 +1,26 @@
 //! Triangulated surfaces from STL files.
+//!
+//! `stl_io` writes them in the tests. It cannot read the dialects of ASCII files in use, and reports neither line nor facet.
 
-use crate::error::{Error, Problem};
+mod ascii;
+
+use crate::error::{Error, Problem, notice};
+use crate::initial::foreign;
 use crate::spec::Vec3;
 use crate::system::Mesh;
-use std::borrow::Cow;
-use std::io::Cursor;
 use std::path::Path;
 
-/// Reads an STL file, ASCII or binary, whose unit of length is `unit`, nm.
+/// The corners of a triangle in the unit of the file.
+type Corners = [[f32; 3]; 3];
+
+/// Length of the header of a binary file, with the number of triangles at its end.
+const HEADER: usize = 84;
+
+/// Length of a triangle in a binary file: normal, corners, attributes.
+const FACET: usize = 50;
+
+/// Reads an STL file, ASCII or binary, whose unit of length is `unit`, nm. Normals are not read: the order of the corners defines them. Triangles
+/// without area are dropped with a notice.
 ///
 /// # Errors
 ///
@@ -15,44 +28,66 @@ use std::path::Path;
 pub fn read_stl(path: &Path, unit: f64) -> Result<Mesh, Error> {
     let bytes = std::fs::read(path).map_err(|cause| Error::NoInput(path.into(), cause))?;
     let bytes = bytes.strip_prefix("\u{feff}".as_bytes()).unwrap_or(&bytes);
-    // The header of a binary file may begin with this word, too.
-    let stl = if bytes.starts_with(b"solid") && !is_binary(bytes) {
-        Cow::Owned(as_one_solid(path, &String::from_utf8_lossy(bytes))?.into_bytes())
-    } else {
-        Cow::Borrowed(bytes)
-    };
-    let broken = |cause: std::io::Error| Error::input(path, format!("is no STL file: {cause}"));
-    let mut stl = Cursor::new(stl);
-    let reader = stl_io::create_stl_reader(&mut stl).map_err(broken)?;
-    let triangles = reader
-        .map(|triangle| Ok(triangle?.vertices.map(|corner| Vec3(corner.0.map(|x| f64::from(x) * unit)))))
-        .collect::<std::io::Result<Vec<_>>>()
-        .map_err(broken)?;
-    Mesh::new(&triangles).map_err(|flaw| Error::input(path, flaw.to_string()))
-}
-
-/// Whether a file is at least as long as a header, the number of its triangles and 50 bytes for each: four letters would be a number of millions.
-fn is_binary(bytes: &[u8]) -> bool {
-    let number = bytes[80.min(bytes.len())..].first_chunk().map(|number| u32::from_le_bytes(*number));
-    number.is_some_and(|number| bytes.len() as u64 >= 84 + 50 * u64::from(number))
-}
-
-/// An ASCII file with the facets of all its solids in one: the reader stops where the first ends.
-fn as_one_solid(path: &Path, text: &str) -> Result<String, Error> {
-    let (mut one, mut inside) = (String::from("solid \n"), false);
-    for (k, line) in text.lines().enumerate() {
-        match (line.split_whitespace().next(), inside) {
-            (Some("solid"), false) => inside = true,
-            (Some("endsolid"), true) => inside = false,
-            (Some(_), true) => one.extend([line, "\n"]),
-            (Some("facet"), false) => {
-                let what = "found `facet`, expected a `solid` before it".into();
-                return Err(Error::Input(vec![Problem { file: path.into(), line: Some(k + 1), key: "".into(), what }]));
-            }
-            _ => {}
-        }
+    if let Some(known) = foreign::recognised(bytes) {
+        return Err(Error::input(path, format!("found {known}, expected an STL file, ASCII or binary")));
     }
-    Ok(if inside { one } else { one + "endsolid\n" })
+    let corners =
+        if is_binary(bytes) { binary(path, bytes)? } else { ascii::read(path, &String::from_utf8_lossy(bytes))? };
+    let scaled = |corner: [f32; 3]| Vec3(corner.map(|x| f64::from(x) * unit));
+    let triangles: Vec<_> = corners.iter().map(|corners| corners.map(scaled)).collect();
+    let mesh = Mesh::new(&triangles).map_err(|flaw| Error::input(path, flaw.to_string()))?;
+    match triangles.len() - mesh.triangles().len() {
+        0 => {}
+        1 => notice(format!("{}: dropped a triangle without area", path.display())),
+        dropped => notice(format!("{}: dropped {dropped} triangles without area", path.display())),
+    }
+    Ok(mesh)
+}
+
+/// Whether a file is binary. Its header may begin with `solid`, too, but the number of triangles after it holds a zero byte below 16 million triangles.
+fn is_binary(bytes: &[u8]) -> bool {
+    bytes[..HEADER.min(bytes.len())].contains(&0)
+}
+
+fn binary(path: &Path, bytes: &[u8]) -> Result<Vec<Corners>, Error> {
+    let wrong = |what: String| Error::input(path, what);
+    let Some(number) = bytes.get(HEADER - 4..).and_then(|rest| rest.first_chunk()) else {
+        return Err(wrong(format!("found {} bytes, expected a binary STL file of at least {HEADER}", bytes.len())));
+    };
+    let (number, facets) = (u32::from_le_bytes(*number) as usize, bytes[HEADER..].chunks_exact(FACET));
+    if facets.len() != number {
+        let what = format!(
+            "found {number} triangles in the header of a binary STL file and {} bytes after it, which hold {}; expected {}",
+            bytes.len() - HEADER,
+            facets.len(),
+            number * FACET
+        );
+        return Err(wrong(what));
+    }
+    if !facets.remainder().is_empty() {
+        notice(format!("{}: {} bytes after the last triangle are not read", path.display(), facets.remainder().len()));
+    }
+    let coordinate = |facet: &[u8], k: usize| {
+        f32::from_le_bytes(facet[12 + 4 * k..][..4].try_into().expect("four bytes of a triangle"))
+    };
+    let corners = |(t, facet): (usize, &[u8])| {
+        let numbers: [f32; 9] = std::array::from_fn(|k| coordinate(facet, k));
+        match numbers.iter().position(|x| !x.is_finite()) {
+            None => Ok([0, 3, 6].map(|k| [numbers[k], numbers[k + 1], numbers[k + 2]])),
+            Some(k) => Err(wrong(format!(
+                "found the coordinate {} in triangle {} at byte {}, expected a finite number",
+                numbers[k],
+                t + 1,
+                HEADER + t * FACET + 12 + 4 * k
+            ))),
+        }
+    };
+    facets.enumerate().map(corners).collect()
+}
+
+/// An error at a line.
+fn at(path: &Path, line: usize, what: String) -> Error {
+    Error::Input(vec![Problem { file: path.into(), line: Some(line), key: "".into(), what }])
 }
 
 #[cfg(test)]
@@ -127,6 +162,31 @@ mod tests {
     }
 
     #[test]
+    fn dialects_are_read() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let [_, ascii] = stl();
+        let text = String::from_utf8(ascii).expect("ASCII");
+        let flat = "facet normal 0 0 0 outer loop vertex 0 0 0 vertex 0 0 0 vertex 6 -3 5 endloop endfacet\n";
+        for (name, changed) in [
+            ("upper", text.to_uppercase()),
+            ("blank", format!("\n \n# by hand\n{text}")),
+            ("nan", text.replace("normal 0 0 0", "normal NaN -nan(ind) inf")),
+            ("without normals", text.replace("facet normal 0 0 0", "facet")),
+            (
+                "apart",
+                text.replace("endloop", "end loop").replace("endsolid", "end solid").replace("endfacet", "END facet"),
+            ),
+            ("windows", text.replace('\n', "\r\n")),
+            ("one line", text.replace('\n', " ").replacen("solid tip", "solid tip\n", 1)),
+            ("junk", text.clone() + "junk {} \u{0}\n"),
+            ("flat", text.replacen("facet", &(flat.to_string() + "facet"), 1)),
+        ] {
+            let mesh = read_stl(&write(&folder, name, changed.as_bytes()), 14.0);
+            assert_eq!(mesh.unwrap_or_else(|error| panic!("{error}")), tetrahedron(14.0), "{name}");
+        }
+    }
+
+    #[test]
     fn what_is_wrong_with_a_file_is_said() {
         let folder = tempfile::tempdir().expect("a temporary folder");
         let complaint = |name: &str, bytes: &[u8]| {
@@ -134,12 +194,36 @@ mod tests {
             error.rsplit_once(&format!("{name}: ")).expect("it names the file").1.to_string()
         };
         let [binary, ascii] = stl();
-        assert!(complaint("short.stl", &binary[..binary.len() - 1]).starts_with("is no STL file: "));
-        assert!(complaint("words.stl", b"solid tip\nfacet abnormal").starts_with("is no STL file: "));
-        assert_eq!(complaint("empty.stl", b"solid tip\nendsolid tip\n"), "has no triangle");
+        let counted = "found 4 triangles in the header of a binary STL file and";
+        let short = complaint("short.stl", &binary[..binary.len() - 1]);
+        assert_eq!(short, format!("{counted} 199 bytes after it, which hold 3; expected 200"));
+        let more = [&binary[..], &[0; 50]].concat();
+        assert_eq!(complaint("more.stl", &more), format!("{counted} 250 bytes after it, which hold 5; expected 200"));
+        let mut not_finite = binary.clone();
+        not_finite[84 + 50 + 12..][..4].copy_from_slice(&f32::NAN.to_le_bytes());
+        let found = complaint("nan.stl", &not_finite);
+        assert_eq!(found, "found the coordinate NaN in triangle 2 at byte 146, expected a finite number");
+        assert_eq!(complaint("empty.stl", b"solid tip\nendsolid tip\n"), "has no triangle with an area");
+        assert!(complaint("utf16.stl", b"\xff\xfes\0o\0").contains("text in UTF-16"));
         let text = String::from_utf8(ascii).expect("ASCII");
-        let flat = text.replace("vertex 6 -3 5", "vertex -6 -3 5");
-        assert_eq!(complaint("flat.stl", flat.as_bytes()), "triangle 1 has no area");
+        for (old, new, expected) in [
+            ("facet normal 0 0 0\nouter", "facet abnormal", "2: found `abnormal`, expected `outer`"),
+            ("vertex 0 0 0", "vertex 0 0,5 0", "4: found `0,5`, expected a finite number in single precision"),
+            ("vertex 0 0 0", "vertex 1e300 0 0", "4: found `1e300`, expected a finite number in single precision"),
+            ("endloop", "vertex 0 0 0", "7: found `vertex`, expected `endloop`"),
+            (
+                "solid tip\n",
+                "v 0 0 0\n",
+                "1: found `v`, expected an STL file, binary or with `solid` in its first line",
+            ),
+        ] {
+            let changed = text.replacen(old, new, 1);
+            let error = read_stl(&write(&folder, "words.stl", changed.as_bytes()), 1.0).expect_err("a broken file");
+            assert!(error.to_string().ends_with(&format!("words.stl:{expected}")), "{error}");
+        }
+        let cut = &text[..text.len() / 2];
+        let error = read_stl(&write(&folder, "cut.stl", cut.as_bytes()), 1.0).expect_err("half a file").to_string();
+        assert!(error.contains("expected"), "{error}");
         let missing = read_stl(&folder.path().join("missing.stl"), 1.0).expect_err("no file").to_string();
         assert!(missing.contains("missing.stl: cannot be read: "), "{missing}");
     }

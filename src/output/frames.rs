@@ -1,4 +1,4 @@
-//! Frames: the state of all particles as an extended XYZ file, which OVITO opens with radii, velocities and bodies, and the surfaces as a Wavefront file.
+//! Frames: the state of all particles as an extended XYZ file, which OVITO and ASE open with radii, velocities, bodies and walls, and the surfaces as a Wavefront file.
 
 use crate::spec::Vec3;
 use crate::system::{Domain, Shape, Surface, System};
@@ -9,7 +9,8 @@ pub fn frame_name(number: u64) -> String {
     format!("{number:06}.xyz")
 }
 
-/// All particles in the order of their ids, folded into the box, with seven digits. Units: nm, ns.
+/// All particles in the order of their ids, folded into the box, with seven digits. Their species is `X`, which stands for no element; the
+/// body is a column. Units: nm, ns.
 pub fn extended_xyz(system: &System, stage: &str) -> String {
     let (p, domain) = (&system.particles, &system.domain);
     let mut order: Vec<usize> = (0..p.len()).collect();
@@ -17,20 +18,27 @@ pub fn extended_xyz(system: &System, stage: &str) -> String {
     let [a, b, c] = domain.sides;
     let periodic = domain.periodic.map(|yes| if yes { "T" } else { "F" }).join(" ");
     let mut text = format!(
-        "{}\nLattice=\"{a} 0 0 0 {b} 0 0 0 {c}\" Origin=\"0 0 0\" pbc=\"{periodic}\" Time={} stage={stage} \
+        "{}\nLattice=\"{a} 0 0 0 {b} 0 0 0 {c}\" Origin=\"0 0 0\" pbc=\"{periodic}\" Time={} stage={} \
          Properties=species:S:1:id:I:1:body:I:1:wall:I:1:radius:R:1:mass:R:1:pos:R:3:velo:R:3:angular_velocity:R:3\n",
         p.len(),
         system.time,
+        quoted(stage),
     );
     for k in order {
         let [x, v, w] = [domain.folded(p.x[k]), p.v[k], p.w[k]].map(|u| u.0.map(|component| component as f32));
         let (radius, mass) = (p.radius[k] as f32, p.mass[k] as f32);
-        write!(text, "body{} {} {} {} {radius} {mass}", p.tag[k], p.id[k], p.tag[k], p.wall[k])
+        write!(text, "X {} {} {} {radius} {mass}", p.id[k], p.tag[k], p.wall[k])
             .and_then(|()| [x, v, w].iter().flatten().try_for_each(|number| write!(text, " {number}")))
             .expect("a string can always grow");
         text.push('\n');
     }
     text
+}
+
+/// A value of a comment, in quotes if it holds more than letters, digits and signs.
+fn quoted(value: &str) -> String {
+    let plain = !value.is_empty() && value.chars().all(|c| c.is_alphanumeric() || "_-.+".contains(c));
+    if plain { value.into() } else { format!("\"{}\"", value.replace(['"', '\\'], "'")) }
 }
 
 /// The ending of the files of surfaces.
@@ -113,7 +121,28 @@ mod tests {
             extended_xyz(&system, "shear"),
             "2\nLattice=\"2 0 0 0 4 0 0 0 6\" Origin=\"0 0 0\" pbc=\"T F T\" Time=0.5 stage=shear \
              Properties=species:S:1:id:I:1:body:I:1:wall:I:1:radius:R:1:mass:R:1:pos:R:3:velo:R:3:angular_velocity:R:3\n\
-             body2 0 2 0 0.25 3 1.5 1 2 0 0 0 0 0 0\nbody1 1 1 0 0.5 4 1.5 4.5 2 0 0 0 0 0 0\n"
+             X 0 2 0 0.25 3 1.5 1 2 0 0 0 0 0 0\nX 1 1 0 0.5 4 1.5 4.5 2 0 0 0 0 0 0\n"
         );
+    }
+
+    #[test]
+    fn a_stage_of_two_words_is_quoted() {
+        let system = System::new(Particles::default(), Domain { sides: [2.0; 3], periodic: [false; 3] });
+        assert!(extended_xyz(&system, "restructuring 2").contains(" stage=\"restructuring 2\" Properties="));
+        assert_eq!(quoted("a \"b\""), "\"a 'b'\"");
+    }
+
+    #[test]
+    fn a_frame_is_imported_as_it_was() {
+        use crate::initial::aggregate::import::{Options, parse};
+        let mut particles = Particles::default();
+        particles.push(Vec3([1.0; 3]), 0.5, 3.0, 2);
+        particles.push(Vec3([1.0, 1.0, 2.0]), 0.5, 3.0, 2);
+        let system = System::new(particles, Domain { sides: [4.0; 3], periodic: [false; 3] });
+        let options = Options { unit: Some(1.0), ..Options::default() };
+        let found = parse(std::path::Path::new("a.xyz"), &extended_xyz(&system, "restructuring 2"), &options);
+        let found: Vec<_> =
+            found.unwrap_or_else(|error| panic!("{error}")).spheres.iter().map(|s| (s.centre, s.radius)).collect();
+        assert_eq!(found, [(Vec3([1.0; 3]), 0.5), (Vec3([1.0, 1.0, 2.0]), 0.5)]);
     }
 }

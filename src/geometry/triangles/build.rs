@@ -11,12 +11,10 @@ const WELD: f64 = 1e-6;
 /// What keeps triangles from being a surface. Triangles are counted from one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Flaw {
-    /// There is none.
+    /// There is none with an area.
     Empty,
     /// A coordinate is not a finite number.
     NotFinite(usize),
-    /// A triangle has no area.
-    Degenerate(usize),
     /// An edge of the two triangles is shared by more than two, or is passed by both in the same direction.
     Edge(usize, usize),
 }
@@ -24,9 +22,8 @@ pub enum Flaw {
 impl fmt::Display for Flaw {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Empty => f.write_str("has no triangle"),
+            Self::Empty => f.write_str("has no triangle with an area"),
             Self::NotFinite(t) => write!(f, "triangle {t} has a coordinate that is not a finite number"),
-            Self::Degenerate(t) => write!(f, "triangle {t} has no area"),
             Self::Edge(s, t) => write!(
                 f,
                 "triangles {s} and {t} pass a common edge in the same direction, expected opposite normals or two triangles to an edge"
@@ -36,11 +33,12 @@ impl fmt::Display for Flaw {
 }
 
 impl Mesh {
-    /// A surface of triangles, each counterclockwise as seen from outside. Corners that coincide are joined.
+    /// A surface of triangles, each counterclockwise as seen from outside. Corners that coincide are joined, triangles without area are
+    /// dropped.
     ///
     /// # Errors
     ///
-    /// If a triangle has no area, or an edge belongs to more than two triangles or to two of opposite orientation.
+    /// If a coordinate is not finite, no triangle is left, or an edge belongs to more than two triangles or to two of opposite orientation.
     pub fn new(loose: &[[Vec3<f64>; 3]]) -> Result<Self, Flaw> {
         if loose.is_empty() {
             return Err(Flaw::Empty);
@@ -53,15 +51,18 @@ impl Mesh {
         let bounds = bounds(all);
         let weld = WELD * (bounds[1] - bounds[0]).norm();
         let (vertices, names) = welded(all, weld);
-        let triangles: Vec<[u32; 3]> = names.chunks_exact(3).map(|t| [t[0], t[1], t[2]]).collect();
         let (mut faces, mut corners) = (Vec::new(), vec![Vec3::zero(); vertices.len()]);
-        for (number, triangle) in triangles.iter().enumerate() {
+        let (mut triangles, mut numbers): (Vec<[u32; 3]>, Vec<usize>) = (Vec::new(), Vec::new());
+        for (t, triangle) in names.chunks_exact(3).enumerate() {
+            let triangle = [triangle[0], triangle[1], triangle[2]];
             let [a, b, c] = triangle.map(|v| vertices[v as usize]);
             let area = (b - a).cross(c - a);
             let longest = [b - a, c - b, a - c].iter().map(|side| side.norm()).fold(0.0, f64::max);
             if area.norm() <= weld * longest {
-                return Err(Flaw::Degenerate(number + 1));
+                continue;
             }
+            triangles.push(triangle);
+            numbers.push(t + 1);
             let normal = area * (1.0 / area.norm());
             faces.push(normal);
             for (v, [at, next, last]) in triangle.iter().zip([[a, b, c], [b, c, a], [c, a, b]]) {
@@ -70,7 +71,10 @@ impl Mesh {
                 corners[*v as usize] = corners[*v as usize] + normal * angle;
             }
         }
-        let across = across(&triangles)?;
+        if triangles.is_empty() {
+            return Err(Flaw::Empty);
+        }
+        let across = across(&triangles, &numbers)?;
         let closed = across.iter().flatten().all(|&neighbour| neighbour != u32::MAX);
         Ok(Self { vertices, triangles, across, faces, corners, closed, bounds })
     }
@@ -109,13 +113,13 @@ fn welded(points: &[Vec3<f64>], weld: f64) -> (Vec<Vec3<f64>>, Vec<u32>) {
     (vertices, names)
 }
 
-/// The triangle across each edge.
-fn across(triangles: &[[u32; 3]]) -> Result<Vec<[u32; 3]>, Flaw> {
+/// The triangle across each edge; `numbers` are those of the triangles in an error.
+fn across(triangles: &[[u32; 3]], numbers: &[usize]) -> Result<Vec<[u32; 3]>, Flaw> {
     let mut edges = BTreeMap::new();
     for (number, triangle) in triangles.iter().enumerate() {
         for k in 0..3 {
             if let Some(other) = edges.insert((triangle[k], triangle[(k + 1) % 3]), number) {
-                return Err(Flaw::Edge(other + 1, number + 1));
+                return Err(Flaw::Edge(numbers[other], numbers[number]));
             }
         }
     }

@@ -198,8 +198,13 @@ fn what_is_no_surface_is_refused() {
     let [a, b, c, d] = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Vec3);
     let flaw = |triangles: &[Corners]| Mesh::new(triangles).expect_err("no surface");
     assert_eq!(flaw(&[]), Flaw::Empty);
-    assert_eq!(flaw(&[[a, b, c], [a, b, b]]), Flaw::Degenerate(2));
-    assert_eq!(flaw(&[[a, b, c], [a, b, (a + b) * 0.5]]), Flaw::Degenerate(2));
-    assert_eq!(flaw(&[[a, b, c], [a, b, d]]), Flaw::Edge(1, 2));
+    assert_eq!(flaw(&[[a, b, b], [a, b, (a + b) * 0.5]]), Flaw::Empty);
+    assert_eq!(flaw(&[[a, b, c], [a, b, b], [a, b, d]]), Flaw::Edge(1, 3));
     assert_eq!(flaw(&[[a, b, Vec3([f64::NAN, 0.0, 0.0])]]), Flaw::NotFinite(1));
+}
+
+#[test]
+fn a_triangle_without_area_is_dropped() {
+    let [a, b, c] = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(Vec3);
+    assert_eq!(mesh(&[[a, b, c], [a, b, b]]).triangles(), mesh(&[[a, b, c]]).triangles());
 }

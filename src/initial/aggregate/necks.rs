@@ -1,5 +1,6 @@
 //! The necks of an aggregate.
 
+use super::{components, neighbouring};
 use crate::geometry::Sphere;
 use crate::geometry::clusters::Clusters;
 use crate::geometry::pairs_within;
@@ -29,6 +30,42 @@ pub fn necks(spheres: &[Sphere], d_crit: f64, acyclic: bool) -> Vec<Neck> {
         all.sort_unstable();
     }
     all
+}
+
+/// Largest distance of surfaces, gap or overlap, nm, that the necks of a connected aggregate bridge if each bridges the smallest that it can. None if the spheres are
+/// not connected.
+pub fn joining_distance(spheres: &[Sphere]) -> Option<f64> {
+    let distance = |&(i, j): &Neck| spheres[i].gap(&spheres[j]).abs();
+    let mut near = neighbouring(spheres);
+    near.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
+    let mut trees = Clusters::new(spheres.len(), []);
+    near.retain(|&(i, j)| trees.join(i, j));
+    (near.len() + 1 == spheres.len()).then(|| near.iter().map(distance).fold(0.0, f64::max))
+}
+
+/// A remark if an aggregate has fewer necks than are needed to connect its spheres as they touch.
+pub fn missing_necks(spheres: &[Sphere], made: usize, d_crit: f64, decimals: usize) -> Option<String> {
+    let expected = spheres.len() - components(spheres);
+    if made >= expected {
+        return None;
+    }
+    let of = match decimals {
+        0 => "; its coordinates are integers".to_string(),
+        1 => "; its coordinates have one decimal".into(),
+        2..=4 => format!("; its coordinates have {decimals} decimals"),
+        _ => String::new(),
+    };
+    let remedy = joining_distance(spheres).map_or(String::new(), |least| {
+        // Rounded up to two digits.
+        let digits = 1.0 - libm::floor(libm::log10(least));
+        let (unit, places) = (libm::exp10(-digits), digits.max(0.0) as usize);
+        let enough = ((least / unit * (1.0 + 1e-9)).floor() + 1.0) * unit;
+        format!("; gaps and overlaps up to {least:.3} nm are joined by `neck_distance: {enough:.places$} nm`")
+    });
+    Some(format!(
+        "found {made} necks across gaps and overlaps below {d_crit} nm, expected at least {expected}: {} spheres are connected only if those that are farther apart or overlap more are joined too{of}{remedy}",
+        spheres.len()
+    ))
 }
 
 /// `floor(n * fraction)` of the `n` necks, in their order, a whole share not being lost to rounding: the others are removed one at a time, each time any one that is left
@@ -70,6 +107,16 @@ mod tests {
     fn spheres_that_touch_are_joined_before_those_that_are_merely_near() {
         let apex = [1.001, (4.0 - 1.001 * 1.001f64).sqrt(), 0.0];
         assert_eq!(necks(&at(&[[0.0; 3], [2.002, 0.0, 0.0], apex]), 0.01, true), [(0, 2), (1, 2)]);
+    }
+
+    #[test]
+    fn necks_that_rounded_coordinates_lose_are_reported_with_their_remedy() {
+        let chain = at(&[[0.0; 3], [2.0, 0.0, 0.0], [4.013, 0.0, 0.0], [5.99, 0.0, 0.0]]);
+        assert_eq!(missing_necks(&chain, 3, 0.01, 2), None);
+        let remark = missing_necks(&chain, necks(&chain, 0.01, true).len(), 0.01, 2).expect("two necks are missing");
+        assert!(remark.starts_with("found 1 necks") && remark.contains("expected at least 3"), "{remark}");
+        assert!(remark.contains("2 decimals") && remark.contains("`neck_distance: 0.024 nm`"), "{remark}");
+        assert_eq!(necks(&chain, 0.024, true).len(), 3);
     }
 
     #[test]

@@ -32,6 +32,8 @@ pub fn problems(case: &Case, found: &mut Found) {
     expect(found, (0.0..=1.0).contains(&fraction), &at("neck_fraction"), decimal(fraction), "0 to 1");
     let distance = &sample.neck_distance;
     expect(found, distance.value > 0.0, &at("neck_distance"), distance, "more than zero");
+    let energy = sample.initial_energy;
+    expect(found, energy >= 0.0 && energy.is_finite(), &at("initial_energy"), decimal(energy), "zero or more");
     if found.is_empty() && sample.radii() == Some([r, r]) {
         let number = sample.spheres as f64;
         let (wanted, least) = (gyration_radius(sample.prefactor, number, r, dimension), DENSEST * r * number.cbrt());

@@ -4,6 +4,7 @@ pub mod case;
 pub mod check;
 #[cfg(feature = "cli")]
 pub mod claims;
+mod energy;
 mod stage;
 mod study;
 pub mod tip;

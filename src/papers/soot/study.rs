@@ -2,12 +2,13 @@
 
 use super::case::{Aggregate, Case, Deposition, Growth, Import, Soot, SootStage, key, parts};
 use super::check::sized;
+use super::energy::InitialEnergy;
 use super::stage::{self, Ground};
 use super::watch::{self, Watch};
 use crate::case::quantity::{Length, Quantity};
-use crate::error::{Error, Halt};
+use crate::error::{Error, Halt, notice};
 use crate::geometry::{Sphere, centre_of_mass};
-use crate::initial::aggregate::necks::{Neck, keep_fraction, necks};
+use crate::initial::aggregate::necks::{Neck, keep_fraction, missing_necks, necks};
 use crate::initial::aggregate::{Method, Radii, Recipe, aggregate, import};
 use crate::interrupt::Interrupt;
 use crate::output::{Cell, Column, Finding, SavedKind, load_state, save_state};
@@ -73,13 +74,21 @@ impl<S: Reading> Plan<S> {
 
     /// The spheres of the sample, centred at their centre of mass, and its necks.
     fn aggregate(&self, interrupt: &Interrupt) -> Result<(Vec<Sphere>, Vec<Neck>), Error> {
-        let spheres = self.spheres(interrupt)?;
+        let (spheres, decimals) = self.spheres(interrupt)?;
         let joined = match self.sample.import.as_ref().and_then(|import| import.necks.as_ref()) {
             Some(file) => import::read_necks(file, &spheres)?,
             None => necks(&spheres, self.sample.neck_distance.value, !self.sample.neck_cycles),
         };
+        if let Some(Import { file, .. }) = &self.sample.import
+            && let Some(remark) = missing_necks(&spheres, joined.len(), self.sample.neck_distance.value, decimals)
+        {
+            notice(format!("{}: {remark}", file.display()));
+        }
         let mut stream = Stream::new(self.seed, NECK_REMOVAL);
-        Ok((spheres, keep_fraction(&joined, self.sample.neck_fraction, &mut stream)))
+        let necks = keep_fraction(&joined, self.sample.neck_fraction, &mut stream);
+        InitialEnergy::of(&self.model(0), &spheres, &necks, self.soot.density.value, self.stages.first())
+            .allowed(self.sample.initial_energy)?;
+        Ok((spheres, necks))
     }
 
     /// The random stream of a stage for a purpose: the first user, the sample or a stage, draws from the stream of the purpose, every later stage from a stream of its own.
@@ -96,15 +105,17 @@ impl<S: Reading> Plan<S> {
         found.into_iter().next().map_or(Ok(()), |(key, what)| Err(Error::of_key(key, what)))
     }
 
-    fn spheres(&self, interrupt: &Interrupt) -> Result<Vec<Sphere>, Error> {
+    /// The spheres, and the most decimals of their coordinates in a file.
+    fn spheres(&self, interrupt: &Interrupt) -> Result<(Vec<Sphere>, usize), Error> {
         let sample = &self.sample;
         if let Some(Import { file, format, unit, radius, disconnected, .. }) = &sample.import {
             let length = |quantity: &Option<Quantity<Length>>| quantity.as_ref().map(|length| length.value);
             let (unit, radius) = (length(unit), length(radius));
             let options = import::Options { format: *format, unit, radius, disconnected: *disconnected };
-            let spheres = centred(import::read(file, &options)?.spheres);
+            let imported = import::read(file, &options)?;
+            let spheres = centred(imported.spheres);
             self.suits(spheres.iter().map(|sphere| sphere.radius))?;
-            return Ok(spheres);
+            return Ok((spheres, imported.decimals));
         }
         let median = sample.radius.value;
         let recipe = Recipe {
@@ -121,7 +132,8 @@ impl<S: Reading> Plan<S> {
                 Growth::Spheres => Method::Spheres,
             },
         };
-        aggregate(&recipe, self.seed, interrupt).map_err(|failure| failure.of("sample.aggregate"))
+        let grown = aggregate(&recipe, self.seed, interrupt).map_err(|failure| failure.of("sample.aggregate"))?;
+        Ok((grown, usize::MAX))
     }
 }
 

@@ -1,7 +1,7 @@
 //! Formats that are rows of numbers.
 
 use super::{Format, Raw, Source};
-use crate::error::Error;
+use crate::error::{Error, notice};
 use crate::initial::aggregate::components;
 
 /// Rows of four numbers, the radius first or last; lines that begin with `#` are comments.
@@ -28,7 +28,8 @@ pub(super) fn detect(source: &Source) -> Result<Format, Error> {
     match (read(Format::Mstm), read(Format::FracVal)) {
         (Ok(true), Ok(false) | Err(_)) | (Ok(false), Err(_)) => Ok(Format::Mstm),
         (Ok(false) | Err(_), Ok(true)) | (Err(_), Ok(false)) => Ok(Format::FracVal),
-        (Err(trouble), Err(_)) => Err(trouble),
+        // The columns that go well for longer are the ones that are meant.
+        (Err(one), Err(other)) => Err(if line(&other) > line(&one) { other } else { one }),
         _ => Err(source.problem(
             None,
             "format",
@@ -37,20 +38,25 @@ pub(super) fn detect(source: &Source) -> Result<Format, Error> {
     }
 }
 
-/// A number, a comment, rows `species x y z` and perhaps a radius. A comment that lists `Properties` tells the columns. Without it
-/// a fifth column is the radius if it is the last: several may be a velocity or a force.
+/// The line of an error.
+fn line(error: &Error) -> Option<usize> {
+    match error {
+        Error::Input(problems) => problems.first().and_then(|problem| problem.line),
+        _ => None,
+    }
+}
+
+/// A number, a comment, rows `species x y z` and perhaps a radius. A comment that lists `Properties` names the columns. Without it
+/// a fifth column is the radius if it is the last: several may be a velocity or a force. The first frame is read.
 pub(super) fn xyz(source: &Source) -> Result<Raw, Error> {
     let mut lines = source.lines();
     let (_, first) = lines.next().unwrap_or_default();
     let number: usize =
         first.parse().map_err(|_| source.at(1, &format!("found `{first}`, expected the number of spheres")))?;
     let (_, comment) = lines.next().unwrap_or_default();
-    let named =
-        comment.split_once("Properties=").map(|(_, rest)| layout(rest.split_whitespace().next().unwrap_or_default()));
-    let (pos, radius) = match named {
-        Some((Some(pos), radius)) => (pos, radius),
-        Some((None, _)) => return Err(source.at(2, "found `Properties` without `pos:R:3`")),
-        None => (1, None),
+    let named = match property(comment, "Properties") {
+        Some(properties) => Some(layout(source, &properties)?),
+        None => None,
     };
     let mut raw = Raw::default();
     for _ in 0..number {
@@ -59,31 +65,100 @@ pub(super) fn xyz(source: &Source) -> Result<Raw, Error> {
             return Err(source.at(raw.centres.len() + 3, &what));
         };
         let words: Vec<&str> = line.split_whitespace().collect();
-        let Some(&[x, y, z]) = words.get(pos..pos + 3) else {
-            return Err(source.at(k, &format!("found {} columns, expected at least {}", words.len(), pos + 3)));
-        };
-        let radius = radius.or((named.is_none() && words.len() == 5).then_some(4));
-        raw.push(source, k, [x, y, z], radius.and_then(|column| words.get(column).copied()))?;
+        match named {
+            Some(Layout { width, .. }) if words.len() != width => {
+                let what = format!("found {} columns, expected {width}, as `Properties` lists", words.len());
+                return Err(source.at(k, &what));
+            }
+            Some(Layout { pos, radius, diameter, .. }) => {
+                raw.push(source, k, [words[pos], words[pos + 1], words[pos + 2]], radius.map(|column| words[column]))?;
+                if diameter {
+                    raw.radii.iter_mut().last().into_iter().for_each(|radius| *radius *= 0.5);
+                }
+            }
+            None => {
+                let Some(&[species, x, y, z]) = words.first_chunk() else {
+                    return Err(source.at(k, &format!("found {} columns, expected at least 4", words.len())));
+                };
+                // An atomic number or the number of a type may stand for a species.
+                if species.parse::<f64>().is_ok() && !species.parse::<u32>().is_ok_and(|number| number > 0) {
+                    let what = format!(
+                        "found `{species}`, expected a species in the first column: rows `x y z r` are of the format `fracval`, or `Properties` in line 2 names the columns"
+                    );
+                    return Err(source.at(k, &what));
+                }
+                raw.push(source, k, [x, y, z], (words.len() == 5).then(|| words[4]))?;
+            }
+        }
     }
     match lines.find(|(_, line)| !line.is_empty()) {
+        Some((_, line)) if line.parse::<usize>().is_ok() => {
+            notice(format!("{}: holds several frames, the first is read", source.file.display()));
+            Ok(raw)
+        }
         Some((k, _)) => Err(source.at(k, &format!("found more rows than the {number} spheres of the first line"))),
         None => Ok(raw),
     }
 }
 
-/// Where position and radius are in rows that are described as `species:S:1:pos:R:3:radius:R:1`.
-fn layout(properties: &str) -> (Option<usize>, Option<usize>) {
-    let (mut column, mut pos, mut radius) = (0, None, None);
-    let fields: Vec<&str> = properties.split(':').collect();
-    for field in fields.chunks_exact(3) {
-        match field[0].to_ascii_lowercase().as_str() {
-            "pos" => pos = Some(column),
-            "radius" => radius = Some(column),
-            _ => {}
+/// The value of a key in a comment `key=value other="a value" ...`.
+fn property(comment: &str, key: &str) -> Option<String> {
+    let mut rest = comment.trim_start();
+    while !rest.is_empty() {
+        let end = rest.find(|c: char| c == '=' || c.is_whitespace()).unwrap_or(rest.len());
+        let (name, after) = rest.split_at(end);
+        let Some(value) = after.trim_start().strip_prefix('=').map(str::trim_start) else {
+            rest = after.trim_start();
+            continue;
+        };
+        let quote = value.chars().next().filter(|c| matches!(c, '"' | '\''));
+        let (value, after) = match quote {
+            Some(quote) => value[1..].split_once(quote).unwrap_or((&value[1..], "")),
+            None => value.split_at(value.find(char::is_whitespace).unwrap_or(value.len())),
+        };
+        if name.eq_ignore_ascii_case(key) {
+            return Some(value.into());
         }
-        column += field[2].parse::<usize>().unwrap_or(1);
+        rest = after.trim_start();
     }
-    (pos, radius)
+    None
+}
+
+/// The columns of extended XYZ.
+#[derive(Clone, Copy)]
+struct Layout {
+    width: usize,
+    pos: usize,
+    /// Radius or diameter.
+    radius: Option<usize>,
+    diameter: bool,
+}
+
+/// The columns that are described as `species:S:1:pos:R:3:radius:R:1`.
+fn layout(source: &Source, properties: &str) -> Result<Layout, Error> {
+    let wrong = |what: &str| source.at(2, &format!("found `Properties={properties}`, expected {what}"));
+    let (mut width, mut pos, mut radius, mut diameter, mut unread) = (0, None, None, None, Vec::new());
+    let fields: Vec<&str> = properties.split(':').collect();
+    if !fields.len().is_multiple_of(3) {
+        return Err(wrong("name, type and number of columns for each property"));
+    }
+    for field in fields.chunks_exact(3) {
+        let columns = field[2].parse().ok().filter(|columns| (1..=1000).contains(columns));
+        let columns: usize = columns.ok_or_else(|| wrong(&format!("a number of columns for `{}`", field[0])))?;
+        match (field[0].to_ascii_lowercase().as_str(), columns) {
+            ("pos" | "position" | "positions", 3) => pos = Some(width),
+            ("radius" | "radii", 1) => radius = Some(width),
+            ("diameter", 1) => diameter = Some(width),
+            ("species" | "id" | "type", _) => {}
+            _ => unread.push(field[0]),
+        }
+        width += columns;
+    }
+    let pos = pos.ok_or_else(|| wrong("`pos:R:3` among the properties"))?;
+    if !unread.is_empty() {
+        notice(format!("{}: the columns {} are not read", source.file.display(), unread.join(", ")));
+    }
+    Ok(Layout { width, pos, radius: radius.or(diameter), diameter: radius.is_none() && diameter.is_some() })
 }
 
 impl Raw {
@@ -99,6 +174,12 @@ impl Raw {
             return Err(source.at(line, "expected a radius in every row or in none"));
         }
         self.radii.extend(radius.map(|word| source.radius(line, word)).transpose()?);
+        let decimals = |word: &str| match word.split_once('.') {
+            _ if word.contains(['e', 'E', 'd', 'D']) => usize::MAX,
+            Some((_, decimals)) => decimals.len(),
+            None => 0,
+        };
+        self.decimals = x.iter().map(|word| decimals(word)).fold(self.decimals, usize::max);
         let [x, y, z] = x.map(|word| source.number(line, word));
         self.centres.push([x?, y?, z?]);
         self.lines.push(line);

@@ -1,34 +1,103 @@
 //! LAMMPS data files with spheres.
 
 use super::{Raw, Source};
-use crate::error::Error;
+use crate::error::{Error, notice};
 
-/// The section `Atoms # sphere`, rows `id type diameter density x y z`, or `Atoms # bpm/sphere`, with a molecule after the id. In order of the ids,
-/// each in the copy of the box that its image flags tell, if three follow the coordinates.
+/// The columns of an atom style.
+#[derive(Clone, Copy)]
+struct Style {
+    /// Of the first coordinate.
+    x: usize,
+    /// Of the diameter, if the style has one.
+    diameter: Option<usize>,
+    /// Their number without image flags.
+    width: usize,
+}
+
+/// An atom style: its name, the columns before the coordinates, the diameter among them, its columns in a hybrid style, the diameter among those.
+type Columns = (&'static str, usize, Option<usize>, usize, Option<usize>);
+
+/// The atom styles.
+const STYLES: &[Columns] = &[
+    ("angle", 3, None, 1, None),
+    ("atomic", 2, None, 0, None),
+    ("bond", 3, None, 1, None),
+    ("bpm/sphere", 5, Some(3), 3, Some(1)),
+    ("charge", 3, None, 1, None),
+    ("ellipsoid", 4, None, 2, None),
+    ("full", 4, None, 2, None),
+    ("molecular", 3, None, 1, None),
+    ("sphere", 4, Some(2), 2, Some(0)),
+];
+
+/// The columns of `sphere`, or of `hybrid sphere bond`: id, type, coordinates, and the columns of each style in turn.
+fn style(words: &str) -> Option<Style> {
+    let known = |word: &str| STYLES.iter().find(|style| style.0 == word);
+    let mut words = words.split_whitespace();
+    let first = words.next()?;
+    if first != "hybrid" {
+        let &(_, x, diameter, ..) = known(first)?;
+        return words.next().is_none().then_some(Style { x, diameter, width: x + 3 });
+    }
+    let start = Style { x: 2, diameter: None, width: 5 };
+    let (mut all, mut none) = (start, true);
+    for word in words {
+        let &(_, _, _, width, diameter) = known(word)?;
+        all.diameter = all.diameter.or(diameter.map(|column| all.width + column));
+        (all.width, none) = (all.width + width, false);
+    }
+    (!none).then_some(all)
+}
+
+/// The line `Atoms` that begins the section, alone or with a style; the last one, as the title may be the same.
+pub(super) fn section<'a>(source: &Source<'a>) -> Option<(usize, &'a str)> {
+    let is_section = |line: &str| {
+        line.strip_prefix("Atoms").is_some_and(|rest| rest.is_empty() || rest.trim_start().starts_with('#'))
+    };
+    source.lines().filter(|(_, line)| is_section(line)).last()
+}
+
+/// The line `N atoms` of the header, the last before the section.
+pub(super) fn announced<'a>(source: &Source<'a>) -> Option<(usize, &'a str)> {
+    let number = |line: &'a str| {
+        let (number, rest) = line.split('#').next()?.trim().split_once(char::is_whitespace)?;
+        (rest.trim() == "atoms" && number.parse::<u64>().is_ok()).then_some(number)
+    };
+    source.lines().filter_map(|(k, line)| Some((k, number(line)?))).last()
+}
+
+/// The section `Atoms`, whose style must be named: `Atoms # sphere`. In order of the ids, each in the copy of the box that its image flags tell, if
+/// three follow the other columns.
 pub(super) fn read(source: &Source) -> Result<Raw, Error> {
     let keyword = |line: &str| line.starts_with(|c: char| c.is_ascii_alphabetic());
-    let mut lines = source.lines().skip_while(|(_, line)| line.split_whitespace().next() != Some("Atoms"));
-    let Some((head, title)) = lines.next() else {
+    let Some((head, title)) = section(source) else {
         return Err(Error::input(source.file, "found no section `Atoms`"));
     };
-    let skipped = match title.split_once('#').map(|(_, style)| style.trim()) {
-        Some("sphere") => 0,
-        Some("bpm/sphere") => 1,
-        style => {
-            let what = format!(
-                "found `Atoms # {}`, expected `Atoms # sphere` or `Atoms # bpm/sphere`",
-                style.unwrap_or_default()
-            );
-            return Err(source.at(head, &what));
-        }
+    let named = title.split_once('#').map(|(_, style)| style.trim()).unwrap_or_default();
+    let Some(Style { x, diameter, width: least }) = style(named) else {
+        let names: Vec<&str> = STYLES.iter().map(|style| style.0).collect();
+        let what = format!(
+            "found `{title}`, expected `Atoms # sphere`, another style ({}), or `hybrid` with its styles, as in `Atoms # hybrid sphere bond`",
+            names.join(", ")
+        );
+        return Err(source.at(head, &what));
     };
-    let (least, sides) = (7 + skipped, sides(source)?);
+    if diameter.is_some() {
+        notice(format!("{}: the density is not read", source.file.display()));
+    }
+    let sides = sides(source)?;
     let mut rows = Vec::new();
-    for (k, line) in lines.take_while(|(_, line)| !keyword(line)).filter(|(_, line)| !line.is_empty()) {
+    let lines = source.lines().skip(head);
+    for (k, line) in
+        lines.take_while(|(_, line)| !keyword(line)).filter(|(_, line)| !line.is_empty() && !line.starts_with('#'))
+    {
         let words: Vec<&str> = line.split('#').next().unwrap_or_default().split_whitespace().collect();
-        let (Some(&id), Some(&[diameter, _, x, y, z])) = (words.first(), words.get(2 + skipped..least)) else {
+        let (Some(&id), Some(&[a, b, c])) = (words.first(), words.get(x..x + 3)) else {
             return Err(source.at(k, &format!("found {} columns, expected at least {least}", words.len())));
         };
+        if words.len() < least {
+            return Err(source.at(k, &format!("found {} columns, expected at least {least}", words.len())));
+        }
         let whole =
             |word: &str| word.parse().map_err(|_| source.at(k, &format!("found `{word}`, expected an integer")));
         let copy: [i64; 3] = match words[least..] {
@@ -45,13 +114,9 @@ pub(super) fn read(source: &Source) -> Result<Raw, Error> {
             Some(sides) => std::array::from_fn(|a| copy[a] as f64 * sides[a]),
             None => return Err(source.at(k, "found image flags, expected none: the box is tilted or missing")),
         };
-        rows.push((whole(id)?, k, diameter, [x, y, z], shift));
+        rows.push((whole(id)?, k, diameter.map(|column| words[column]), [a, b, c], shift));
     }
-    let announced = source.lines().find_map(|(k, line)| match line.split_whitespace().collect::<Vec<_>>()[..] {
-        [number, "atoms", ..] => Some((k, number)),
-        _ => None,
-    });
-    if let Some((k, number)) = announced.filter(|(_, number)| number.parse() != Ok(rows.len())) {
+    if let Some((k, number)) = announced(source).filter(|(_, number)| number.parse() != Ok(rows.len())) {
         return Err(source.at(k, &format!("found `{number} atoms` and {} rows of them", rows.len())));
     }
     rows.sort_unstable_by_key(|row| (row.0, row.1));
@@ -60,7 +125,7 @@ pub(super) fn read(source: &Source) -> Result<Raw, Error> {
     }
     let mut raw = Raw::default();
     for (place, (_, k, diameter, x, shift)) in rows.into_iter().enumerate() {
-        raw.push(source, k, x, Some(diameter))?;
+        raw.push(source, k, x, diameter)?;
         raw.centres[place] = std::array::from_fn(|a| raw.centres[place][a] + shift[a]);
     }
     for diameter in &mut raw.radii {

@@ -14,7 +14,9 @@ use crate::case::unmarked;
 use crate::error::{Error, Problem};
 use crate::geometry::Sphere;
 use crate::initial::aggregate::components;
+use crate::initial::foreign;
 use crate::spec::Vec3;
+use std::collections::BTreeMap;
 use std::path::Path;
 
 words! {
@@ -59,6 +61,8 @@ pub struct Imported {
     pub spheres: Vec<Sphere>,
     /// What they look like.
     pub report: Report,
+    /// Most decimals of a coordinate in the file; an exponent counts as many.
+    pub decimals: usize,
 }
 
 /// Coordinates are at most this many radii: farther out single precision does not tell which spheres touch.
@@ -74,6 +78,8 @@ struct Raw {
     radii: Vec<f64>,
     /// Whether the unit of length is the radius of a sphere.
     in_radii: bool,
+    /// Most decimals of a coordinate; an exponent counts as many.
+    decimals: usize,
 }
 
 /// Reads an aggregate.
@@ -88,6 +94,9 @@ pub fn read(file: &Path, options: &Options) -> Result<Imported, Error> {
 /// The text of a file without the mark of its encoding. What is no UTF-8, as an accent in a comment may be, is replaced.
 fn text_of(file: &Path) -> Result<String, Error> {
     let bytes = std::fs::read(file).map_err(|cause| Error::NoInput(file.into(), cause))?;
+    if let Some(known) = foreign::recognised(&bytes) {
+        return Err(Error::input(file, format!("found {known}")));
+    }
     let text = String::from_utf8_lossy(&bytes);
     Ok(unmarked(&text).into())
 }
@@ -117,12 +126,12 @@ pub fn parse(file: &Path, text: &str, options: &Options) -> Result<Imported, Err
         let what = format!("found {parts} parts that do not touch, expected one; `disconnected` accepts them");
         return Err(Error::input(file, what));
     }
-    Ok(Imported { format, report: Report::of(&spheres, parts), spheres })
+    Ok(Imported { format, report: Report::of(&spheres, parts), spheres, decimals: raw.decimals })
 }
 
 /// The spheres as extended XYZ with all their digits, nm.
 pub fn extended_xyz(spheres: &[Sphere]) -> String {
-    let row = |Sphere { centre: Vec3([x, y, z]), radius }: &Sphere| format!("sphere {x} {y} {z} {radius}\n");
+    let row = |Sphere { centre: Vec3([x, y, z]), radius }: &Sphere| format!("X {x} {y} {z} {radius}\n");
     let rows: String = spheres.iter().map(row).collect();
     format!("{}\nProperties=species:S:1:pos:R:3:radius:R:1\n{rows}", spheres.len())
 }
@@ -137,7 +146,9 @@ fn detect(source: &Source) -> Result<Format, Error> {
         return Ok(Format::Vtk);
     }
     let mut lines = source.lines().filter(|(_, line)| !line.is_empty());
-    if lines.clone().any(|(_, line)| line.split_whitespace().next() == Some("Atoms")) {
+    // The first line of LAMMPS data is a title, the second line of XYZ a comment: both may be any text.
+    let counts_spheres = lines.clone().next().is_some_and(|(_, line)| line.parse::<usize>().is_ok());
+    if lammps::section(source).is_some() && (!counts_spheres || lammps::announced(source).is_some()) {
         return Ok(Format::Lammps);
     }
     if lines
@@ -198,7 +209,40 @@ fn scaled(source: &Source, raw: &Raw, options: &Options) -> Result<Vec<Sphere>, 
             );
         }
     };
-    raw.spheres(source, unit, own)
+    let spheres = raw.spheres(source, unit, own)?;
+    match coinciding(&spheres) {
+        Some([k, other]) => {
+            Err(source.at(raw.lines[k], &format!("found the centre of the sphere in line {} again", raw.lines[other])))
+        }
+        None => Ok(spheres),
+    }
+}
+
+/// Two spheres with the same centre, the later first.
+fn coinciding(spheres: &[Sphere]) -> Option<[usize; 2]> {
+    let mut order: Vec<usize> = (0..spheres.len()).collect();
+    // Zero has two signs.
+    let place = |k: usize| spheres[k].centre.0.map(|x| x + 0.0);
+    let compare = |a: [f64; 3], b: [f64; 3]| (0..3).map(|k| a[k].total_cmp(&b[k])).find(|order| order.is_ne());
+    order.sort_by(|&a, &b| compare(place(a), place(b)).unwrap_or(a.cmp(&b)));
+    order.windows(2).find(|pair| place(pair[0]) == place(pair[1])).map(|pair| [pair[1], pair[0]])
+}
+
+/// Centres of similar spheres in a cube of the size of a radius beyond which a file is refused: they cannot be an aggregate, and the
+/// number of their pairs would grow with the square of theirs.
+const CROWD: usize = 27;
+
+/// A sphere among too many others.
+fn crowded(spheres: &[Sphere]) -> Option<usize> {
+    let mut cells = BTreeMap::new();
+    spheres.iter().position(|sphere| {
+        let octave = f64::from(libm::ilogb(sphere.radius));
+        let side = libm::exp2(octave);
+        let cell = sphere.centre.0.map(|x| (x / side).floor() as i64);
+        let count: &mut usize = cells.entry((octave as i64, cell)).or_default();
+        *count += 1;
+        *count > CROWD
+    })
 }
 
 impl Raw {
@@ -215,7 +259,17 @@ impl Raw {
                 None => Ok(Sphere { centre, radius }),
             }
         };
-        (0..self.centres.len()).map(sphere).collect()
+        let spheres: Vec<Sphere> = (0..self.centres.len()).map(sphere).collect::<Result<_, _>>()?;
+        match crowded(&spheres) {
+            Some(k) => {
+                let what = format!(
+                    "found the centres of {CROWD} other spheres within a radius of {:e} nm, expected an aggregate: unit and radius do not fit",
+                    spheres[k].radius
+                );
+                Err(source.at(self.lines[k], &what))
+            }
+            None => Ok(spheres),
+        }
     }
 }
 

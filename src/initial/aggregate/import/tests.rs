@@ -145,7 +145,7 @@ fn errors_name_file_line_and_what_was_expected() {
         ("Atoms # sphere\n\n1 1 1 1 0 0 0 1 0 0\n", ":3: found image flags, expected none"),
         ("Atoms # sphere\n\n1 1 1 1 0 0 0 1\n", ":3: found 8 columns, expected 7, or 10 with image flags"),
         ("Atoms # sphere\n\n2 1 1 1 0 0 0\n2 1 1 1 1 0 0\n", ":4: found the id 2 twice"),
-        ("1 atoms\n\nAtoms # full\n", ":3: found `Atoms # full`"),
+        ("1 atoms\n\nAtoms # oxdna\n", ":3: found `Atoms # oxdna`, expected `Atoms # sphere`"),
         ("3 40 0 5\n1 2 9 6\n", "format: is missing, expected `mstm`"),
     ] {
         let trouble = parse(Path::new("a.txt"), text, &BOTH).unwrap_err().to_string();
@@ -188,6 +188,85 @@ fn the_report_estimates_the_dimension_of_a_chain_and_of_an_aggregate() {
     let recipe = Recipe { number: 600, d_f: 1.8, k_f: 1.4, radii: Radii::Equal(1.0), method: Method::Clusters };
     let d_f = Report::of(&aggregate(&recipe, 1, &Interrupt::default()).unwrap(), 1).d_f.unwrap();
     assert!((d_f - 1.8).abs() < 0.3, "{d_f}");
+}
+
+#[test]
+fn what_is_misread_elsewhere_is_refused_by_line() {
+    for (text, expected) in [
+        ("3\nx\n-28.0 0.0 0.0 14\n0 0 0 14\n0 28 0 14\n", ":3: found `-28.0`, expected a species in the first column"),
+        ("2\n\nC 0 0 0 1\n0 0 0 2 1\n", ":4: found `0`, expected a species"),
+        (
+            "1\nProperties=species:S:1:pos:R:3:radius:R:1\nC 0 0 0\n",
+            ":3: found 4 columns, expected 5, as `Properties` lists",
+        ),
+        (
+            "1\nProperties=species:S:1:pos:R\nC 0 0 0\n",
+            ":2: found `Properties=species:S:1:pos:R`, expected name, type and",
+        ),
+        ("1\nProperties=species:S:1:radius:R:1\nC 0\n", "expected `pos:R:3` among the properties"),
+        ("3\n\nC 0 0 0 1\nC 2 0 0 1\nC -0.0 0 0 1\n", ":5: found the centre of the sphere in line 3 again"),
+        ("1 atoms\n\nAtoms\n\n1 1 1 1 0 0 0\n", ":3: found `Atoms`, expected `Atoms # sphere`, another style"),
+        ("1 atoms\n\nAtoms # hybrid\n\n1 1 1 1 0 0 0\n", ":3: found `Atoms # hybrid`, expected"),
+        ("1\n\nC 0 0 \u{0}\n", ":3: found `\u{0}`, expected a number"),
+        ("1\n\nC 0 nan 0\n", ":3: found `nan`, expected a number"),
+        ("1 0 0 0\n1 2 0 inf\n", ":2: found `inf`, expected a number"),
+    ] {
+        let trouble = parse(Path::new("a.txt"), text, &Options { unit: Some(1.0), ..Options::default() });
+        let trouble = trouble.map(drop).expect_err(text).to_string();
+        assert!(trouble.starts_with("a.txt:") && trouble.contains(expected), "{text}: {trouble}");
+    }
+}
+
+#[test]
+fn dialects_of_xyz_and_lammps_are_read() {
+    let header = "-100 100 xlo xhi\n-100 100 ylo yhi\n-100 100 zlo zhi\n\n";
+    for text in [
+        "2\nAtoms # sphere\nC 0 0 0 14\nC 28 0 0 14\n".to_string(),
+        "2\nAtoms. Timestep: 0\n1 0 0 0 14\n2 28 0 0 14\n".into(),
+        "2\ntitle=\"a Properties=no\" Properties=\"radius:R:1:species:S:1:pos:R:3\" pbc=\"F F F\"\n14 C 0 0 0\n14 C 28 0 0\n".into(),
+        "2\nProperties=species:S:1:Diameter:R:1:pos:R:3\nC 28 0 0 0\nC 28 28 0 0\n".into(),
+        "2\n\nC 0 0 0 14\nC 28 0 0 14\n2\n\nC 1 0 0 14\nC 29 0 0 14\n".into(),
+        format!("Atoms of a soot dimer\n\n2 atoms\n\n{header}Atoms # sphere\n\n1 1 28 1 0 0 0\n2 1 2.8e1 1 28 0 0\n\nVelocities\n\n1 0 0 0\n"),
+        format!("150 atoms in 2 parts\n\n2 atoms # in all\n\n{header}Atoms # sphere\n\n# id\n1 1 28 1 0 0 0 0 0 0\n2 1 28 1 28 0 0 0 0 0\n"),
+        format!("Atoms # sphere\n\n2 atoms\n\n{header}Atoms  # hybrid sphere bond\n\n1 1 0 0 0 28 1 1\n2 1 28 0 0 28 1 1 # b\n"),
+        format!("Atoms\n\n2 atoms\n\n{header}Atoms # hybrid bond sphere\n\n1 1 0 0 0 1 28 1\n2 1 28 0 0 1 28 1\n"),
+    ] {
+        let found = parse(Path::new("a.txt"), &text, &Options { unit: Some(1.0), ..Options::default() });
+        let found = found.unwrap_or_else(|error| panic!("{text}: {error}")).spheres;
+        assert_eq!((found[1].centre, found[0].radius, found[1].radius), (Vec3([28.0, 0.0, 0.0]), 14.0, 14.0), "{text}");
+    }
+    let full = format!("2 atoms\n\n{header}Atoms # full\n\n1 1 1 -0.8 0 0 0\n2 1 1 0.4 28 0 0\n");
+    assert_eq!(
+        parse(Path::new("a.txt"), &full, &BOTH).map_err(|error| error.to_string()).unwrap().spheres[1].radius,
+        14.0
+    );
+}
+
+#[test]
+fn formats_that_are_known_and_not_supported_are_named() {
+    let folder = tempfile::tempdir().unwrap();
+    for (bytes, expected) in [
+        (&b"ITEM: TIMESTEP\n0\n"[..], "a LAMMPS dump file"),
+        (b"<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\">", "an XML VTK file (VTP, VTU)"),
+        (b"\xff\xfe3\0", "text in UTF-16"),
+        (b"\x1f\x8b\x08", "a gzip archive"),
+        (b"PK\x03\x04", "a zip archive"),
+        (b"\x89HDF\r\n", "an HDF5 file"),
+        (b"\xdf\x65\xdf\x65\xdf\x65\xdf\x65", "a GSD file"),
+    ] {
+        let foreign = folder.path().join("foreign");
+        std::fs::write(&foreign, bytes).unwrap();
+        let trouble = read(&foreign, &BOTH).unwrap_err().to_string();
+        assert!(trouble.contains(&format!("found {expected}, which is not supported: ")), "{trouble}");
+    }
+}
+
+#[test]
+fn a_file_whose_unit_and_radius_do_not_fit_ends_at_once() {
+    let row = |k: usize| format!("C {} {} {}\n", k % 50, k / 50 % 50, k / 2500);
+    let text = format!("100000\n\n{}", (0..100_000).map(row).collect::<String>());
+    let trouble = parse(Path::new("a.xyz"), &text, &Options { radius: Some(1000.0), ..BOTH }).unwrap_err().to_string();
+    assert!(trouble.contains("unit and radius do not fit"), "{trouble}");
 }
 
 quickcheck! {

@@ -31,6 +31,9 @@ section! {
         /// Largest gap of a neck; the default allows for rounding only. The springs of a neck are relaxed at contact, so a neck across a finite gap is
         /// stretched from the beginning; the authors allow 1 nm.
         neck_distance: Quantity<Length> = quantity(&format!("{NECK_DISTANCE} nm")),
+        /// Largest energy that springs hold at the start, as a multiple of the energy that the aggregate can take without being torn apart: the sum of the kinetic
+        /// energy of its deposition, of the adhesion of its contacts and of the thermal motion of its spheres at 298 K.
+        initial_energy: f64 = 1.0,
         /// Whether necks may form closed rings; the authors omit a neck between spheres that other necks already connect.
         neck_cycles: bool = false,
     }

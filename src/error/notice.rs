@@ -1,0 +1,24 @@
+//! Notices: remarks on input that is accepted but may not mean what its author thinks.
+
+use std::collections::BTreeSet;
+use std::io::Write;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+static SILENT: AtomicBool = AtomicBool::new(false);
+static SAID: Mutex<BTreeSet<String>> = Mutex::new(BTreeSet::new());
+
+/// Writes a notice to standard error, once, unless notices are silenced.
+pub fn notice(text: impl Into<String>) {
+    let text = text.into();
+    let mut said = SAID.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+    if !SILENT.load(Ordering::Relaxed) && !said.contains(&text) {
+        let _ = writeln!(std::io::stderr(), "notice: {text}");
+        said.insert(text);
+    }
+}
+
+/// Silences all notices of the process.
+pub fn silence() {
+    SILENT.store(true, Ordering::Relaxed);
+}

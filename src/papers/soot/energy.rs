@@ -1,0 +1,89 @@
+//! The energy that springs hold at the start, beside the energies that an aggregate can take.
+
+use super::case::{Deposition, SootStage};
+use crate::case::units::BOLTZMANN;
+use crate::error::Error;
+use crate::geometry::{Sphere, pairs_within};
+use crate::initial::aggregate::{NEIGHBOURLY, necks::Neck};
+use crate::spec::mechanics::kinetic_energy::translational_energy;
+use crate::spec::mechanics::sphere::sphere_mass;
+use crate::spec::mechanics::thermal::thermal_energy;
+use crate::spec::soot::{Reading, Soot};
+use crate::spec::{Contact, Flat, PairModel, Vec3};
+
+/// Room temperature, K.
+const ROOM: f64 = 298.0;
+
+/// Energies at the start, zJ.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct InitialEnergy {
+    /// Held by the springs of necks and of contacts that overlap.
+    pub stored: f64,
+    /// Of the velocity of the deposition.
+    pub kinetic: f64,
+    /// Work that separates the spheres that touch.
+    pub adhesion: f64,
+    /// Of thermal motion.
+    pub thermal: f64,
+    /// Largest gap of a neck, nm.
+    pub stretched: f64,
+    /// Deepest overlap, nm.
+    pub overlap: f64,
+}
+
+impl InitialEnergy {
+    /// The energies of an aggregate whose necks and contacts have springs that are relaxed at contact.
+    pub(super) fn of<S: Reading>(
+        law: &Soot<S>,
+        spheres: &[Sphere],
+        necks: &[Neck],
+        density: f64,
+        stage: Option<&SootStage>,
+    ) -> Self {
+        let mass = |sphere: &Sphere| sphere_mass(density, sphere.radius);
+        let mut sums = Self::default();
+        let mut pairs = pairs_within(spheres, |r, s| (1.0 + NEIGHBOURLY) * (r + s));
+        pairs.extend(necks);
+        pairs.sort_unstable();
+        pairs.dedup();
+        for (i, j) in pairs {
+            let (a, b) = (&spheres[i], &spheres[j]);
+            let rest = Vec3::zero();
+            let contact = Contact::new(a.centre - b.centre, rest, rest, rest, a.radius, b.radius);
+            let is_neck = necks.binary_search(&(i, j)).is_ok();
+            let free = law.coefficients(a.radius, b.radius, mass(a), mass(b));
+            let coefficients = if is_neck { law.joined(free) } else { free };
+            let held = law.stored(&contact, &coefficients, &Flat::from_fn(|_| 0.0));
+            sums.stored += held.necks + held.normal;
+            sums.adhesion -= held.van_der_waals + held.capillary;
+            sums.overlap = sums.overlap.max(-contact.gap);
+            if is_neck {
+                sums.stretched = sums.stretched.max(contact.gap);
+            }
+        }
+        if let Some(SootStage::Deposition(Deposition { velocity, .. })) = stage {
+            let v = Vec3([0.0, 0.0, velocity.value]);
+            sums.kinetic = spheres.iter().map(|sphere| translational_energy(mass(sphere), v)).sum();
+        }
+        sums.thermal = spheres.len() as f64 * thermal_energy(BOLTZMANN, ROOM);
+        sums
+    }
+
+    /// Refuses an aggregate whose springs hold more than so many times what it can take.
+    ///
+    /// # Errors
+    ///
+    /// The energies and the remedy.
+    pub(super) fn allowed(&self, times: f64) -> Result<(), Error> {
+        let Self { stored, kinetic, adhesion, thermal, stretched, overlap } = self;
+        if *stored <= times * (kinetic + adhesion + thermal) {
+            return Ok(());
+        }
+        let what = format!(
+            "found springs that hold {stored:.3e} zJ at the start (overlaps up to {overlap:.3} nm, necks across gaps up to {stretched:.3} nm), expected at most {times} times the sum \
+             of the kinetic energy {kinetic:.3e} zJ, the adhesion of the contacts {adhesion:.3e} zJ and the thermal energy {thermal:.3e} zJ, or the aggregate is thrown apart; \
+             give spheres that touch, with more decimals, or raise `initial_energy`"
+        );
+        Err(Error::of_key("sample.aggregate", what))
+    }
+}
