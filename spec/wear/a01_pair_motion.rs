@@ -97,7 +97,7 @@ mod laws {
             assert_relative_eq!(m_i * a_i, -m_j * a_j, epsilon = 0.0, max_relative = 4.0 * f64::EPSILON);
         }
 
-        /// Sums of eighths are exact, so that nothing but the law decides.
+        /// Sums of eighths are exact, so rounding plays no part.
         #[test]
         fn a_common_motion_goes_unnoticed(
             (x_i, x_j) in (-8..8, -8..8), (v_i, v_j) in (-8..8, -8..8), (x, v) in (-99..99, -99..99),
@@ -118,7 +118,8 @@ mod laws {
             assert_relative_eq!(a, a_i - a_j, epsilon = 0.0, max_relative = 8.0 * f64::EPSILON);
         }
 
-        /// Subtracted as printed, A.1 says `m_i a_i - m_j a_j = -2 (c v + k x)`; with one mass for both, their mean.
+        /// Subtracted as printed, A.1 says `m_i a_i - m_j a_j = -2 (c v + k x)`; dividing by the mean mass then is
+        /// wrong.
         #[test]
         fn subtracting_before_dividing_is_wrong_for_unequal_masses(m_i in 0.1..1.0, more in 0.1..10.0) {
             let m_j = m_i + more;

@@ -12,7 +12,7 @@ use crate::{Real, equation};
 /// # Reading
 ///
 /// As printed. The scheme does not keep this energy constant: below the critical time step it oscillates about its mean.
-/// What one step of A.4 conserves is `E - dt/2 k_n x v`.
+/// One step of A.4 conserves `E - dt/2 k_n x v` instead.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

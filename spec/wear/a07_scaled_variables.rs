@@ -67,7 +67,7 @@ pub fn scaled_velocity<R: Real>(m_eff: R, e_0: R, v: R) -> R {
 ///
 /// # Reading
 ///
-/// The right-hand side; that it is one at the start is a law.
+/// Evaluates the right-hand side; a law checks that it is one at the start.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -94,7 +94,7 @@ pub fn scaled_energy<R: Real>(x_hat: R, v_hat: R) -> R {
 ///
 /// # Reading
 ///
-/// As printed. Elsewhere in this appendix it is called `h`.
+/// As printed. It is called `h` in the rest of this appendix.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

@@ -94,7 +94,7 @@ pub fn amplify<R: Real>(a_xx: R, a_xv: R, a_vx: R, a_vv: R, x: R, v: R) -> (R, R
     (a_xx * x + a_xv * v, a_vx * x + a_vv * v)
 }
 
-/// **Unnumbered**, after Eq. A.13: the quantity conserved by the step instead of the energy.
+/// **Unnumbered**, after Eq. A.13: the quantity that the step conserves instead of the energy.
 ///
 /// ```math
 /// I = \hat x^2 + \hat v^2 - \hat{\Delta t}\, \hat x \hat v
@@ -102,7 +102,7 @@ pub fn amplify<R: Real>(a_xx: R, a_xv: R, a_vx: R, a_vv: R, x: R, v: R) -> (R, R
 ///
 /// # Reading
 ///
-/// Not in the paper. Below a scaled step of two its level lines are ellipses, which bound the energy; at two they are
+/// Not in the paper. Below a scaled step of two its level curves are ellipses, which bound the energy; at two they are
 /// pairs of straight lines and above it hyperbolas, along which the energy grows without limit.
 ///
 /// | name | symbol | unit | domain | meaning |
@@ -110,7 +110,7 @@ pub fn amplify<R: Real>(a_xx: R, a_xv: R, a_vx: R, a_vv: R, x: R, v: R) -> (R, R
 /// | `h` | $\hat{\Delta t}$ | 1 | >= 0 | scaled time step |
 /// | `x` | $\hat x$ | 1 | any | scaled separation |
 /// | `v` | $\hat v$ | 1 | any | scaled rate of separation |
-/// | → `invariant` | $I$ | 1 | | the same before and after every step |
+/// | → `invariant` | $I$ | 1 | | conserved quantity |
 ///
 /// Rounding: at most 0.5 ULP.
 ///

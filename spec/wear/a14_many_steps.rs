@@ -12,7 +12,7 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// As printed, with the power of A.15. Only the whole part of `n` counts.
+/// As printed, with the power of A.15; `n` is truncated to an integer.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -45,9 +45,9 @@ pub fn state_after<R: Real>(h: R, n: R, x_0: R, v_0: R) -> (R, R) {
 ///
 /// # Reading
 ///
-/// Computed by squaring: the binary digits of `n` say which of `A, A^2, A^4, ...` to multiply. The eigendecomposition
+/// Computed by squaring: the binary digits of `n` select the factors among `A, A^2, A^4, ...`. The eigendecomposition
 /// does not exist at a scaled step of two, where both eigenvalues are -1 and there is only one eigenvector; squaring
-/// holds there too. Only the whole part of `n` counts.
+/// works there too. `n` is truncated to an integer.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -111,7 +111,7 @@ mod laws {
     use faer::mat;
     use proptest::prelude::*;
 
-    /// Energy as a multiple of the start's, `n` steps after a start at phase `angle`.
+    /// Energy relative to its initial value, `n` steps after a start at phase `angle`.
     fn energy_after(h: f64, n: u32, angle: f64) -> f64 {
         let (x, v) = state_after(h, f64::from(n), angle.cos(), angle.sin());
         scaled_energy(x, v)
@@ -125,7 +125,7 @@ mod laws {
                 state = scaled_step(h, state.1, state.0);
             }
             let (x_n, v_n) = state_after(h, f64::from(n), x, v);
-            // Two hundred steps round below this.
+            // The rounding of two hundred steps stays below this.
             assert_abs_diff_eq!(v_n, state.0, epsilon = 1e-11);
             assert_abs_diff_eq!(x_n, state.1, epsilon = 1e-11);
         }
@@ -133,11 +133,11 @@ mod laws {
         #[test]
         fn bounded_below_the_limit(h in 0.0..1.99, n in 0u32..1_000_000, angle in 0.0..6.3) {
             let bound = (1.0 + h / 2.0) / (1.0 - h / 2.0);
-            // A million steps round below the last factor.
+            // The rounding of a million steps stays below the last factor.
             prop_assert!(energy_after(h, n, angle) <= bound * (1.0 + 1e-7));
         }
 
-        /// `A^n = (-1)^n (I - n (A + I))`: whole numbers, hence exact.
+        /// `A^n = (-1)^n (I - n (A + I))`: integers, hence exact.
         #[test]
         fn grows_linearly_at_the_limit(n in 0u32..1_000_000) {
             let (steps, sign) = (f64::from(n), if n % 2 == 0 { 1.0 } else { -1.0 });

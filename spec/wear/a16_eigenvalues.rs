@@ -12,9 +12,9 @@ use crate::{Real, equation};
 /// # Reading
 ///
 /// Real and imaginary parts. With $s = \sqrt{|h^2 - 4|}$ the printed form is $-((h \mp s)/2)^2$ for real $s$, since
-/// $(h \mp s)^2 = 2 h^2 - 4 \mp 2 h s$. That is what the code computes above two: $\lambda_2$ from its square, which adds
-/// numbers of one sign, and $\lambda_1$ as its inverse, because their product is the determinant, one. Printed,
-/// $\lambda_1$ would cancel.
+/// $(h \mp s)^2 = 2 h^2 - 4 \mp 2 h s$. That is what the code computes above two: $\lambda_2$ from its square, which is a
+/// sum of terms of one sign, and $\lambda_1$ as its inverse, because their product is the determinant, one. In the
+/// printed form $\lambda_1$ would suffer from cancellation.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -73,7 +73,7 @@ mod laws {
             let root = (h * h - 4.0).sqrt();
             let (re_1, im_1, re_2, im_2) = eigenvalues(h);
             prop_assert_eq!((im_1, im_2), (0.0, -0.0));
-            // The printed form cancels numbers below 16; the root amplifies rounding next to two.
+            // The printed form suffers from cancellation of numbers below 16; the root amplifies rounding near two.
             assert_abs_diff_eq!(re_1, (2.0 - h * h + h * root) / 2.0, epsilon = 1e-7);
             assert_abs_diff_eq!(re_2, (2.0 - h * h - h * root) / 2.0, epsilon = 1e-7);
         }

@@ -4,7 +4,7 @@ use super::eq06_critical_time_step::critical_time_step;
 use crate::equation::Equation;
 use crate::{Real, equation};
 
-/// **Eq. A.17**, Appendix A.1.1: limit of the time step of two spheres.
+/// **Eq. A.17**, Appendix A.1.1: limit of the time step for two spheres.
 ///
 /// ```math
 /// \Delta t \le 2 \sqrt{\frac{m_{\text{eff}}}{k_N}}
@@ -12,14 +12,15 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// Erratum. The right-hand side; the comparison must be strict. At the limit both eigenvalues are -1, but the matrix has one
-/// eigenvector only, so its powers grow linearly and the energy without bound. The same holds for A.18.
+/// Erratum: the comparison must be strict. The function returns the right-hand side. At the limit both eigenvalues are -1,
+/// but the matrix has only one eigenvector, so its powers grow linearly and the energy without bound. The same holds for
+/// A.18.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `m_eff` | $m_{\text{eff}}$ | kg | > 0 | effective mass of the pair |
 /// | `k_n` | $k_N$ | N/m | > 0 | normal stiffness |
-/// | → `dt` | $\Delta t$ | s | | every smaller time step is stable |
+/// | → `dt` | $\Delta t$ | s | | limit below which a time step is stable |
 ///
 /// Rounding: at most 0.5 ULP.
 ///
@@ -51,7 +52,7 @@ mod laws {
     use approx::assert_relative_eq;
     use proptest::prelude::*;
 
-    /// Largest energy of a pair that starts at `x` = 1 with no velocity, as a multiple of the first, in `n` steps.
+    /// Largest energy within `n` steps of a pair released at rest at `x` = 1, relative to the initial energy.
     fn largest_energy(k: f64, m_eff: f64, dt: f64, n: u32) -> f64 {
         let (mut v, mut x, mut largest) = (0.0, 1.0, 0.0f64);
         for _ in 0..n {

@@ -11,7 +11,7 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// As printed: critical for the dashpot between the two spheres. Equal masses give Eq. 21.
+/// As printed: critical for the dashpot between the two spheres. For equal masses it is Eq. 21.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

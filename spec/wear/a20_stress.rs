@@ -11,7 +11,7 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// As printed. The cross section follows later, from A.64.
+/// As printed. The cross section follows from A.64.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -90,7 +90,7 @@ pub fn normal_strain<R: Real>(delta_n: R, r_i: R, r_j: R) -> R {
 ///
 /// # Reading
 ///
-/// As printed; in the elastic range.
+/// As printed; valid in the elastic range.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

@@ -13,7 +13,7 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// As printed; in the elastic range, and not at the point of rest.
+/// As printed; valid in the elastic range, except at zero separation.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -39,8 +39,8 @@ pub fn stiffness_of_force<R: Real>(f_n: R, delta_n: R) -> R {
 ///
 /// # Reading
 ///
-/// As printed: A.20 and A.22 put into A.24. The next line, A.26, puts in Hooke's law A.23 and is Eq. 7; A.27 is Eq. 8. The
-/// tangential stiffness takes Young's modulus too, not the shear modulus: A.65 makes up for it.
+/// As printed: A.20 and A.22 substituted into A.24. The next line, A.26, substitutes Hooke's law A.23 and is Eq. 7; A.27
+/// is Eq. 8. The tangential stiffness also contains Young's modulus, not the shear modulus: A.65 compensates for this.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

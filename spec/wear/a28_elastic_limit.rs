@@ -13,7 +13,8 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// As printed. Times the distance of the centres it is A.29, which is Eq. 9; the limit of the tangential force, A.30, is Eq. 11.
+/// As printed. Multiplied by the distance between the centres it is A.29, which is Eq. 9; the limit of the tangential force,
+/// A.30, is Eq. 11.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

@@ -34,7 +34,7 @@ pub fn work_of_separation<R: Real>(k_n: R, delta_e: R, delta_f: R) -> R {
     R::lit(0.5) * delta_f * k_n * delta_e.min(delta_f)
 }
 
-/// **Eq. A.32**, Appendix A.2: the same work from the strength.
+/// **Eq. A.32**, Appendix A.2: the same work in terms of the strength.
 ///
 /// ```math
 /// U_\gamma = \frac{A_N \sigma_{m,N} \delta_f}{2}
@@ -48,7 +48,7 @@ pub fn work_of_separation<R: Real>(k_n: R, delta_e: R, delta_f: R) -> R {
 /// |---|---|---|---|---|
 /// | `a_n` | $A_N$ | m^2 | > 0 | cross section in the normal direction |
 /// | `sigma_mn` | $\sigma_{m,N}$ | Pa | > 0 | tensile strength |
-/// | `delta_f` | $\delta_f$ | m | > 0 | fracture separation, not below the elastic one |
+/// | `delta_f` | $\delta_f$ | m | > 0 | fracture separation, at least the elastic one |
 /// | → `u_gamma` | $U_\gamma$ | J | | work of separation |
 ///
 /// Rounding: at most 0.5 ULP.
@@ -69,7 +69,7 @@ pub fn work_of_strength<R: Real>(a_n: R, sigma_mn: R, delta_f: R) -> R {
 ///
 /// # Reading
 ///
-/// As printed: breaking lays open two surfaces. Solved for the separation it is A.34,
+/// As printed: fracture creates two surfaces. Solved for the separation it is A.34,
 /// $\delta_f = 4 \gamma / \sigma_{m,N}$, the smallest diameter of Eq. 19.
 ///
 /// | name | symbol | unit | domain | meaning |

@@ -1,11 +1,11 @@
-//! An impact: the motion of two colliding spheres, for any damping.
+//! The motion of two colliding spheres, for any damping.
 
 use super::a19_critical_damping::critical_pair_damping;
 use super::a37_frequency::damped_frequency;
 use crate::equation::Equation;
 use crate::{Real, equation, piecewise};
 
-/// **Eq. A.35**, Appendix A.2: separation after two spheres have met.
+/// **Eq. A.35**, Appendix A.2: separation after two spheres have collided.
 ///
 /// ```math
 /// x = \frac{v_0}{\omega} e^{-\frac{c_N}{2 m_{\text{eff}}} t} \sin(\omega t)
@@ -22,15 +22,15 @@ use crate::{Real, equation, piecewise};
 /// ```
 ///
 /// The last case is computed as $e^{-(\beta - \omega) t} \tau / \omega (1 + \tau)$ with $\tau = \tanh(\omega t)$, since
-/// $\sinh = e^{\omega t} \tau / (1 + \tau)$, and $\beta - \omega$ as $k_N / m_{\text{eff}} (\beta + \omega)$: no number
-/// overflows and none cancels.
+/// $\sinh = e^{\omega t} \tau / (1 + \tau)$, and $\beta - \omega$ as $k_N / m_{\text{eff}} (\beta + \omega)$: nothing
+/// overflows or cancels.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `k_n` | $k_N$ | N/m | > 0 | normal stiffness |
 /// | `m_eff` | $m_{\text{eff}}$ | kg | > 0 | effective mass of the pair |
 /// | `c_n` | $c_N$ | kg/s | >= 0 | normal damping |
-/// | `v_0` | $v_0$ | m/s | any | rate of separation when the spheres meet, at time zero |
+/// | `v_0` | $v_0$ | m/s | any | rate of separation at first touch, at time zero |
 /// | `t` | $t$ | s | >= 0 | time |
 /// | → `x` | $x$ | m | | separation |
 ///
@@ -48,7 +48,7 @@ pub fn impact_separation<R: Real>(k_n: R, m_eff: R, c_n: R, v_0: R, t: R) -> R {
     v_0 * swing(k_n, m_eff, c_n, t).0
 }
 
-/// **Eq. A.36**, Appendix A.2: rate of separation after two spheres have met.
+/// **Eq. A.36**, Appendix A.2: rate of separation after two spheres have collided.
 ///
 /// ```math
 /// \dot x = -\frac{c_N v_0}{2 \omega m_{\text{eff}}} e^{-\frac{c_N}{2 m_{\text{eff}}} t} \sin(\omega t)
@@ -58,14 +58,14 @@ pub fn impact_separation<R: Real>(k_n: R, m_eff: R, c_n: R, v_0: R, t: R) -> R {
 /// # Reading
 ///
 /// The first term is $-\beta x$. At and beyond critical damping the motion obeys
-/// $\dot x = v_0 e^{-(\beta + \omega) t} - (\beta - \omega) x$, which is computed there.
+/// $\dot x = v_0 e^{-(\beta + \omega) t} - (\beta - \omega) x$, which is evaluated in that range.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `k_n` | $k_N$ | N/m | > 0 | normal stiffness |
 /// | `m_eff` | $m_{\text{eff}}$ | kg | > 0 | effective mass of the pair |
 /// | `c_n` | $c_N$ | kg/s | >= 0 | normal damping |
-/// | `v_0` | $v_0$ | m/s | any | rate of separation when the spheres meet, at time zero |
+/// | `v_0` | $v_0$ | m/s | any | rate of separation at first touch, at time zero |
 /// | `t` | $t$ | s | >= 0 | time |
 /// | → `v` | $\dot x$ | m/s | | rate of separation |
 ///
@@ -150,7 +150,7 @@ mod laws {
             assert_abs_diff_eq!(a, relative_acceleration(m, c, k, x, v), epsilon = 1e-13);
         }
 
-        /// With the natural frequency in its place, as the paper's words have it, A.35 leaves a residual.
+        /// With the natural frequency, as the text of the paper says, A.35 leaves a residual.
         #[test]
         fn the_natural_frequency_does_not_solve_it((k, m) in (0.5..2.0, 0.5..2.0), zeta in 0.1..0.9) {
             let c = Dual::constant(zeta * critical_pair_damping(k, m));

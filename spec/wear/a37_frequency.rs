@@ -13,9 +13,10 @@ use crate::{Real, equation};
 /// # Reading
 ///
 /// Erratum: the paper calls it the natural frequency; it is the damped one, with which A.35 is exact. With
-/// $c_c = 2 \sqrt{k_N m_{\text{eff}}}$ it is $\sqrt{(c_c - c_N)(c_c + c_N)} / 2 m_{\text{eff}}$, which is computed because the
-/// printed difference cancels close to critical damping. Beyond it the frequency is imaginary and the motion a sum of
-/// two decays; the function then returns the magnitude, by which their rates differ from their mean.
+/// $c_c = 2 \sqrt{k_N m_{\text{eff}}}$ it is $\sqrt{(c_c - c_N)(c_c + c_N)} / 2 m_{\text{eff}}$, which is evaluated because
+/// the printed difference suffers from cancellation close to critical damping. Beyond critical damping the frequency is
+/// imaginary and the motion a sum of two decays; the function then returns the magnitude, the deviation of their rates from
+/// the mean rate.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

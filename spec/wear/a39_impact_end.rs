@@ -15,7 +15,8 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// "Approximately", says the paper; it is exact with the damped frequency, if the impact ends when the spheres stop touching.
+/// "Approximately", according to the paper; it is exact with the damped frequency if the impact ends when the spheres stop
+/// touching.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -40,7 +41,7 @@ pub fn impact_duration<R: Real>(omega: R) -> R {
 ///
 /// # Reading
 ///
-/// As printed, with A.36. At and beyond critical damping the spheres never part, and nothing comes back.
+/// As printed, with A.36. At and beyond critical damping the spheres never separate, and the value is zero.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -71,7 +72,7 @@ pub fn velocity_at_the_end<R: Real>(k_n: R, m_eff: R, c_n: R, v_0: R) -> R {
 ///
 /// # Reading
 ///
-/// Erratum: the minus sign is missing. The spheres fly apart as they came, in the opposite direction:
+/// Erratum: the minus sign is missing. The spheres separate in the direction from which they came:
 /// $v_f = -v_0 e^{-\pi c_N / 2 \omega m_{\text{eff}}}$.
 ///
 /// | name | symbol | unit | domain | meaning |
@@ -102,7 +103,7 @@ pub fn final_velocity<R: Real>(k_n: R, m_eff: R, c_n: R, v_0: R) -> R {
 /// # Reading
 ///
 /// Erratum: the ratio is upside down. Section 2.2 defines it as final over initial velocity, and A.42 is below one:
-/// $\eta = -v_f / v_0$, the minus sign being that of A.40.
+/// $\eta = -v_f / v_0$, with the minus sign of A.40.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -156,14 +157,14 @@ mod laws {
             assert_abs_diff_eq!(final_velocity(k, m, c, v_0), at_the_end, epsilon = 32.0 * f64::EPSILON);
         }
 
-        /// The printed A.40 keeps the sign of the velocity and fails here.
+        /// A.40 as printed does not reverse the velocity and fails here.
         #[test]
         fn the_velocity_turns_round((k, m, c) in underdamped(), v_0 in 0.1..2.0) {
             prop_assert!(final_velocity(k, m, c, v_0) < 0.0 && velocity_at_the_end(k, m, c, v_0) < 0.0);
             prop_assert!(final_velocity(k, m, c, -v_0) > 0.0);
         }
 
-        /// The printed A.41 is the inverse, above one, and fails here.
+        /// A.41 as printed is the reciprocal, above one, and fails here.
         #[test]
         fn is_final_over_initial_velocity((k, m, c) in underdamped(), v_0 in 0.1..2.0) {
             let eta = velocity_ratio(v_0, final_velocity(k, m, c, v_0));

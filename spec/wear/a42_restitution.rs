@@ -5,7 +5,7 @@ use super::a37_frequency::damped_frequency;
 use crate::equation::Equation;
 use crate::{Real, equation};
 
-/// **Eq. A.42**, Appendix A.2: restitution coefficient of a damping.
+/// **Eq. A.42**, Appendix A.2: restitution coefficient for a given damping.
 ///
 /// ```math
 /// \eta = e^{-\frac{\pi c_N}{2 \omega m_{\text{eff}}}}
@@ -13,7 +13,7 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// Exact, with the damped frequency A.37; nothing comes back at and beyond critical damping. In the damping ratio it is
+/// Exact with the damped frequency A.37; zero at and beyond critical damping. In terms of the damping ratio it is
 /// $e^{-\pi \zeta / \sqrt{1 - \zeta^2}}$.
 ///
 /// | name | symbol | unit | domain | meaning |
@@ -35,7 +35,7 @@ pub fn pair_restitution<R: Real>(k_n: R, m_eff: R, c_n: R) -> R {
     R::select(parts, (-loss_exponent(k_n, m_eff, c_n)).exp(), R::zero())
 }
 
-/// **Eq. A.43**, Appendix A.2: restitution coefficient of a weak damping.
+/// **Eq. A.43**, Appendix A.2: restitution coefficient for weak damping.
 ///
 /// ```math
 /// \eta \approx 1 - \frac{\pi c_N}{2 \omega m_{\text{eff}}}
@@ -70,7 +70,7 @@ pub fn weak_restitution<R: Real>(k_n: R, m_eff: R, c_n: R) -> R {
 ///
 /// # Reading
 ///
-/// As printed: A.38 put into A.43. It turns negative above 0.318 of the critical damping.
+/// As printed: A.38 substituted into A.43. It becomes negative above 0.318 of the critical damping.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -89,7 +89,7 @@ pub fn weaker_restitution<R: Real>(k_n: R, m_eff: R, c_n: R) -> R {
     R::one() - R::pi() * c_n / critical_pair_damping(k_n, m_eff)
 }
 
-/// The exponent that A.40 to A.43 share.
+/// The exponent common to A.40 to A.43.
 #[inline(always)]
 fn loss_exponent<R: Real>(k_n: R, m_eff: R, c_n: R) -> R {
     R::pi() * c_n / (R::lit(2.0) * damped_frequency(k_n, m_eff, c_n) * m_eff)

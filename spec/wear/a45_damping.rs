@@ -5,7 +5,7 @@ use super::eq13_tangential_damping::tangential_damping;
 use crate::equation::Equation;
 use crate::{Real, equation};
 
-/// **Eq. A.46**, Appendix A.2: normal damping as a fraction of the critical one.
+/// **Eq. A.46**, Appendix A.2: normal damping as a fraction of critical damping.
 ///
 /// ```math
 /// c_N \approx \frac{1 - \eta}{\pi} c_c
@@ -13,12 +13,12 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// As printed. A.45 is Eq. 12 and A.47 is Eq. 13. All three invert A.44, so the restitution that comes out, A.42, is larger
-/// than the wanted one; the `exact_damping` of [`def_restitution`](super::def_restitution) gives the wanted one.
+/// As printed. A.45 is Eq. 12 and A.47 is Eq. 13. All three invert A.44, so the resulting restitution, A.42, is larger than
+/// the desired one, which the `exact_damping` of [`def_restitution`](super::def_restitution) gives.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
-/// | `eta` | $\eta$ | 1 | [0, 1] | wanted restitution coefficient |
+/// | `eta` | $\eta$ | 1 | [0, 1] | desired restitution coefficient |
 /// | `c_c` | $c_c$ | kg/s | > 0 | critical damping |
 /// | → `c_n` | $c_N$ | kg/s | | normal damping |
 ///

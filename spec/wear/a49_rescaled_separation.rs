@@ -65,7 +65,7 @@ mod laws {
         let r = 0.5 * size * d_c;
         (r, d_c, elastic_separation(r, r, SIGMA, E))
     }
-    /// Surface energy of such spheres with this fracture separation.
+    /// Surface energy of these spheres for a given fracture separation.
     fn matched(r: f64, delta_e: f64, delta_f: f64) -> f64 {
         surface_energy(work_of_separation(normal_stiffness(1.0, E, r, r), delta_e, delta_f), 1.0)
     }

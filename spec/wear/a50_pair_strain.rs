@@ -11,7 +11,7 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// Erratum: the paper calls $\theta$ the polar angle, but every formula from here to A.56 takes it for the latitude, which is
+/// Erratum: the paper calls $\theta$ the polar angle, but in every formula from here to A.56 it is the latitude, which is
 /// zero on the equator. The neighbour lies at $2r (\cos\phi \cos\theta, \sin\phi \cos\theta, \sin\theta)$.
 ///
 /// | name | symbol | unit | domain | meaning |
@@ -196,8 +196,8 @@ mod laws {
     const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
     proptest! {
-        /// Strain along x stretches the pair that lies along x, on the equator, and leaves the one at the pole alone;
-        /// measured from the pole, theta would give the opposite.
+        /// Strain along x stretches the pair that lies along x, on the equator, and does not affect the pair at the
+        /// pole; measured from the pole, theta would give the opposite.
         #[test]
         fn theta_is_a_latitude(r in 0.1..10.0, epsilon in 0.001..0.1) {
             prop_assert_eq!(separation_x(r, epsilon, 0.0, 0.0), 2.0 * r * epsilon);
@@ -206,7 +206,7 @@ mod laws {
             assert_relative_eq!(separation_z(r, epsilon, FRAC_PI_2), 2.0 * r * epsilon, max_relative = ROUNDING);
         }
 
-        /// In the plane of x and z an equal strain of both axes pulls every pair straight apart.
+        /// An equal strain along x and z separates every pair in their plane along its own direction.
         #[test]
         fn a_uniform_strain_in_the_plane_stretches_its_pairs_alike(theta in -1.5..1.5, epsilon in -0.1..0.1) {
             let (x, z) = (separation_x(1.0, epsilon, 0.0, theta), separation_z(1.0, epsilon, theta));

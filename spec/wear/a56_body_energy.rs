@@ -12,7 +12,7 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// The integral of A.50 to A.55, done: with the latitude and its weight $\cos\theta$ it is
+/// The integral of A.50 to A.55, evaluated: with the latitude and its weight $\cos\theta$ it is
 ///
 /// ```math
 /// U = 4 \pi r^2 \left[\frac{3 k_N + 2 k_T}{15} (\varepsilon_x^2 + \varepsilon_z^2) +
@@ -26,7 +26,7 @@ use crate::{Real, equation};
 /// | `k_t` | $k_T$ | N/m | >= 0 | tangential stiffness |
 /// | `epsilon_x` | $\varepsilon_x$ | 1 | any | strain along x |
 /// | `epsilon_z` | $\varepsilon_z$ | 1 | any | strain along z |
-/// | → `u` | $U$ | J | | energy with neighbours all around |
+/// | → `u` | $U$ | J | | energy with neighbours in all directions |
 ///
 /// Rounding: at most 0.5 ULP.
 ///
@@ -55,7 +55,7 @@ pub fn surrounded_energy<R: Real>(r: R, k_n: R, k_t: R, epsilon_x: R, epsilon_z:
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
-/// | `u` | $U$ | J | >= 0 | energy with neighbours all around |
+/// | `u` | $U$ | J | >= 0 | energy with neighbours in all directions |
 /// | → `u_prime` | $U'$ | J | | energy with twelve neighbours |
 ///
 /// Rounding: at most 0.5 ULP.
@@ -68,7 +68,7 @@ pub fn close_packed_energy<R: Real>(u: R) -> R {
     R::lit(12.0) / (R::lit(4.0) * R::pi()) * u
 }
 
-/// **Eq. A.58**, Appendix A.2.2: volume of a particle and its share of the gaps, in close packing.
+/// **Eq. A.58**, Appendix A.2.2: volume of a particle and its share of the voids, in close packing.
 ///
 /// ```math
 /// V = 4 \sqrt2 r^3
@@ -103,7 +103,7 @@ pub fn close_packed_volume<R: Real>(r: R) -> R {
 ///
 /// # Reading
 ///
-/// The right-hand side, with A.60 and A.61; that it is the derivative is a law.
+/// Evaluates the right-hand side, with A.60 and A.61; a law checks that it is the derivative.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -151,7 +151,7 @@ mod laws {
         pair_strain_energy(k_n, k_t, radial, north, separation_zonal(x, phi))
     }
     /// Integral over all directions, theta running over half a turn that starts at `from`. In either angle the integrand
-    /// is a sum of waves: equidistant points are exact for phi, and Gauss's points for theta more than enough.
+    /// is a sum of waves: equidistant points are exact for phi, and Gauss points more than sufficient for theta.
     fn integral(r: f64, k: (f64, f64), e: (f64, f64), from: f64) -> f64 {
         let gauss = [(0.0, 8.0), (0.6f64.sqrt(), 5.0), (-0.6f64.sqrt(), 5.0)];
         let (panels, azimuths) = (64, 8);
@@ -177,7 +177,7 @@ mod laws {
             assert_relative_eq!(closed, integral(r, k, e, -FRAC_PI_2), epsilon = 0.0, max_relative = 1e-8);
         }
 
-        /// With theta from the pole, zero to pi, the weight cos(theta) is odd about the equator.
+        /// With theta measured from the pole, zero to pi, the weight cos(theta) is odd about the equator.
         #[test]
         fn a_polar_angle_would_give_nothing(k in (0.1..2.0, 0.0..2.0), e in (-0.1..0.1, 0.01..0.1)) {
             let scale = surrounded_energy(1.0, k.0, k.1, e.0, e.1);

@@ -14,7 +14,7 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// As printed. Averaged over all directions and with every particle moving as the strain says: an upper bound for any packing.
+/// As printed. Averaged over all directions, with every particle displaced affinely: an upper bound for any packing.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -34,7 +34,7 @@ pub fn constant_11<R: Real>(r: R, k_n: R, k_t: R) -> R {
     R::lit(2.0).sqrt() / (R::lit(5.0) * r) * (R::lit(3.0) * k_n + R::lit(2.0) * k_t)
 }
 
-/// **Eq. A.61**, Appendix A.2.2: stress per strain across.
+/// **Eq. A.61**, Appendix A.2.2: stress per transverse strain.
 ///
 /// ```math
 /// C_{12} = \frac{\sqrt2}{5 r} (k_N - k_T)
@@ -63,7 +63,7 @@ pub fn constant_12<R: Real>(r: R, k_n: R, k_t: R) -> R {
     R::lit(2.0).sqrt() / (R::lit(5.0) * r) * (k_n - k_t)
 }
 
-/// **Eq. A.62**, Appendix A.2.2: normal stiffness for wanted elastic properties.
+/// **Eq. A.62**, Appendix A.2.2: normal stiffness for desired elastic properties.
 ///
 /// ```math
 /// k_N = \frac{\sqrt2 E r}{2 (1 - 2\nu)}
@@ -91,7 +91,7 @@ pub fn normal_stiffness_of_body<R: Real>(e: R, r: R, nu: R) -> R {
     R::lit(2.0).sqrt() * e * r / (R::lit(2.0) * (R::one() - R::lit(2.0) * nu))
 }
 
-/// **Eq. A.63**, Appendix A.2.2: tangential stiffness for wanted elastic properties.
+/// **Eq. A.63**, Appendix A.2.2: tangential stiffness for desired elastic properties.
 ///
 /// ```math
 /// k_T = \frac{\sqrt2 E r (1 - 4\nu)}{2 (1 + \nu) (1 - 2\nu)}

@@ -31,7 +31,7 @@ flat_struct! {
 }
 
 flat_struct! {
-    /// What one time step of a pair turned into heat, J.
+    /// Energy that a pair dissipates in one time step, J.
     pub struct Losses {
         /// In the dashpot along the normal.
         pub normal_damping,
@@ -44,7 +44,7 @@ flat_struct! {
 
 impl<R: Real> Parameters<R> {
     /// Eqs. 2 to 5 composed: the force and the torques of a contact, its spring advanced by `dt`, and the energy lost.
-    /// Beyond the fracture separation all is zero, and the spring forgotten.
+    /// Beyond the fracture separation everything is zero, and the spring is reset.
     #[inline(always)]
     pub fn act(&self, c: &Contact<R>, spring: Vec3<R>, dt: R) -> Outcome<R, Vec3<R>, Losses<R>> {
         let in_range = c.gap.le(self.delta_f);
@@ -84,15 +84,15 @@ impl<R: Real> Parameters<R> {
 ///
 /// # Reading
 ///
-/// Eqs. 7 to 18 give the force parameters, Eqs. 2 to 5 the force. In this order: the spring follows the contact plane and
-/// grows with the sliding velocity; it slips where its force exceeds the cap of Eq. 5; the force is that of the springs as they are
-/// then and of the dashpots. The dashpots act in the whole range, as Eq. 2 has them, so they set in with a jump at the fracture
-/// separation and may pull while the particles part; they never deliver power.
+/// Eqs. 7 to 18 give the force parameters, Eqs. 2 to 5 the force. In this order: the spring follows the contact plane and is
+/// incremented by the sliding velocity; it slips where its force exceeds the cap of Eq. 5; the updated springs and the dashpots
+/// give the force. The dashpots act over the whole range, as in Eq. 2, so they start discontinuously at the fracture separation and
+/// may pull while the particles separate; they never deliver power.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `x_i` | $\mathbf{x}_i$ | m (3) | any | position of i |
-/// | `x_j` | $\mathbf{x}_j$ | m (3) | any | position of j, another one |
+/// | `x_j` | $\mathbf{x}_j$ | m (3) | any | position of j, distinct from `x_i` |
 /// | `v_i` | $\mathbf{v}_i$ | m/s (3) | any | velocity of i |
 /// | `v_j` | $\mathbf{v}_j$ | m/s (3) | any | velocity of j |
 /// | `omega_i` | $\boldsymbol{\omega}_i$ | rad/s (3) | any | angular velocity of i |
@@ -110,7 +110,7 @@ impl<R: Real> Parameters<R> {
 /// | `s` | $s$ | 1 | >= 0 | scaling parameter |
 /// | `xi` | $\boldsymbol{\xi}$ | m (3) | any | tangential spring before |
 /// | `dt` | $\Delta t$ | s | >= 0 | time step |
-/// | → `force` | $\mathbf{F}$ | N (3) | | force on i; that on j is its negative |
+/// | → `force` | $\mathbf{F}$ | N (3) | | force on i; the force on j is its negative |
 /// | → `torque_i` | $\mathbf{T}_i$ | N m (3) | | torque on i about its centre |
 /// | → `torque_j` | $\mathbf{T}_j$ | N m (3) | | torque on j about its centre |
 /// | → `xi_next` | $\boldsymbol{\xi}$ | m (3) | | tangential spring now |

@@ -12,12 +12,12 @@ use crate::{Contact, Real, Vec3, equation};
 ///
 /// # Reading
 ///
-/// The paper does not say which way the normal points. Eq. 2 attracts for a positive force if it points from j to i.
+/// The paper does not state the direction of the normal. A positive force of Eq. 2 attracts if it points from j to i.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `x_i` | $\mathbf{x}_i$ | m (3) | any | position of i |
-/// | `x_j` | $\mathbf{x}_j$ | m (3) | any | position of j, another one |
+/// | `x_j` | $\mathbf{x}_j$ | m (3) | any | position of j, distinct from `x_i` |
 /// | `v_i` | $\mathbf{v}_i$ | m/s (3) | any | velocity of i |
 /// | `v_j` | $\mathbf{v}_j$ | m/s (3) | any | velocity of j |
 /// | `r_i` | $r_i$ | m | > 0 | radius of i |
@@ -46,13 +46,13 @@ pub fn separation<R: Real>(x_i: Vec3<R>, x_j: Vec3<R>, v_i: Vec3<R>, v_j: Vec3<R
 ///
 /// # Reading
 ///
-/// The paper cites the relative rolling velocity. What is meant is the velocity of one surface over the other, which
-/// vanishes for a pair that turns as one body. The arms are those of [`moment_arm`].
+/// The paper cites the relative rolling velocity. It means the velocity of one surface relative to the other, which
+/// vanishes for a pair that rotates as a rigid body. [`moment_arm`] gives the arms.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `x_i` | $\mathbf{x}_i$ | m (3) | any | position of i |
-/// | `x_j` | $\mathbf{x}_j$ | m (3) | any | position of j, another one |
+/// | `x_j` | $\mathbf{x}_j$ | m (3) | any | position of j, distinct from `x_i` |
 /// | `v_i` | $\mathbf{v}_i$ | m/s (3) | any | velocity of i |
 /// | `v_j` | $\mathbf{v}_j$ | m/s (3) | any | velocity of j |
 /// | `omega_i` | $\boldsymbol{\omega}_i$ | rad/s (3) | any | angular velocity of i |
@@ -90,9 +90,9 @@ pub fn sliding_velocity<R: Real>(
 ///
 /// # Reading
 ///
-/// Erratum: "the force acts on the surface of the particles" would give arms of $r$, which do not add up to the distance of the centres;
-/// a force in the contact plane then creates angular momentum, $\delta_N \mathbf{n} \times \mathbf{F}$ per time. Half way between
-/// the surfaces they do.
+/// Erratum: "the force acts on the surface of the particles" would give arms of $r$, which do not add up to the distance between the
+/// centres; a force in the contact plane then creates angular momentum at the rate $\delta_N \mathbf{n} \times \mathbf{F}$. With a
+/// contact point halfway between the surfaces they do.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -110,7 +110,7 @@ pub fn moment_arm<R: Real>(r: R, delta_n: R) -> R {
     r + R::lit(0.5) * delta_n
 }
 
-/// **Section 2.1**, unnumbered: torque on a particle of the tangential force on i.
+/// **Section 2.1**, unnumbered: torque that the tangential force exerts on a particle.
 ///
 /// ```math
 /// \mathbf{T}_i = a_i \, \mathbf{F}_T \times \mathbf{n}_N, \quad \mathbf{T}_j = a_j \, \mathbf{F}_T \times \mathbf{n}_N
@@ -118,8 +118,9 @@ pub fn moment_arm<R: Real>(r: R, delta_n: R) -> R {
 ///
 /// # Reading
 ///
-/// "Computed directly from F and the appropriate moment arms". The contact point of i lies at $-a_i \mathbf{n}_N$ and feels
-/// $\mathbf{F}_T$, that of j at $+a_j \mathbf{n}_N$ and feels $-\mathbf{F}_T$: both torques have the same sign.
+/// "Computed directly from F and the appropriate moment arms". The contact point of i lies at $-a_i \mathbf{n}_N$ and
+/// experiences $\mathbf{F}_T$, the one of j at $+a_j \mathbf{n}_N$ and experiences $-\mathbf{F}_T$: both torques have the
+/// same sign.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

@@ -15,7 +15,7 @@ use super::eq18_critical_diameter::critical_diameter;
 use crate::equation::Equation;
 use crate::{Real, equation};
 
-/// **Table 2** and Section 2.2, Eqs. 7 to 18 in sequence: the force parameters of a pair that match a material.
+/// **Table 2** and Section 2.2, Eqs. 7 to 18 in sequence: the force parameters of a pair that match a given material.
 ///
 /// ```math
 /// (E, \nu, \sigma_{m,N}, \sigma_{m,T}, \gamma, \eta, s; \; r_i, r_j, m_i, m_j) \mapsto (k_N, k_T, \delta_e, \delta_f, F_{m,T}, c_N, c_T)
@@ -105,7 +105,8 @@ mod laws {
 
         #[test]
         fn a_larger_material_of_larger_particles_is_the_same_material(r in 1.0..1000.0, factor in 0.5..4.0, s in 0.0..1.0) {
-            // Lengths and the surface energy grow by the factor: all separations do, all stresses stay.
+            // Scaling all lengths and the surface energy scales all separations by the same factor and preserves all
+            // stresses.
             let at = |f: f64| force_parameters(1.0, 0.15, 0.2, 0.1, 1.5 * f, 0.95, s, r * f, r * f, 1.0, 1.0);
             let ((k_n, k_t, delta_e, delta_f, f_mt, ..), large) = (at(1.0), at(factor));
             for (got, expected) in [

@@ -13,7 +13,7 @@ use crate::{Real, equation, piecewise};
 ///
 /// # Reading
 ///
-/// The integral of Eq. 3 as read there. It is continuous even where the force jumps.
+/// The integral of Eq. 3 as read in its module. It is continuous even where the force jumps.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -57,7 +57,7 @@ mod laws {
         fn the_force_is_its_slope(k_n in 0.1..10.0, delta_e in 0.1..2.0, delta_f in 0.1..2.0, delta_n in -1.0..3.0f64) {
             let (h, elastic) = (1e-4, f64::min(delta_e, delta_f));
             prop_assume!((delta_n - elastic).abs() > h && (delta_n - delta_f).abs() > h);
-            // The potential is a parabola between its corners: the central difference is exact but for rounding.
+            // The potential is quadratic between its corners: the central difference is exact up to rounding.
             let v = |delta_n: f64| potential(k_n, delta_e, delta_f, delta_n);
             let slope = (v(delta_n + h) - v(delta_n - h)) / (2.0 * h);
             let scale = k_n * (1.0 + delta_e / (delta_f - delta_e).abs());

@@ -1,9 +1,9 @@
-//! Restitution, exactly.
+//! Exact relations between damping and restitution.
 
 use crate::equation::Equation;
 use crate::{Real, equation};
 
-/// **Appendix A.1.2**, unnumbered: damping ratio of a dashpot beside a spring.
+/// **Appendix A.1.2**, unnumbered: damping ratio of a spring and a dashpot in parallel.
 ///
 /// ```math
 /// \zeta = \frac{c}{2 \sqrt{k m_{\mathrm{eff}}}}
@@ -26,7 +26,7 @@ pub fn damping_ratio_of<R: Real>(c: R, k: R, m_eff: R) -> R {
     c / (R::lit(2.0) * (k * m_eff).sqrt())
 }
 
-/// **Appendix A.2**, unnumbered: restitution coefficient that a damping ratio really gives (A.42).
+/// **Appendix A.2**, unnumbered: exact restitution coefficient for a given damping ratio (A.42).
 ///
 /// ```math
 /// \eta = e^{-\pi \zeta / \sqrt{1 - \zeta^2}}
@@ -54,7 +54,7 @@ pub fn restitution<R: Real>(zeta: R) -> R {
     (-R::pi() * zeta / ((one - zeta) * (one + zeta)).sqrt()).exp()
 }
 
-/// **Appendix A.2**, unnumbered: damping ratio that gives a wanted restitution coefficient, exactly.
+/// **Appendix A.2**, unnumbered: exact damping ratio for a desired restitution coefficient.
 ///
 /// ```math
 /// \zeta = \frac{-\ln \eta}{\sqrt{\pi^2 + \ln^2 \eta}}
@@ -62,7 +62,7 @@ pub fn restitution<R: Real>(zeta: R) -> R {
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
-/// | `eta` | $\eta$ | 1 | (0, 1] | restitution coefficient wanted |
+/// | `eta` | $\eta$ | 1 | (0, 1] | desired restitution coefficient |
 /// | → `zeta` | $\zeta$ | 1 | | damping ratio |
 ///
 /// Rounding: at most 1 ULP.
@@ -77,7 +77,7 @@ pub fn damping_ratio<R: Real>(eta: R) -> R {
     -log / (R::pi().squared() + log.squared()).sqrt()
 }
 
-/// **Appendix A.2**, unnumbered: damping factor that gives a wanted restitution coefficient, exactly.
+/// **Appendix A.2**, unnumbered: exact damping factor for a desired restitution coefficient.
 ///
 /// ```math
 /// c = 2 \zeta(\eta) \sqrt{k m_{\mathrm{eff}}}
@@ -85,7 +85,7 @@ pub fn damping_ratio<R: Real>(eta: R) -> R {
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
-/// | `eta` | $\eta$ | 1 | (0, 1] | restitution coefficient wanted |
+/// | `eta` | $\eta$ | 1 | (0, 1] | desired restitution coefficient |
 /// | `k` | $k$ | N/m | >= 0 | stiffness |
 /// | `m_eff` | $m_{\mathrm{eff}}$ | kg | > 0 | effective mass |
 /// | → `c` | $c$ | kg/s | | damping factor |
@@ -154,7 +154,7 @@ mod laws {
 
     #[test]
     fn is_what_an_integrated_collision_gives() {
-        // Unit mass on a unit spring, by the classical Runge-Kutta method from touching to touching.
+        // Unit mass on a unit spring, integrated by the classical Runge-Kutta method from first to last touch.
         let zeta = 0.3f64;
         let slope = |(x, v): (f64, f64)| (v, -x - 2.0 * zeta * v);
         let add = |(x, v): (f64, f64), (a, b): (f64, f64), h: f64| (x + h * a, v + h * b);

@@ -1,9 +1,9 @@
-//! The limits of the time step that Eq. 6 leaves out.
+//! The limits of the time step that Eq. 6 omits.
 
 use crate::equation::Equation;
 use crate::{Real, equation};
 
-/// **Appendix A.1**, unnumbered: stable time steps of a damped pair, as a fraction of Eq. 6.
+/// **Appendix A.1**, unnumbered: stability limit of a damped pair, as a fraction of Eq. 6.
 ///
 /// ```math
 /// \frac{\Delta t_{\max}}{\Delta t_c} = \sqrt{1 + \zeta^2} - \zeta
@@ -12,7 +12,7 @@ use crate::{Real, equation};
 /// # Reading
 ///
 /// The dashpot of Eq. 2 acts with the old velocity, which lowers the limit. Evaluated as $1 / (\sqrt{1 + \zeta^2} + \zeta)$,
-/// which cancels nothing.
+/// which avoids cancellation.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -30,7 +30,7 @@ pub fn damped_limit<R: Real>(zeta: R) -> R {
     R::one() / ((R::one() + zeta.squared()).sqrt() + zeta)
 }
 
-/// **Appendix A.1**, unnumbered: stable time steps of two equal solid spheres that slide and turn, as a fraction of Eq. 6.
+/// **Appendix A.1**, unnumbered: stability limit of two equal solid spheres that slide and rotate, as a fraction of Eq. 6.
 ///
 /// ```math
 /// \frac{\Delta t_{\max}}{\Delta t_c} = \left(\frac{7}{2} \frac{k_T}{k_N}\right)^{-1/2}, \quad \frac{k_T}{k_N} = \frac{1 - 4\nu}{1 + \nu}
@@ -38,7 +38,8 @@ pub fn damped_limit<R: Real>(zeta: R) -> R {
 ///
 /// # Reading
 ///
-/// The tangential spring moves 2/7 of the effective mass. Below a Poisson's ratio of 1/6 this is the tighter limit.
+/// The effective mass of the tangential spring is 2/7 of the pair's. Below a Poisson's ratio of 1/6 this is the
+/// tighter limit.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

@@ -3,7 +3,7 @@
 use crate::equation::Equation;
 use crate::{Real, equation};
 
-/// **Unnumbered**, to Eq. A.39: duration of an impact up to the first instant without force.
+/// **Unnumbered**, cf. Eq. A.39: duration of an impact up to the first instant of zero force.
 ///
 /// ```math
 /// t_f = \frac{2 \arccos \zeta}{\omega}
@@ -11,8 +11,8 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// Not the paper's choice, which is the return to `x = 0`. There the dashpot still pulls; the total force $k_N x + c_N \dot x$
-/// vanishes earlier, where $\tan \omega t = -2 \zeta \sqrt{1 - \zeta^2} / (1 - 2 \zeta^2)$, that is at
+/// The paper ends the impact at the return to `x = 0` instead, where the dashpot still pulls; the total force
+/// $k_N x + c_N \dot x$ vanishes earlier, where $\tan \omega t = -2 \zeta \sqrt{1 - \zeta^2} / (1 - 2 \zeta^2)$, that is at
 /// $\omega t = 2 \arccos \zeta$.
 ///
 /// | name | symbol | unit | domain | meaning |
@@ -32,7 +32,7 @@ pub fn zero_force_duration<R: Real>(omega: R, zeta: R) -> R {
     R::lit(2.0) * zeta.acos() / omega
 }
 
-/// **Unnumbered**, to Eq. A.42: restitution coefficient of that impact.
+/// **Unnumbered**, cf. Eq. A.42: restitution coefficient of this impact.
 ///
 /// ```math
 /// \eta = e^{-2 \zeta \arccos \zeta / \sqrt{1 - \zeta^2}}
@@ -40,7 +40,8 @@ pub fn zero_force_duration<R: Real>(omega: R, zeta: R) -> R {
 ///
 /// # Reading
 ///
-/// At that instant the velocity is $-v_0 e^{-\beta t}$ exactly. Larger than A.42, because the dashpot no longer pulls at the end.
+/// At that instant the velocity is exactly $-v_0 e^{-\beta t}$. The coefficient is larger than A.42, because the dashpot does not
+/// pull at the end.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -78,7 +79,7 @@ mod laws {
     use approx::assert_abs_diff_eq;
     use proptest::prelude::*;
 
-    /// Acceleration and velocity at time `t` after an impact of unit mass, spring and velocity.
+    /// Acceleration and velocity at time `t` after an impact with unit mass, stiffness and velocity.
     fn motion(zeta: f64, t: f64) -> (f64, f64) {
         let x = impact_separation(1.0, 1.0, 2.0 * zeta, 1.0, t);
         let v = impact_velocity(1.0, 1.0, 2.0 * zeta, 1.0, t);

@@ -3,7 +3,7 @@
 use crate::equation::Equation;
 use crate::{Real, Vec3, equation};
 
-/// **Eq. 2**, Section 2.1: force on i of the pair of i and j.
+/// **Eq. 2**, Section 2.1: force on i in the pair of i and j.
 ///
 /// ```math
 /// \mathbf{F} = -(F_N + c_N v_N) \mathbf{n}_N - (F_T + c_T v_T) \mathbf{n}_T
@@ -12,9 +12,9 @@ use crate::{Real, Vec3, equation};
 /// # Reading
 ///
 /// The normal points from j to i, so that a positive (cohesive) $F_N$ pulls i towards j, and the force acts on i; $v_N$ is the rate
-/// of the separation. In the printed form the spring and the sliding velocity share one direction. They need not: the pair
-/// law adds [`normal_part`] and [`tangential_part`], and this function is their sum for the shared direction.
-/// The cap of Eq. 5 limits $F_T$ alone, as printed, not the dashpot beside it.
+/// of the separation. In the printed form the spring and the sliding velocity share one direction. In general they do not: the pair
+/// law adds [`normal_part`] and [`tangential_part`], and this function is their sum for the shared direction. The cap of Eq. 5
+/// limits only $F_T$, as printed, not the parallel dashpot.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -25,7 +25,7 @@ use crate::{Real, Vec3, equation};
 /// | `f_t` | $F_T$ | N | >= 0 | tangential force |
 /// | `c_t` | $c_T$ | kg/s | >= 0 | tangential damping factor |
 /// | `v_t` | $v_T$ | m/s | any | sliding velocity |
-/// | `n_t` | $\mathbf{n}_T$ | 1 (3) | any | direction of sliding, of length one or, for a pair at rest, zero |
+/// | `n_t` | $\mathbf{n}_T$ | 1 (3) | any | unit vector of sliding, or zero for a pair at rest |
 /// | → `force` | $\mathbf{F}$ | N (3) | | force on i |
 ///
 /// Rounding: at most 0.5 ULP.
@@ -46,7 +46,7 @@ pub fn normal_part<R: Real>(f_n: R, c_n: R, v_n: R, n_n: Vec3<R>) -> Vec3<R> {
     -(n_n * (f_n + c_n * v_n))
 }
 
-/// The second term of Eq. 2 for a spring force and a sliding velocity of any two directions: the force on i in the contact plane.
+/// The second term of Eq. 2 for a spring force and a sliding velocity in any two directions: the force on i in the contact plane.
 #[inline(always)]
 pub fn tangential_part<R: Real>(f_t: Vec3<R>, c_t: R, v_t: Vec3<R>) -> Vec3<R> {
     -(f_t + v_t * c_t)
@@ -70,7 +70,7 @@ mod laws {
         fn reversing_the_normal_reverses_the_normal_part(
             f_n in -2.0..2.0, c_n in 0.0..2.0, v_n in -2.0..2.0, theta in 0.0..3.0, phi in 0.0..6.0,
         ) {
-            // Swapping i and j turns the normal round and leaves the separation and its rate.
+            // Swapping i and j reverses the normal and leaves the separation and its rate unchanged.
             let n = unit(theta, phi);
             prop_assert_eq!(normal_part(f_n, c_n, v_n, -n), -normal_part(f_n, c_n, v_n, n));
         }

@@ -1,9 +1,9 @@
-//! The normal force: Hookean through contact into cohesion, then a linear weakening.
+//! The normal force: Hookean in contact and cohesion, then weakening linearly.
 
 use crate::equation::Equation;
 use crate::{Real, equation, piecewise};
 
-/// **Eq. 3**, Section 2.1: normal force between two particles against their separation.
+/// **Eq. 3**, Section 2.1: normal force between two particles as a function of their separation.
 ///
 /// ```math
 /// F_N = \begin{cases} k_N \delta_N & \delta_N \le \delta_e \\
@@ -13,9 +13,9 @@ use crate::{Real, equation, piecewise};
 ///
 /// # Reading
 ///
-/// Erratum. For spheres larger than the critical diameter, Eq. 10 gives
-/// `delta_f < delta_e`; the first case, read literally, then reaches `delta_e` and the scaling of the strength has no effect.
-/// Figure A.2 shows what is meant: Hooke's law up to `min(delta_e, delta_f)`, nothing beyond `delta_f`.
+/// Erratum. For spheres larger than the critical diameter, Eq. 10 gives `delta_f < delta_e`; the first case, read literally,
+/// then reaches `delta_e` and the scaling of the strength has no effect. Figure A.2 shows the intended law: Hooke's law up to
+/// `min(delta_e, delta_f)`, nothing beyond `delta_f`.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -88,7 +88,7 @@ mod laws {
             let printed = |delta_n: f64| if delta_n <= delta_e { k_n * delta_n } else { 0.0 };
             let force = normal_force(k_n, delta_e, delta_f, delta_n);
             prop_assert_eq!(force, if delta_n <= delta_f { k_n * delta_n } else { 0.0 });
-            // Beyond the range in which "the total force is zero" the printed one still pulls.
+            // Beyond the fracture separation, where "the total force is zero", the printed force still attracts.
             let beyond = 0.5 * (delta_f + delta_e);
             prop_assert!(printed(beyond) > 0.0 && normal_force(k_n, delta_e, delta_f, beyond) == 0.0);
         }
@@ -97,7 +97,7 @@ mod laws {
         fn reversible_a_closed_loop_through_the_whole_range_does_no_work_at_any_speed(
             delta_e in 0.1..1.0, delta_f in 0.1..1.0, out in 0.1..3.0f64, back in 0.1..3.0f64,
         ) {
-            // Out at one speed and back at another, midpoint rule in time: the force knows the place alone.
+            // Out at one speed and back at another, midpoint rule in time: the force depends on position alone.
             let (low, high) = (-0.5, 1.5);
             let leg = |speed: f64, from: f64, to: f64| -> f64 {
                 let steps = (4000.0 / speed) as usize;

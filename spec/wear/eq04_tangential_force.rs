@@ -1,9 +1,9 @@
-//! The tangential force: elastic in the slid distance, up to a cap.
+//! The tangential force: elastic in the sliding distance, up to a cap.
 
 use crate::equation::Equation;
 use crate::{Real, equation};
 
-/// **Eq. 4**, Section 2.1: tangential force between two particles against the slid distance.
+/// **Eq. 4**, Section 2.1: tangential force between two particles as a function of the sliding distance.
 ///
 /// ```math
 /// F_T = \min(k_T \delta_T, F_{m,T})
@@ -11,15 +11,15 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// Erratum: a prime is missing. The cap is $F'_{m,T}$ of Eq. 5, which is defined for nothing else, and Figure 3 draws it.
-/// With the printed cap the force would not vanish at the fracture separation, where the interaction ends.
+/// Erratum: a prime is missing. The cap is $F'_{m,T}$ of Eq. 5, which has no other use, and Figure 3 shows it. With the
+/// printed cap the force would not vanish at the fracture separation, where the interaction ends.
 ///
-/// A cap alone is not enough: the slid distance must not grow beyond it, see [`trimmed_distance`].
+/// A cap alone is not enough: the sliding distance must not grow beyond it, see [`trimmed_distance`].
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `k_t` | $k_T$ | N/m | >= 0 | tangential stiffness |
-/// | `delta_t` | $\delta_T$ | m | >= 0 | slid distance |
+/// | `delta_t` | $\delta_T$ | m | >= 0 | sliding distance |
 /// | `f_mt_rescaled` | $F'_{m,T}$ | N | >= 0 | largest tangential force at this separation |
 /// | → `f_t` | $F_T$ | N | | magnitude of the tangential force |
 ///
@@ -43,17 +43,17 @@ pub fn tangential_force<R: Real>(k_t: R, delta_t: R, f_mt_rescaled: R) -> R {
 ///
 /// # Reading
 ///
-/// The paper does not define the sliding distance beyond the cap. If it kept growing, a pair could slide
-/// at a large separation, where the cap is small, and give the distance back in contact, where it is large:
-/// such a loop delivers work. The slider of the spring must therefore slip.
-/// Computed as the fraction $F_T / k_T \delta_T$ that is kept, one where nothing slips, so that `k_t = 0` is allowed.
+/// The paper does not define the sliding distance beyond the cap. If it kept growing, a pair could slide at a large
+/// separation, where the cap is small, and recover the distance in contact, where it is large: such a loop delivers
+/// work. The slider of the spring must therefore slip. Computed from the retained fraction $F_T / k_T \delta_T$, one
+/// without slip, so that `k_t = 0` is allowed.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `k_t` | $k_T$ | N/m | >= 0 | tangential stiffness |
-/// | `delta_t` | $\delta_T$ | m | >= 0 | slid distance |
+/// | `delta_t` | $\delta_T$ | m | >= 0 | sliding distance |
 /// | `f_mt_rescaled` | $F'_{m,T}$ | N | >= 0 | largest tangential force at this separation |
-/// | → `delta_t_trimmed` | $\delta_T$ | m | | slid distance that the spring still remembers |
+/// | → `delta_t_trimmed` | $\delta_T$ | m | | sliding distance retained by the spring |
 ///
 /// Rounding: at most 0.5 ULP.
 ///
@@ -67,7 +67,7 @@ pub fn trimmed_distance<R: Real>(k_t: R, delta_t: R, f_mt_rescaled: R) -> R {
     delta_t * kept_fraction(k_t, delta_t, f_mt_rescaled)
 }
 
-/// The fraction of the slid distance that [`trimmed_distance`] keeps.
+/// The fraction of the sliding distance that [`trimmed_distance`] retains.
 #[inline(always)]
 pub fn kept_fraction<R: Real>(k_t: R, delta_t: R, f_mt_rescaled: R) -> R {
     let (elastic, f_t) = (k_t * delta_t, tangential_force(k_t, delta_t, f_mt_rescaled));

@@ -3,7 +3,7 @@
 use crate::equation::Equation;
 use crate::{Real, equation};
 
-/// **Eq. 5**, Section 2.1: largest tangential force at a separation.
+/// **Eq. 5**, Section 2.1: largest tangential force at a given separation.
 ///
 /// ```math
 /// F'_{m,T} = \min\left(\frac{\delta_f - \delta_N}{\delta_f}, 1\right) F_{m,T}
@@ -11,7 +11,8 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// Beyond the fracture separation the printed value is negative; there it is zero, as the interaction has ended.
+/// Beyond the fracture separation, where the interaction has ended, the printed value is negative; the function returns
+/// zero.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

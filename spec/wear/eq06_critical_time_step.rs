@@ -11,10 +11,10 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// Erratum: a simulation does not remain stable at this time step. Exactly there the motion grows linearly; and for a damped pair
-/// ([`damped_limit`](super::def_stable_step::damped_limit)) or one that slides and turns
-/// ([`sliding_limit`](super::def_stable_step::sliding_limit)) the limit is lower.
-/// This is the time step the paper calls critical, to take fractions of; the pair law offers the smallest of the three as limit.
+/// Erratum: a simulation does not remain stable at this time step. At the limit itself the motion grows linearly; and for a
+/// damped pair ([`damped_limit`](super::def_stable_step::damped_limit)) or one that slides and rotates
+/// ([`sliding_limit`](super::def_stable_step::sliding_limit)) the limit is lower. This is the critical time step of which the
+/// paper takes fractions; the pair law reports the smallest of the three limits.
 ///
 /// Eq. A.18 repeats it.
 ///
@@ -53,8 +53,8 @@ mod laws {
     use approx::relative_eq;
     use proptest::prelude::*;
 
-    /// Separation of two equal particles after `steps` steps of a fraction of the critical one, in units of where they start:
-    /// deep enough inside the elastic range of Eq. 3 for it never to end.
+    /// Separation of two equal particles after `steps` steps of a fraction of the critical one, relative to the initial
+    /// separation, which is small enough for the motion to stay in the elastic range of Eq. 3.
     fn separations(m: f64, k_n: f64, fraction: f64, steps: usize) -> Vec<f64> {
         let dt = fraction * critical_time_step(m, k_n);
         let along = |x: f64| Vec3::new(x, 0.0, 0.0);

@@ -12,8 +12,8 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// Eq. 7 with the tangential cross section. It is Young's modulus, not the shear modulus, that stands here:
-/// the cross section of Eq. 16 makes up for it.
+/// Eq. 7 with the tangential cross section. It contains Young's modulus, not the shear modulus: the cross section of
+/// Eq. 16 compensates for this.
 ///
 /// Eq. A.27 repeats it.
 ///

@@ -14,7 +14,7 @@ use crate::{Real, equation, piecewise};
 /// # Reading
 ///
 /// The power is $e^{-s \ln(\cdot)}$. For large particles and `s > 0` the fracture separation is smaller than the elastic
-/// one: Eq. 3 then breaks while its force still grows.
+/// one: the pair then breaks while the force of Eq. 3 is still increasing.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

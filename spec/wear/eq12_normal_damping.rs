@@ -3,7 +3,7 @@
 use crate::equation::Equation;
 use crate::{Real, equation};
 
-/// **Eq. 12**, Section 2.2: damping factor of the normal dashpot for a wanted restitution coefficient.
+/// **Eq. 12**, Section 2.2: damping factor of the normal dashpot for a desired restitution coefficient.
 ///
 /// ```math
 /// c_N = \frac{2 (1 - \eta)}{\pi} \sqrt{k_N m_{\mathrm{eff}}}
@@ -11,8 +11,8 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// An approximation for weak damping (A.43, A.44): what comes back is more than `eta`, by about $(1 - \eta)^2 / 2$: 0.9512 for 0.95,
-/// 0.603 for 0.5. It is used as printed; [`damping_ratio`](super::def_restitution::damping_ratio) is exact.
+/// An approximation for weak damping (A.43, A.44): the actual restitution exceeds `eta` by about $(1 - \eta)^2 / 2$: 0.9512 for
+/// 0.95, 0.603 for 0.5. It is used as printed; [`damping_ratio`](super::def_restitution::damping_ratio) is exact.
 ///
 /// Eq. A.45 repeats it.
 ///

@@ -12,8 +12,9 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// Eq. 12 with the tangential stiffness, as if the spheres could not turn. They do: solid spheres slide with 2/7 of the
-/// effective mass, so the damping ratio is $\sqrt{7/2}$ times as large, see [`sliding_damping_ratio`]. Used as printed.
+/// Eq. 12 with the tangential stiffness, as if the spheres could not rotate. They can: solid spheres slide with 2/7 of
+/// the effective mass, so the damping ratio is $\sqrt{7/2}$ times as large, see [`sliding_damping_ratio`]. Used as
+/// printed.
 ///
 /// Eq. A.47 repeats it.
 ///
@@ -34,7 +35,7 @@ pub fn tangential_damping<R: Real>(eta: R, k_t: R, m_eff: R) -> R {
     normal_damping(eta, k_t, m_eff)
 }
 
-/// **Eq. 13**, unnumbered: the damping ratio that it really gives to two equal solid spheres that slide and turn.
+/// **Eq. 13**, unnumbered: the actual damping ratio of two equal solid spheres that slide and rotate.
 ///
 /// ```math
 /// \zeta_T = \sqrt{\frac{7}{2}} \, \frac{1 - \eta}{\pi}
@@ -42,7 +43,7 @@ pub fn tangential_damping<R: Real>(eta: R, k_t: R, m_eff: R) -> R {
 ///
 /// # Reading
 ///
-/// The contact point of a solid sphere pushed there moves with 2/7 of the mass: $1/m + r^2/I = 7/(2m)$.
+/// The effective mass of a solid sphere at its contact point is 2/7 of its mass: $1/m + r^2/I = 7/(2m)$.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

@@ -11,8 +11,8 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// Negative above a Poisson's ratio of 1/4: the model ends there, as the paper says.
-/// Eq. A.65 derives it for equal radii.
+/// Negative above a Poisson's ratio of 1/4, where the model ends, as the paper says. Eq. A.65 derives it for equal
+/// radii.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

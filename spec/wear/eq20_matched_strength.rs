@@ -11,7 +11,8 @@ use crate::{Real, equation, piecewise};
 ///
 /// # Reading
 ///
-/// Said of particles beyond the critical diameter; below it the strength is matched as it is, so the function says that.
+/// Stated for particles beyond the critical diameter; below it the strength itself is matched, and the function returns
+/// it.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -20,7 +21,7 @@ use crate::{Real, equation, piecewise};
 /// | `r_j` | $r_j$ | m | > 0 | radius of j |
 /// | `d_c` | $d_c$ | m | > 0 | critical diameter |
 /// | `s` | $s$ | 1 | >= 0 | scaling parameter |
-/// | → `sigma_mn_matched` | $\sigma'_{m,N}$ | Pa | | tensile strength matched |
+/// | → `sigma_mn_matched` | $\sigma'_{m,N}$ | Pa | | matched tensile strength |
 ///
 /// Rounding: at most 0.5 ULP.
 ///
@@ -64,7 +65,7 @@ mod laws {
             let matched = matched_strength(sigma_mn, r, r, d_c, s);
             let largest = normal_force(k_n, delta_e, delta_f, delta_f);
             prop_assert!(relative_eq!(largest / a_n, matched, max_relative = 1e-13));
-            // Eq. 3 as printed goes on to the elastic separation.
+            // Eq. 3 as printed continues to the elastic separation.
             let printed = k_n * delta_e;
             prop_assert!(printed / a_n > 1.005 * matched);
         }

@@ -1,4 +1,4 @@
-//! Critical damping: of a pair by its dashpot, and by a drag.
+//! Critical damping of a pair by its dashpot, and by a drag.
 
 use crate::equation::Equation;
 use crate::{Real, equation};
@@ -72,7 +72,8 @@ mod laws {
     use crate::mechanics::kick_and_drift::{drift, kick};
     use proptest::prelude::*;
 
-    /// Whether two equal particles, released from a stretch, cross; with a dashpot `c` between them and a `drag` on each.
+    /// Whether two equal particles released from a stretched spring cross, with a dashpot `c` between them and a `drag`
+    /// on each.
     fn overshoots(k: f64, m: f64, c: f64, drag: f64) -> bool {
         let dt = 2e-3 * (m / k).sqrt();
         let along = |x: f64| Vec3::new(x, 0.0, 0.0);

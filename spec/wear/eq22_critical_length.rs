@@ -11,7 +11,7 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// For silica 18.487 nm, which the paper truncates to 18 nm.
+/// For silica it is 18.487 nm, which the paper truncates to 18 nm.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -57,7 +57,7 @@ pub fn shear_modulus<R: Real>(e: R, nu: R) -> R {
     e / (R::lit(2.0) * (R::one() + nu))
 }
 
-/// **Section 4**, unnumbered: velocity of a pressure wave in a bar, which the sliding must stay far below.
+/// **Section 4**, unnumbered: velocity of a pressure wave in a bar, which must far exceed the sliding velocity.
 ///
 /// ```math
 /// c = \sqrt{\frac{E}{\rho}}
@@ -65,13 +65,14 @@ pub fn shear_modulus<R: Real>(e: R, nu: R) -> R {
 ///
 /// # Reading
 ///
-/// The paper calls it the velocity in the medium; it is that in a thin bar. In the bulk of silica it would be 5972 m/s.
+/// The paper calls it the velocity in the medium; it is the velocity in a thin bar. In bulk silica it would be 5972
+/// m/s.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `e` | $E$ | Pa | > 0 | Young's modulus |
 /// | `rho` | $\rho$ | kg/m^3 | > 0 | density |
-/// | → `c` | $c$ | m/s | | velocity of the wave |
+/// | → `c` | $c$ | m/s | | wave velocity |
 ///
 /// Rounding: at most 0.5 ULP.
 ///

@@ -1,4 +1,4 @@
-//! The contact law, composed of its equations, for an engine.
+//! The contact law, composed from its equations, for an engine.
 
 use super::def_contact::{Losses, Parameters};
 use super::def_parameters::force_parameters;
@@ -27,24 +27,24 @@ pub struct Material {
     pub restitution: f64,
     /// Scaling parameter $s$: how the strength falls with the size of particles beyond the critical diameter.
     pub scaling: f64,
-    /// Follows the authors' published program, in which a pair that does not touch loses its tangential spring whenever neighbours are
-    /// listed: results then depend on how often that is.
+    /// Follows the authors' published program, in which a pair that does not touch loses its tangential spring whenever the neighbour
+    /// list is rebuilt: results then depend on the frequency of rebuilds.
     pub forget_stretched_springs: bool,
 }
 
-/// The active forces: all of them, or those of a phase of the relaxation (Section 3.2).
+/// The active forces: all of them, or the forces of one phase of the relaxation (Section 3.2).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Interaction {
-    /// Normal repulsion alone: the first phase.
+    /// Only normal repulsion: the first phase.
     Repulsive,
     /// Normal repulsion and cohesion: the second phase.
     Normal,
-    /// Everything.
+    /// All forces.
     Full,
 }
 
 flat_struct! {
-    /// What a pair holds, J.
+    /// Energy stored in a pair, J.
     pub struct Stored {
         /// Potential of the force along the normal.
         pub normal,

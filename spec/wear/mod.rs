@@ -1,21 +1,22 @@
 //! Pham-Ba & Molinari, *Adhesive wear with a coarse-grained discrete element model*,
 //! Comput. Methods Appl. Mech. Engrg. 397 (2022) 115124.
 //!
-//! A solid of cohesive spheres: every pair is a spring that carries tension too, weakens and breaks, and heals when its particles meet again.
-//! The modules `eq..` are the numbered equations of the text, `a..` those of the appendix, `def_..` unnumbered relations.
-//! [`def_parameters`] leads from a material to the parameters of a pair, [`def_contact`] is the force law, [`law`] the law for an engine,
-//! [`eq01_symplectic_euler`] the step. Every number, 1 to 22 and A.1 to A.66, is a function.
+//! A solid of cohesive spheres: every pair is a spring that also carries tension, weakens and breaks, and heals when its particles touch
+//! again. The modules `eq..` are the numbered equations of the text, `a..` the equations of the appendix, `def_..` unnumbered relations.
+//! [`def_parameters`] derives the parameters of a pair from a material, [`def_contact`] is the force law, [`law`] the law for an engine,
+//! [`eq01_symplectic_euler`] the step. Every numbered equation, 1 to 22 and A.1 to A.66, has a function.
 //!
 //! # Errata
 //!
-//! The paper is followed to the letter unless it contradicts itself. In the text, and with a law that fails for the printed reading:
+//! The paper is followed to the letter unless it contradicts itself. Errata in the text, each with a law that fails for the printed
+//! reading:
 //!
 //! * Eq. 1 lacks the moment of inertia.
-//! * Eq. 2: arms of one radius would not keep angular momentum, see [`def_kinematics::moment_arm`].
+//! * Eq. 2: arms of one radius would not conserve angular momentum, see [`def_kinematics::moment_arm`].
 //! * Eq. 3 with Eq. 10: large particles would not break earlier.
 //! * Eq. 4 lacks the prime of its cap; without slip a closed path would deliver work.
-//! * Eq. 6 is not stable itself, and not the tightest limit, see [`def_stable_step`].
-//! * Eqs. 12 and 13 hold for weak damping, the latter for spheres that cannot turn, see [`def_restitution`].
+//! * Eq. 6 itself is not stable, and not the tightest limit, see [`def_stable_step`].
+//! * Eqs. 12 and 13 hold for weak damping, the latter for spheres that cannot rotate, see [`def_restitution`].
 //! * Eq. 21 is critical for a dashpot, not for the drag it is used for.
 //!
 //! And in the appendix:
@@ -26,7 +27,7 @@
 //! * A.37 is the damped frequency, not the natural one, see [`a37_frequency`].
 //! * A.40 lacks a minus sign and A.41 is upside down, see [`a39_impact_end`].
 //! * A.43 to A.47 hold for weak damping, see [`a42_restitution`] and [`a45_damping`].
-//! * A.50 to A.56 take the polar angle for a latitude, see [`a50_pair_strain`].
+//! * A.50 to A.56 use the polar angle as a latitude, see [`a50_pair_strain`].
 
 pub mod a01_pair_motion;
 pub mod a04_time_step;

@@ -140,7 +140,7 @@ proptest! {
     fn cohesion_is_reversible_a_passage_through_the_whole_range_gives_back_its_speed(
         speed in 0.5..5.0f64, r in prop_oneof![Just(20.0), Just(45.0), Just(450.0)],
     ) {
-        // Small particles weaken before they part, large ones break while their force still grows.
+        // Small particles weaken before they separate, large ones break while their force is still increasing.
         let mut law = patch(Interaction::Normal);
         law.material.restitution = 1.0;
         let mut pair = Pair::new(law, r, 1.0, 0.0);
@@ -161,7 +161,8 @@ proptest! {
 
     #[test]
     fn no_closed_path_of_two_particles_delivers_work(corners in prop::collection::vec((-3.0..33.0, vector()), 3..8)) {
-        // Led slowly from corner to corner, in separation and sliding, and twice round: the second round starts and ends alike.
+        // Driven slowly from corner to corner in separation and sliding, twice around the loop: the second round starts and
+        // ends in the same state.
         let law = patch(Interaction::Full);
         let k = law.coefficients(45.0, 45.0, 1.0, 1.0);
         let slow = Parameters { c_n: 0.0, c_t: 0.0, ..k };
@@ -195,7 +196,7 @@ proptest! {
             let mut pair = Pair::new(law, r, 1.0, 0.0);
             let k = pair.coefficients();
             pair.x = [Vec3::new(r + 0.4999 * k.delta_f, 0.0, 0.0), Vec3::new(-r - 0.4999 * k.delta_f, 0.0, 0.0)];
-            // In units of what the work of separation would give to a pair at rest.
+            // In units of the velocity that the work of separation would give to a pair at rest.
             let velocity = Vec3::new(-0.5 * speed * (2.0 * k.k_n * k.delta_e * k.delta_f).sqrt(), 0.0, 0.0);
             pair.v = [velocity, -velocity];
             let dt = 2e-3 * critical_time_step(1.0, k.k_n);
@@ -209,7 +210,7 @@ proptest! {
     }
 }
 
-/// Sliding velocity that a pair of small amplitude reaches, in units of what it starts with.
+/// Largest sliding velocity of a pair oscillating with small amplitude, relative to its initial value.
 fn amplification(nu: f64, fraction_of_eq_6: f64) -> f64 {
     let mut law = patch(Interaction::Full);
     (law.material.poisson_ratio, law.material.restitution) = (nu, 1.0);
@@ -218,7 +219,7 @@ fn amplification(nu: f64, fraction_of_eq_6: f64) -> f64 {
     pair.v = [Vec3::new(0.0, start, 0.0), Vec3::new(0.0, -start, 0.0)];
     let dt = fraction_of_eq_6 * critical_time_step(1.0, pair.coefficients().k_n);
     let sliding = |pair: &Pair| pair.contact().sliding_velocity(45.0, 45.0).norm();
-    // The normal is at rest in its own equilibrium: an overlap would push the pair apart.
+    // The normal spring is at equilibrium: an overlap would push the pair apart.
     pair.x = [Vec3::new(45.0, 0.0, 0.0), Vec3::new(-45.0, 0.0, 0.0)];
     (0..300)
         .map(|_| {
