@@ -36,7 +36,7 @@ flat_struct! {
 
 impl<R: Real> Attraction<R> {
     /// The attraction between particles of bare radii `core_i` and `core_j` under a layer of thickness `h_w`, with a solvation force of amplitude `f_0`,
-    /// positive when it attracts, from a distance `least` of the bare surfaces on.
+    /// positive when it attracts, that acts where the bare surfaces are at least `least` apart.
     pub fn new(core_i: R, core_j: R, h_w: R, gamma: R, r_k: R, theta: R, f_0: R, sigma: R, least: R) -> Self {
         let (covered_i, covered_j) = (core_i + h_w, core_j + h_w);
         let r_eff = effective_radius(covered_i, covered_j).0;
@@ -45,7 +45,7 @@ impl<R: Real> Attraction<R> {
         Self { gamma, r_k, theta, cores, covered, r_eff, beta_r, gap_r, f_0, sigma, least }
     }
 
-    /// Distance of the centres at which the meniscus ruptures: beyond it nothing attracts.
+    /// Distance of the centres at which the meniscus ruptures: beyond it there is no attraction.
     pub fn rupture(&self) -> R {
         self.covered + self.gap_r
     }
@@ -59,12 +59,12 @@ impl<R: Real> Attraction<R> {
         angle(self.r_eff, self.r_k, self.theta, self.beta_r, self.gap_r, d - self.covered)
     }
 
-    /// Whether the solvation force acts at a distance of the centres.
+    /// Whether the solvation force acts at a given centre distance.
     fn solvated(&self, d: R) -> R::Mask {
         (d - self.cores).ge(self.least) & d.le(self.rupture())
     }
 
-    /// Component of Eq. 3 along the normal at a distance of the centres: negative, for it attracts.
+    /// Normal component of Eq. 3 at a given centre distance: negative, because it attracts.
     pub fn force(&self, d: R) -> R {
         let zero = R::zero();
         let f_cap = capillary_force(self.gamma, self.r_k, self.r_eff, self.theta, self.beta(d));
@@ -81,7 +81,7 @@ impl<R: Real> Attraction<R> {
         -(R::select(d.le(self.rupture()), capillary, zero) + R::select(self.solvated(d), solvation, zero))
     }
 
-    /// Energy at a distance of the centres, zero from the rupture on.
+    /// Energy at a given centre distance, zero beyond rupture.
     pub fn potential(&self, d: R) -> R {
         let work = capillary_work(self.gamma, self.r_k, self.r_eff, self.theta, self.beta(d), self.beta_r);
         let integral = |d: R| {
@@ -92,7 +92,7 @@ impl<R: Real> Attraction<R> {
         R::select(d.lt(self.rupture()), energy, R::zero())
     }
 
-    /// The force and its slope against `u`, the square root of the distance left before rupture: smooth up to the rupture itself.
+    /// The force and its slope as functions of `u`, the square root of the distance remaining to rupture: smooth up to rupture.
     pub fn rooted(&self, u: R) -> (R, R) {
         let (two, zero) = (R::lit(2.0), R::zero());
         let d = self.rupture() - u.squared();

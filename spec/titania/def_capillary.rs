@@ -13,7 +13,7 @@ use crate::{Real, equation};
 /// # Reading
 ///
 /// Surface tension around the wetted circle and suction over its area, in the circular approximation; the curvature follows from Kelvin's equation.
-/// Positive when it attracts, as Eq. 3 takes it. Without a meniscus, $\beta = 0$, there is none.
+/// Positive when it attracts, as Eq. 3 takes it. Without a meniscus, $\beta = 0$, it is zero.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -37,7 +37,7 @@ pub fn capillary_force<R: Real>(gamma: R, r_k: R, r_eff: R, theta: R, beta: R) -
     R::pi() * gamma * a * (R::lit(2.0) * (theta + beta).sin() + a / r_k)
 }
 
-/// Not in the paper: slope of the capillary force against the distance.
+/// Not in the paper: slope of the capillary force with respect to the distance.
 ///
 /// ```math
 /// \frac{dF_{cap}}{dd} = \frac{dF_{cap}}{d\beta} \Big/ \frac{dD}{d\beta}
@@ -82,7 +82,7 @@ pub(super) fn angle_slope<R: Real>(gamma: R, r_k: R, r_eff: R, theta: R, beta: R
 ///
 /// # Reading
 ///
-/// By Gauss' rule of ten points: the integrand is smooth in the angle, up to the rupture.
+/// By ten-point Gauss quadrature: the integrand is smooth in the angle up to rupture.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

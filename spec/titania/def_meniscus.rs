@@ -15,7 +15,7 @@
 use crate::equation::Equation;
 use crate::{Real, equation};
 
-/// What the angle alone determines.
+/// Quantities that the angle alone determines.
 struct Profile<R> {
     a: R,
     a_slope: R,
@@ -91,8 +91,9 @@ pub fn meniscus_gap<R: Real>(r_eff: R, r_k: R, theta: R, beta: R) -> (R, R) {
 ///
 /// # Reading
 ///
-/// The distance grows from the angle zero to that of rupture and falls from there on. What lies below that angle would shrink when stretched by
-/// its own suction: the branch is unstable. Sixty bisections reach the last bit of a double, and twice as many bits of the distance.
+/// The distance increases with the angle up to rupture and decreases beyond. Below the rupture angle a stretched meniscus would shrink by its
+/// own suction: that branch is unstable. Sixty bisections resolve the angle to the last bit of a double, and the distance to twice as many
+/// bits.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -130,8 +131,8 @@ pub fn rupture<R: Real>(r_eff: R, r_k: R, theta: R) -> (R, R) {
 /// # Reading
 ///
 /// On the stable branch $\varphi(\beta) = \sqrt{D_r - D(\beta)}$ is nearly linear, down to the rupture: Newton's method for
-/// $\varphi(\beta) = \sqrt{D_r - D}$ starts on the chord and converges in a few steps; one that leaves the branch goes half way to its end
-/// instead. Spheres that overlap so far that nothing of the meniscus is left keep the largest angle.
+/// $\varphi(\beta) = \sqrt{D_r - D}$ starts on the chord and converges in a few steps; a step that would leave the branch goes halfway to
+/// its end instead. Spheres that overlap so far that no meniscus is left have the largest angle.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

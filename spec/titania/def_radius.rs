@@ -75,9 +75,8 @@ pub fn overlap<R: Real>(r_i: R, r_j: R, h_n: R, d: R) -> R {
 ///
 /// The paper's $R$ is the bare radius, that of the oxide core. Published results are labelled by nominal diameters $d_\text{nom}$ in steps
 /// of one nanometre. The authors' program takes a core gap $\Delta$ of 0.57 nm for every size, so that two particles at equilibrium are
-/// exactly their mean nominal diameter apart. The contact acts between spheres of radius $R + h_n$, with
-/// $h_n$ = 0.36 nm; their overlap at equilibrium, $2 h_n - \Delta$ = 0.15 nm, is that of every pair. Masses and
-/// moments of inertia are those of the contact spheres.
+/// exactly their mean nominal diameter apart. The contact acts between spheres of radius $R + h_n$, with $h_n$ = 0.36 nm; their overlap at
+/// equilibrium, $2 h_n - \Delta$ = 0.15 nm, is the same for every pair. Masses and moments of inertia are those of the contact spheres.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

@@ -12,7 +12,7 @@ use crate::{Real, equation};
 /// # Reading
 ///
 /// The time of a surface wave across half the sphere, with the customary coefficients, which the paper does not print. For rutile and the
-/// smallest particles of 3 nm it is the 1 ps of the paper, of which half is the time step.
+/// smallest particles of 3 nm it is the 1 ps of the paper, half of which is the time step.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

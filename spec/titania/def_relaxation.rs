@@ -17,7 +17,7 @@ use crate::{Real, equation};
 /// # Reading
 ///
 /// The motion shown in Fig. 3, for small displacements and an attraction independent of the distance. The masses are those of the bare spheres. The
-/// power is taken of a pure number, $\delta_0 = R_\text{eff} \exp\left(\frac{2}{3} \ln \frac{F_a}{k_n R_\text{eff}^2}\right)$.
+/// power is evaluated for a dimensionless number, $\delta_0 = R_\text{eff} \exp\left(\frac{2}{3} \ln \frac{F_a}{k_n R_\text{eff}^2}\right)$.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -34,7 +34,7 @@ use crate::{Real, equation};
 /// | → `gamma_n` | $\gamma_n$ | kg/s | | damping coefficient |
 /// | → `omega_0` | $\omega_0$ | rad/s | | natural frequency |
 /// | → `zeta` | $\zeta$ | 1 | | damping ratio |
-/// | → `tau` | $\tau$ | s | | time in which the amplitude falls by e |
+/// | → `tau` | $\tau$ | s | | time in which the amplitude decays by a factor of e |
 ///
 /// Rounding: at most 2 ULP.
 ///

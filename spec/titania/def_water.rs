@@ -20,7 +20,7 @@ use crate::{Real, equation, piecewise};
 /// | `kt` | $k_B T$ | J | > 0 | thermal energy |
 /// | `volume` | $V$ | m^3 | > 0 | volume of a molecule of the liquid |
 /// | `rh` | $\text{RH}$ | 1 | (0, 1) | relative humidity |
-/// | → `suction` | $P_c$ | Pa | | pressure of the air above that in the liquid |
+/// | → `suction` | $P_c$ | Pa | | pressure of the air minus pressure of the liquid |
 /// | → `r_k` | $r_K$ | m | | Kelvin radius |
 ///
 /// Rounding: at most 0.5 ULP.
@@ -35,7 +35,7 @@ pub fn kelvin<R: Real>(gamma: R, kt: R, volume: R, rh: R) -> (R, R) {
     (suction, gamma / suction)
 }
 
-/// The broken line through the given points, constant beyond the last: `x` and `y` of each, `x` from zero on.
+/// Piecewise linear interpolation of the given points `(x, y)`, with `x` starting at zero; constant beyond the last.
 #[inline]
 fn broken_line<R: Real, const N: usize>(x: R, points: [(f64, f64); N]) -> R {
     let last = points[N - 1];
@@ -47,7 +47,7 @@ fn broken_line<R: Real, const N: usize>(x: R, points: [(f64, f64); N]) -> R {
     piecewise(cases, R::lit(last.1))
 }
 
-/// Not in the paper: thickness of the free water layer against the humidity.
+/// Not in the paper: thickness of the free water layer as a function of humidity.
 ///
 /// ```math
 /// h_w = h_w(\text{RH})
@@ -61,7 +61,7 @@ fn broken_line<R: Real, const N: usize>(x: R, points: [(f64, f64); N]) -> R {
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `rh` | $\text{RH}$ | 1 | [0, 1] | relative humidity |
-/// | `nanometre` | $\text{nm}$ | m | > 0 | a nanometre in the units of the caller |
+/// | `nanometre` | $\text{nm}$ | m | > 0 | a nanometre in the caller's units |
 /// | → `h_w` | $h_w$ | m | | thickness of the layer |
 ///
 /// Rounding: at most 0.5 ULP.
@@ -85,7 +85,7 @@ pub fn water_layer<R: Real>(rh: R, nanometre: R) -> R {
     broken_line(rh, points) * nanometre
 }
 
-/// Not in the paper: surface tension of the adsorbed water against size and humidity.
+/// Not in the paper: surface tension of the adsorbed water as a function of size and humidity.
 ///
 /// ```math
 /// \gamma = \text{scale} \cdot \gamma_0(d_\text{core}, \text{RH})
@@ -93,18 +93,18 @@ pub fn water_layer<R: Real>(rh: R, nanometre: R) -> R {
 ///
 /// # Reading
 ///
-/// The tables of the authors' program, computed for the water model TIP3P and particles of 4, 6, 8 and 10 nm: linear in the
-/// humidity, the nearest size below 5, 7, 9 nm and above. The size is the core diameter of the smaller
-/// particle. The scale of 0.072/0.04729279 turns the tension of TIP3P into that of water; one leaves it. Rounded
-/// to a thousandth of the unit N/m, as there. The steps from size to size make the stiffness of Eq. 9 fall between 5 and 6 nm and between 9 and 10 nm.
+/// The tables of the authors' program, computed for the water model TIP3P and particles of 4, 6, 8 and 10 nm: linear in the humidity, the nearest size
+/// below 5, 7, 9 nm and above. The size is the core diameter of the smaller particle. The scale of 0.072/0.04729279 converts the tension of TIP3P into
+/// the tension of water; one leaves it unchanged. Rounded to a thousandth of the unit N/m, as there. The steps from size to size make the stiffness of
+/// Eq. 9 fall between 5 and 6 nm and between 9 and 10 nm.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `d_core` | $d_\text{core}$ | m | > 0 | core diameter of the smaller particle |
 /// | `rh` | $\text{RH}$ | 1 | [0, 1] | relative humidity |
 /// | `scale` | $\text{scale}$ | 1 | > 0 | tension relative to that of TIP3P |
-/// | `nanometre` | $\text{nm}$ | m | > 0 | a nanometre in the units of the caller |
-/// | `newton_per_metre` | $\text{N/m}$ | N/m | > 0 | a newton per metre in the units of the caller |
+/// | `nanometre` | $\text{nm}$ | m | > 0 | a nanometre in the caller's units |
+/// | `newton_per_metre` | $\text{N/m}$ | N/m | > 0 | a newton per metre in the caller's units |
 /// | → `gamma` | $\gamma$ | N/m | | surface tension |
 ///
 /// Rounding: at most 0.5 ULP.

@@ -3,7 +3,7 @@
 use crate::equation::Equation;
 use crate::{Real, Vec3, equation};
 
-/// **Eq. 1**, Section 2: total force on i of its partner.
+/// **Eq. 1**, Section 2: total force on i exerted by its partner.
 ///
 /// ```math
 /// \mathbf{F}_{ij} = \mathbf{F}_{na} + \mathbf{F}_{nr} + \mathbf{F}_{nd} + \mathbf{F}_t = \mathbf{F}_n + \mathbf{F}_t
@@ -20,7 +20,7 @@ use crate::{Real, Vec3, equation};
 /// | `f_nr` | $\mathbf{F}_{nr}$ | N (3) | any | repulsion, Eq. 8 |
 /// | `f_nd` | $\mathbf{F}_{nd}$ | N (3) | any | normal damping, Eq. 6 |
 /// | `f_t` | $\mathbf{F}_t$ | N (3) | any | tangential force, Eq. 12 |
-/// | → `force` | $\mathbf{F}_{ij}$ | N (3) | | force on i; that on j is its negative |
+/// | → `force` | $\mathbf{F}_{ij}$ | N (3) | | force on i; the force on j is its negative |
 ///
 /// Rounding: at most 1 ULP.
 ///

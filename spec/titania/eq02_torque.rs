@@ -32,8 +32,8 @@ impl Arms {
 /// # Reading
 ///
 /// "Augmented by half the thickness of the compressed water layer": half the gap between the bare surfaces at that distance. The two arms
-/// then add up to the distance of the centres, without which a tangential force would create angular momentum; a
-/// constant thickness `h_n` would not do. Radii that are both augmented by the same length give the same arms.
+/// then add up to the distance between the centres; otherwise, as with a constant thickness `h_n`, a tangential force would create
+/// angular momentum. Radii that are both augmented by the same length give the same arms.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -62,7 +62,7 @@ pub fn moment_arm<R: Real>(r_i: R, r_j: R, d: R) -> R {
 /// # Reading
 ///
 /// "Augmented by half the thickness of the compressed water layer", whatever the distance. At rest it is 0.1 nm shorter than
-/// [`moment_arm`], which a case takes if it does not ask for this one: here a tangential force creates angular momentum.
+/// [`moment_arm`], the default; with this arm a tangential force creates angular momentum.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -103,10 +103,10 @@ pub fn layered_arm<R: Real>(r_i: R, h_n: R) -> R {
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `x_i` | $\mathbf{x}_i$ | m (3) | any | position of i |
-/// | `x_j` | $\mathbf{x}_j$ | m (3) | any | position of j, another one |
+/// | `x_j` | $\mathbf{x}_j$ | m (3) | any | position of j, distinct from `x_i` |
 /// | `r_i` | $R_i$ | m | > 0 | radius of i |
 /// | `r_j` | $R_j$ | m | > 0 | radius of j |
-/// | `f_t` | $\mathbf{F}_t$ | N (3) | any | force on i; its part in the contact plane counts |
+/// | `f_t` | $\mathbf{F}_t$ | N (3) | any | force on i; only its tangential part is used |
 /// | `omega_i` | $\boldsymbol{\omega}_i$ | rad/s (3) | any | angular velocity of i |
 /// | `omega_j` | $\boldsymbol{\omega}_j$ | rad/s (3) | any | angular velocity of j |
 /// | `m_r` | $M_r$ | N m | >= 0 | magnitude of the rolling torque, Eq. 13 |

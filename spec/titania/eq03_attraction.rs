@@ -6,7 +6,8 @@ use crate::{Real, Vec3, equation};
 /// Sign with which the solvation force of Eq. 4 enters Eq. 3.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Solvation {
-    /// As Eqs. 3 to 5 are printed: a positive force attracts, so the negative amplitude repels bare surfaces in touch.
+    /// As Eqs. 3 to 5 are printed: a positive force attracts, so the negative amplitude repels bare surfaces in
+    /// contact.
     Printed,
     /// Israelachvili's convention, from whom Eq. 4 is taken: a positive force repels, so the negative amplitude attracts. Bare surfaces
     /// closer than a quarter of a period feel none, as in the authors' program; the force is continuous there.
@@ -21,11 +22,10 @@ pub enum Solvation {
 ///
 /// # Reading
 ///
-/// Ambiguous. The formula is followed: what enters is positive where it attracts. Eq. 4 with the negative amplitude of Eq. 5 would then
-/// repel bare surfaces that touch; in the convention of its source, where a force is positive when it repels, it
-/// attracts them. The stiffnesses that the authors' program derives by Eq. 9, and the paper's range of 20 to 45 GPa, come out with the latter only,
-/// so [`Solvation::Israelachvili`] is the default and [`Solvation::Printed`] the named alternative: they differ by the sign of `f_solv`.
-/// As printed, two particles at the distance at which Eq. 9 balances the forces are not at rest: the attraction grows faster than the contact resists, and they move to another distance.
+/// Ambiguous. The formula is followed: its terms are positive where they attract. Eq. 4 with the negative amplitude of Eq. 5 would then repel bare surfaces that touch; in the convention
+/// of its source, where a force is positive when it repels, it attracts them. The stiffnesses that the authors' program derives by Eq. 9, and the paper's range of 20 to 45 GPa, result
+/// only with the latter, so [`Solvation::Israelachvili`] is the default and [`Solvation::Printed`] the named alternative: they differ by the sign of `f_solv`. As printed, two particles
+/// at the distance at which Eq. 9 balances the forces do not stay at rest: the attraction grows faster than the contact force, and they move to another distance.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

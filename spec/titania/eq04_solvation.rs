@@ -3,7 +3,7 @@
 use crate::equation::Equation;
 use crate::{Real, equation};
 
-/// **Eq. 4**, Section 2.1: solvation force against the distance.
+/// **Eq. 4**, Section 2.1: solvation force as a function of the distance.
 ///
 /// ```math
 /// F_{solv} = F_{solv}^0 \cos\left(\frac{2\pi (d - R_i - R_j)}{\sigma_{solv}}\right) e^{-\frac{d - R_i - R_j}{\sigma_{solv}}}

@@ -11,8 +11,8 @@ use crate::{Contact, Real, Vec3, equation};
 ///
 /// # Reading
 ///
-/// As printed, with $\mathbf{v}_n = ((\mathbf{v}_i - \mathbf{v}_j) \cdot \mathbf{n}) \mathbf{n}$. It acts in contact only, so it sets in with a jump
-/// at first touch.
+/// As printed, with $\mathbf{v}_n = ((\mathbf{v}_i - \mathbf{v}_j) \cdot \mathbf{n}) \mathbf{n}$. It acts in contact only, so it starts
+/// discontinuously at first touch.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -20,7 +20,7 @@ use crate::{Contact, Real, Vec3, equation};
 /// | `v_i` | $\mathbf{v}_i$ | m/s (3) | any | velocity of i |
 /// | `v_j` | $\mathbf{v}_j$ | m/s (3) | any | velocity of j |
 /// | `x_i` | $\mathbf{x}_i$ | m (3) | any | position of i |
-/// | `x_j` | $\mathbf{x}_j$ | m (3) | any | position of j, another one |
+/// | `x_j` | $\mathbf{x}_j$ | m (3) | any | position of j, distinct from `x_i` |
 /// | → `f_nd` | $\mathbf{F}_{nd}$ | N (3) | | force on i |
 ///
 /// Rounding: at most 1 ULP.

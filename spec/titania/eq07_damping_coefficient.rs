@@ -3,7 +3,7 @@
 use crate::equation::Equation;
 use crate::{Real, equation};
 
-/// The damping constants in use, N s/m³: that of the paper and that of the authors' program.
+/// The damping constants in use, N s/m³: the paper's and the authors' program's.
 pub const GAMMA_0: (f64, f64) = (0.5e6, 5e6);
 
 /// **Eq. 7**, Section 2.2: damping coefficient of a pair.

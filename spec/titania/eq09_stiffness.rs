@@ -22,9 +22,9 @@ pub enum Stiffness {
 /// # Reading
 ///
 /// Erratum: the star is missing, the radius is the $(R + h_n)^*$ of Eq. 8 that the equation inverts. For equal particles it makes no
-/// difference; a pair of unlike ones would not be in equilibrium. The paper tabulates a stiffness per size, here each pair of sizes
-/// has its own, as in the authors' program: that alone is exact for all. $F_{na}(0)$ is the component
-/// along the normal, negative because it attracts.
+/// difference; a pair of unlike ones would not be in equilibrium. The paper tabulates a stiffness per size; here each pair of sizes
+/// has its own, as in the authors' program, which alone is exact for all pairs. $F_{na}(0)$ is the component along the normal,
+/// negative because it attracts.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -56,8 +56,7 @@ pub fn stiffness<R: Real>(f_na_0: R, delta_n_0: R, r_i: R, r_j: R, h_n: R) -> R 
 /// # Reading
 ///
 /// Ambiguous: the paper speaks of the stiffness of a particle size, for which the star that Eq. 9 lacks makes no difference, and does not define the stiffness of two different sizes. Hertz adds the
-/// compliances of two bodies. The equilibrium distance of unlike particles then differs slightly from the nominal one, and a case takes the stiffness of the pair if
-/// it does not ask for this one.
+/// compliances of two bodies. The equilibrium distance of unlike particles then differs slightly from the nominal one, and the default is the stiffness of the pair.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

@@ -8,11 +8,11 @@ use crate::{Real, Vec3, equation};
 pub enum Slip {
     /// The spring is released: the force of that step is the largest one, and the spring restarts from zero, as in the authors' program.
     Reset,
-    /// The spring gives up whole periods and keeps the remainder, so that steady sliding has exactly the printed period.
+    /// The spring loses whole periods and keeps the remainder, so that steady sliding has exactly the printed period.
     Remainder,
 }
 
-/// **Eq. 12**, Section 2.4: tangential force against the distance slid along a straight line.
+/// **Eq. 12**, Section 2.4: tangential force as a function of the distance slid along a straight line.
 ///
 /// ```math
 /// \mathbf{F}_t = -\tau_S A_{ij} \left(\frac{\delta_t}{\lambda_t} - \left\lfloor\frac{\delta_t}{\lambda_t}\right\rfloor\right) \mathbf{t}_{ij}
@@ -60,9 +60,9 @@ pub fn sawtooth<R: Real>(tau_s: R, a: R, delta_t: R, lambda_t: R, t: Vec3<R>) ->
 /// one of two ways, see [`Slip`]: with `slip` 1 the spring keeps the remainder, and for steady sliding along a line the force is the printed one; with `slip` 0 the
 /// force is the peak force $-\tau_S A_{ij} \hat{\boldsymbol{\xi}}$ of this step and nothing remains. The energy lost by the spring is dissipated.
 ///
-/// The stiffness follows the area, and no normal force answers to that: a spring loaded at one area and let
-/// go at another delivers $\tau_S \, \Delta A \, \xi^2 / 2 \lambda_t$. That is the paper's law; the contact law
-/// enters it as lost to the contact area.
+/// The stiffness follows the area, without a corresponding normal force: a spring loaded at one area and released at
+/// another delivers $\tau_S \, \Delta A \, \xi^2 / 2 \lambda_t$. That is the paper's law; the contact law records it as
+/// lost to the contact area.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -136,7 +136,7 @@ mod laws {
     const PEAK: f64 = TAU * AREA;
     const X: Vec3<f64> = Vec3([1.0, 0.0, 0.0]);
 
-    /// Work of the hand that moves one surface over the other along a line through the given places, in steps of `step`.
+    /// Work of moving one surface over the other along a line through the given positions, in steps of `step`.
     fn work(places: &[f64], step: f64, mut force: impl FnMut(f64) -> f64) -> f64 {
         let (mut sum, mut last) = (0.0, force(0.0));
         for leg in places.windows(2) {
@@ -179,7 +179,7 @@ mod laws {
                 let (force, next) = sliding_spring(TAU, AREA, LAMBDA, xi + t * step, 1.0);
                 xi = next;
                 let (frac, printed) = sawtooth(TAU, AREA, f64::from(k) * step, LAMBDA, t);
-                // where the tooth ends the two may round to different sides
+                // at the end of a tooth the two may round to different sides
                 prop_assert!((force - printed).norm() < 1e-10 || !(1e-9..1.0 - 1e-9).contains(&frac));
             }
         }

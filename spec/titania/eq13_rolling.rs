@@ -65,7 +65,7 @@ pub fn rolling_resistance<R: Real>(r_i: R, r_j: R, h_n: R, tau_r: R, a: R) -> R 
 /// | `n` | $\mathbf{n}_{ij}$ | 1 (3) | unit | normal, from j to i |
 /// | `inertia` | $I$ | kg m^2 | > 0 | reduced moment of inertia of the two |
 /// | `dt` | $\Delta t$ | s | >= 0 | time step |
-/// | → `torque` | $-\mathbf{M}_r$ | N m (3) | | torque on i; that on j is its negative |
+/// | → `torque` | $-\mathbf{M}_r$ | N m (3) | | torque on i; the torque on j is its negative |
 ///
 /// Rounding: at most 1 ULP.
 ///

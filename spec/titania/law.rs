@@ -1,4 +1,4 @@
-//! The contact law, composed of its equations, for an engine.
+//! The contact law, composed from its equations, for an engine.
 
 use super::attraction::Attraction;
 use super::def_radius::{effective_radius, radii};
@@ -21,7 +21,7 @@ use crate::mechanics::sphere::moment_of_inertia;
 use crate::mechanics::stable_step::stable_time_step;
 use crate::{Contact, Outcome, PairModel, Real, Vec3, Wrench, flat_struct};
 
-/// What wets the particles.
+/// The liquid that wets the particles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Liquid {
     /// Water: its layer and surface tension follow the humidity, and the size of the particles.
@@ -29,7 +29,7 @@ pub enum Liquid {
         /// Surface tension relative to the tables of TIP3P water.
         scale: f64,
     },
-    /// Another one, of which they are given.
+    /// Another liquid, with both given.
     Other {
         /// Surface tension, N/m.
         gamma: f64,
@@ -53,11 +53,11 @@ pub struct Titania {
     pub contact_angle: f64,
     /// The liquid of the layer and the menisci.
     pub liquid: Liquid,
-    /// A nanometre in the units of the caller.
+    /// A nanometre in the caller's units.
     pub nanometre: f64,
-    /// A newton per metre in the units of the caller.
+    /// A newton per metre in the caller's units.
     pub newton_per_metre: f64,
-    /// Which way the solvation force acts.
+    /// Sign convention of the solvation force.
     pub solvation: Solvation,
     /// Solvation amplitude of vanishing particles, N.
     pub f_00: f64,
@@ -73,18 +73,18 @@ pub struct Titania {
     pub tau_r: f64,
     /// Period $\lambda_t$ of stick and slip, m.
     pub lambda_t: f64,
-    /// What a slip leaves of the tangential spring.
+    /// The tangential spring after a slip.
     pub slip: Slip,
-    /// Whose equilibrium gives the contact stiffness of a pair.
+    /// The equilibrium from which the contact stiffness of a pair is derived.
     pub stiffness: Stiffness,
-    /// Where the contact point of a pair is.
+    /// Position of the contact point of a pair.
     pub arms: Arms,
-    /// What rolling resistance does to a particle that hardly rolls.
+    /// Rolling resistance of a particle that hardly rolls.
     pub rolling: Rolling,
 }
 
 flat_struct! {
-    /// What stays constant while two particles are neighbours.
+    /// Constants of a pair while its particles are neighbours.
     pub struct Parameters {
         /// Contact stiffness, Pa.
         pub k_n,
@@ -100,13 +100,13 @@ flat_struct! {
         pub lambda_t,
         /// One if a slip keeps the remainder of the spring, zero if it starts anew.
         pub slip,
-        /// Reduced moment of inertia of the two bodies, kg m²: what may be stopped in a step.
+        /// Reduced moment of inertia of the two bodies, kg m²: the inertia that may be stopped in a step.
         pub inertia,
     }
 }
 
 flat_struct! {
-    /// What one time step of a pair turned into heat, J, by cause.
+    /// Energy that a pair dissipates in one time step, J, by cause.
     pub struct Lost {
         /// Dashpot along the normal.
         pub normal,
@@ -114,13 +114,14 @@ flat_struct! {
         pub sliding,
         /// Rolling resistance.
         pub rolling,
-        /// Tangential springs whose contact area shrank, less than zero where it grew: their stiffness follows it, and no force answers to that.
+        /// Tangential springs whose contact area decreased, negative where it increased: their stiffness follows the area without a
+        /// corresponding force.
         pub contact_area,
     }
 }
 
 flat_struct! {
-    /// What a pair holds, J, by cause.
+    /// Energy stored in a pair, J, by cause.
     pub struct Held {
         /// Compressed layers.
         pub repulsion,
@@ -135,7 +136,7 @@ flat_struct! {
 pub type Coefficients<R> = (Parameters<R>, Attraction<R>);
 
 impl Titania {
-    /// The parameters of the paper, at half humidity and 300 K, in units in which a nanometre, a nanonewton and a nanosecond are these numbers.
+    /// The parameters of the paper, at half humidity and 300 K, in units in which a nanometre, a nanonewton and a nanosecond have these values.
     pub fn paper(nanometre: f64, nanonewton: f64, nanosecond: f64) -> Self {
         let newton_per_metre = nanonewton / nanometre;
         let gigapascal = newton_per_metre / nanometre;
@@ -199,7 +200,7 @@ impl Titania {
         Attraction::new(core_i, core_j, h_w, gamma, r_k, R::lit(self.contact_angle), f_0, sigma, least)
     }
 
-    /// The attraction between two particles as a table that is wrong by at most `tolerance`.
+    /// The attraction between two particles as a table with an error of at most `tolerance`.
     pub fn table(&self, r_i: f64, r_j: f64, tolerance: f64) -> Table {
         let attraction = self.attraction(r_i, r_j);
         let start = attraction.kink().max(attraction.cores);
@@ -235,7 +236,7 @@ impl Titania {
         stiffness(self.attraction(r_i, r_j).force(d), r_i + r_j - d, core_i, core_j, R::lit(self.h_n))
     }
 
-    /// The reduced moment of inertia that rolling resistance must not turn back in a step.
+    /// The reduced moment of inertia whose rolling must not be reversed in a step.
     pub(super) fn stoppable<R: Real>(&self, inertia: R) -> R {
         match self.rolling {
             Rolling::Stopping => inertia,
@@ -300,12 +301,12 @@ impl PairModel for Titania {
     }
 }
 
-/// What a pair does in a step: forces and torques, the tangential spring to start the next step from, the energy lost.
+/// Result of one step of a pair: forces and torques, the tangential spring for the next step, the energy lost.
 pub type Act<R> = Outcome<R, Vec3<R>, Lost<R>>;
 
 impl<R: Real> Parameters<R> {
-    /// Eqs. 1 to 13 composed: what a pair does that attracts with `f_na` along the normal (negative), its spring advanced by `dt`.
-    /// Out of contact the attraction alone acts, and the spring is forgotten.
+    /// Eqs. 1 to 13 composed: the forces of a pair with attraction `f_na` along the normal (negative), its spring advanced by
+    /// `dt`. Out of contact only the attraction acts, and the spring is reset.
     #[inline(always)]
     pub fn act(&self, [arm_i, arm_j]: [R; 2], c: &Contact<R>, f_na: R, spring: Vec3<R>, dt: R) -> Act<R> {
         let (zero, delta_n) = (R::zero(), -c.gap);

@@ -2,26 +2,27 @@
 //! nanoparticle films under mechanical load*, Granular Matter 20 (2018) 28.
 //!
 //! Oxide particles of a few nanometres under a layer of water: a meniscus and the layers of water between the surfaces attract, compressed layers
-//! repel, rough surfaces stick and slip, and roll against a constant resistance. The rooms `eq..` are the numbered
-//! equations, `def_..` unnumbered relations. The attraction is not in the paper, which refers to earlier work for it:
-//! [`def_water`], [`def_meniscus`] and [`def_capillary`] are classical capillarity, [`attraction`] composes it for a pair, [`table`] makes it fast.
-//! [`law`] is the law for an engine, [`tabulated`] the same for many particles of a few sizes. Every number, 1 to 14, is a function.
+//! repel, rough surfaces stick and slip, and roll against a constant resistance. The modules `eq..` are the numbered equations, `def_..` unnumbered
+//! relations. The attraction is not in the paper, which refers to earlier work for it: [`def_water`], [`def_meniscus`] and [`def_capillary`] are
+//! classical capillarity, [`attraction`] composes it for a pair, [`table`] makes it fast. [`law`] is the law for an engine, [`tabulated`] the same
+//! for many particles of a few sizes. Every numbered equation, 1 to 14, has a function.
 //!
 //! # Errata
 //!
-//! The paper is followed to the letter unless it contradicts itself. With a law that fails for the printed reading:
+//! The paper is followed to the letter unless it contradicts itself. Errata, each with a law that fails for the printed
+//! reading:
 //!
 //! * Eq. 2: the printed sign of the torque would create angular momentum; arms, see [`eq02_torque::moment_arm`].
 //! * Eq. 9 lacks the star of its radius.
 //! * Eq. 11 needs the radii of the contact spheres: with bare ones the area is negative.
-//! * Eq. 12 as a function of the displacement alone is no friction, see [`eq12_sliding::sliding_spring`].
+//! * Eq. 12 as a function of the displacement alone is not friction, see [`eq12_sliding::sliding_spring`].
 //! * Eq. 13 has no direction and no value at rest, see [`eq13_rolling::rolling_torque`].
 //! * Eq. 14: the slip correction is a function, not a factor.
 //!
 //! # Choices
 //!
 //! Where the text allows several readings, the equation says which is taken. Options of [`law::Titania`] are the sign of the solvation force
-//! ([`eq03_attraction::Solvation`]), what a slip leaves of the tangential spring ([`eq12_sliding::Slip`]), the damping constant of Eq. 7.
+//! ([`eq03_attraction::Solvation`]), the tangential spring after a slip ([`eq12_sliding::Slip`]), the damping constant of Eq. 7.
 
 pub mod attraction;
 pub mod def_aggregate;

@@ -14,13 +14,13 @@ pub struct Table {
 }
 
 flat_struct! {
-    /// Where the cubics of a table are in a list, and how it ends.
+    /// Position of a table's cubics in a list, and the ends of the table.
     pub struct Piece {
-        /// Distance from which on the force is zero.
+        /// Distance beyond which the force is zero.
         pub end,
         /// Cells per root of the distance.
         pub per_width,
-        /// Number of cells less one.
+        /// Number of cells minus one.
         pub last,
         /// Place of the first cell in the list.
         pub first,
@@ -50,7 +50,7 @@ impl Lists {
         lists
     }
 
-    /// Lays the lists of tables end to end, and moves their pieces there.
+    /// Concatenates the lists of the tables and updates their pieces.
     pub fn join(tables: Vec<Table>) -> (Vec<Piece<f64>>, Self) {
         let (mut cells, mut energies, mut pieces) = (Vec::new(), Vec::new(), Vec::new());
         for Table { piece, lists, .. } in tables {
@@ -64,7 +64,7 @@ impl Lists {
 }
 
 impl<R: Real> Piece<R> {
-    /// The cell that a distance lies in, and where in it.
+    /// The cell that contains a distance, and the position within it.
     #[inline(always)]
     fn place(&self, d: R) -> (R, R) {
         let place = (self.end - d).max(R::zero()).sqrt() * self.per_width;
@@ -78,7 +78,7 @@ impl<R: Real> Piece<R> {
         std::array::from_fn(|k| R::entry(&lists.cells, begin + R::lit(k as f64)))
     }
 
-    /// Force at a distance.
+    /// Force at a given distance.
     #[inline(always)]
     pub fn force(&self, lists: &Lists, d: R) -> R {
         let (cell, t) = self.place(d);
@@ -87,7 +87,7 @@ impl<R: Real> Piece<R> {
         R::select(d.lt(self.end), R::select(d.lt(self.start), deep, inside), R::zero())
     }
 
-    /// Potential at a distance, zero from the end on.
+    /// Potential at a given distance, zero beyond the end.
     #[inline(always)]
     pub fn potential(&self, lists: &Lists, d: R) -> R {
         let (cell, t) = self.place(d);
@@ -99,7 +99,7 @@ impl<R: Real> Piece<R> {
     }
 }
 
-/// Most cells of a table; a tolerance that asks for more is not met.
+/// Largest number of cells of a table; a tolerance that requires more is not met.
 const MOST_CELLS: usize = 1 << 16;
 
 impl Table {
@@ -137,7 +137,7 @@ impl Table {
     pub fn error(&self) -> f64 {
         self.error
     }
-    /// Distance from which on the force is zero.
+    /// Distance beyond which the force is zero.
     pub fn end(&self) -> f64 {
         self.piece.end
     }
@@ -145,11 +145,11 @@ impl Table {
     pub fn cells(&self) -> usize {
         self.piece.last as usize + 1
     }
-    /// Force at a distance.
+    /// Force at a given distance.
     pub fn force(&self, d: f64) -> f64 {
         self.piece.force(&self.lists, d)
     }
-    /// Potential at a distance, zero from the end on.
+    /// Potential at a given distance, zero beyond the end.
     pub fn potential(&self, d: f64) -> f64 {
         self.piece.potential(&self.lists, d)
     }
@@ -180,8 +180,9 @@ fn work<R: Real>([a, b, c, e]: [R; 4], k: R, width: R, t: R) -> R {
     R::lit(2.0) * width * width * (k * even + odd)
 }
 
-/// A bound of the error. That of a cubic with the slopes at its ends is the fourth derivative times a shape that is largest in the
-/// middle; where the derivative hardly changes in a cell, the error there is the largest, and twice the largest of all bounds it.
+/// A bound of the error. The error of a Hermite cubic is the fourth derivative times a function that is largest at the midpoint;
+/// where the derivative hardly changes within a cell, the error at its midpoint is the largest, and twice the largest of all is a
+/// bound.
 fn error(rooted: &impl Fn(f64) -> (f64, f64), width: f64, cells: &[[f64; 4]]) -> f64 {
     let middle = |(k, cell): (usize, &[f64; 4])| (cubic(*cell, 0.5) - rooted((k as f64 + 0.5) * width).0).abs();
     2.0 * cells.iter().enumerate().map(middle).fold(0.0, f64::max)

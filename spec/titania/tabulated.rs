@@ -1,4 +1,4 @@
-//! The contact law for many particles of a few sizes: the attraction of every two sizes is tabulated.
+//! The contact law for many particles of a few sizes: the attraction of every pair of sizes is tabulated.
 
 use super::law::{Act, Held, Lost, Parameters, Titania};
 use super::table::{Lists, Piece};
@@ -22,7 +22,7 @@ const STIFFNESS: usize = Piece::<f64>::LEN;
 const RANGE: usize = STIFFNESS + 1;
 
 impl Tabulated {
-    /// The law for contact spheres of these radii, in ascending order, with tables that are wrong by at most `tolerance`.
+    /// The law for contact spheres of these radii, in ascending order, with tables whose error is at most `tolerance`.
     ///
     /// # Panics
     ///
@@ -63,7 +63,7 @@ impl Tabulated {
         self.error
     }
 
-    /// Which of the sizes a radius is.
+    /// Index of the size of a radius.
     fn size<R: Real>(&self, r: R) -> R {
         self.borders.iter().fold(R::zero(), |size, &border| size + R::select(r.gt(R::lit(border)), R::one(), R::zero()))
     }
