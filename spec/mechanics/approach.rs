@@ -44,8 +44,8 @@ pub fn tip_velocity<R: Real>(t: R, v_tip: R, rate: R, t_reversal: R) -> R {
 /// # Reading
 ///
 /// The integral of Eq. 25. With $p = \lambda |t|$ and $q = \lambda |t - 2 t_\mathrm{r}|$ the logarithm is, up to its sign,
-/// $\ln \frac{1 + e^{-p - q}}{e^{-p} + e^{-q}} = \min(p, q) + \ln(1 + e^{-p - q}) - \ln(1 + e^{-|p - q|})$, in which nothing overflows. For a way that is short compared with $v/\lambda$
-/// these terms cancel: where the smaller of $p$ and $q$ is below one, it is evaluated as $2 \operatorname{artanh} |h| = \ln(1 + 2|h|/(1 - |h|))$ with
+/// $\ln \frac{1 + e^{-p - q}}{e^{-p} + e^{-q}} = \min(p, q) + \ln(1 + e^{-p - q}) - \ln(1 + e^{-|p - q|})$, in which nothing overflows. For a displacement that is short compared with
+/// $v/\lambda$ these terms cancel: where the smaller of $p$ and $q$ is below one, it is evaluated as $2 \operatorname{artanh} |h| = \ln(1 + 2|h|/(1 - |h|))$ with
 /// $h = \tanh \frac{\lambda t}{2} \tanh \lambda \big(\frac{t}{2} - t_\mathrm{r}\big)$, which has the sign of the displacement.
 ///
 /// | name | symbol | unit | domain | meaning |
@@ -54,7 +54,7 @@ pub fn tip_velocity<R: Real>(t: R, v_tip: R, rate: R, t_reversal: R) -> R {
 /// | `v_tip` | $v$ | m/s | > 0 | final velocity, 1.5 m/s |
 /// | `rate` | $\lambda$ | 1/s | > 0 | rate of the turn, $10^8$ 1/s |
 /// | `t_reversal` | $t_\mathrm{r}$ | s | >= 0 | time of the turn, $1.08 \cdot 10^{-8}$ s |
-/// | → `z` | $z$ | m | | way, negative downwards |
+/// | → `z` | $z$ | m | | displacement, negative downwards |
 ///
 /// Rounding: at most 1.5 ULP.
 ///

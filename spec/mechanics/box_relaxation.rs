@@ -95,7 +95,7 @@ pub fn growth<R: Real>(rate: R, dt: R) -> R {
 ///
 /// # Reading
 ///
-/// Of the static part of the stress: velocities are not scaled with the box.
+/// Only the static part of the stress works: velocities are not scaled with the box.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

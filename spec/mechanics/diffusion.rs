@@ -39,9 +39,9 @@ pub fn diffusion<R: Real>(kt: R, f: R) -> R {
 ///
 /// # Reading
 ///
-/// Without drift the exit point is distributed uniformly, independent of the exit time. By Girsanov's theorem a drift weights the paths with
-/// $e^{\mathbf{v} \cdot \mathbf{x} / 2D}$ and a function of that time: the density of $\cos\theta$, of which this is the inverse integral, goes with $e^{\kappa \cos\theta}$.
-/// A walk may therefore jump between spheres that are as large as the free space allows, without error. Written with $\tanh \kappa$ where the logarithm is that of a number near 1.
+/// Without drift the exit point is distributed uniformly, independent of the exit time. By Girsanov's theorem a drift weights the paths with $e^{\mathbf{v} \cdot \mathbf{x} / 2D}$
+/// and a function of that time: the density of $\cos\theta$, the inverse of whose integral this is, is proportional to $e^{\kappa \cos\theta}$. A walk may therefore jump between
+/// spheres that are as large as the free space allows, without error. Written with $\tanh \kappa$ where the logarithm is that of a number near 1.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

@@ -40,9 +40,9 @@ fn moments<R: Real>(median: R, sigma_g: R, lo: R, hi: R) -> [R; 4] {
 ///
 /// # Reading
 ///
-/// The diameters go from 3 to 23 nm in steps of 1 nm with a median $m$ of 9.0 nm and $\sigma_G$ = 1.45. The paper does not define the discretisation
-/// of a class: here it is the density at its diameter. Diameters are numbers, multiples of the step, from three on; at most 32 classes. The Sauter diameter comes out as
-/// 12.2 nm, not as the 11.3 nm that the box of "140 $\bar{d}_s$" implies.
+/// The diameters go from 3 to 23 nm in steps of 1 nm with a median $m$ of 9.0 nm and $\sigma_G$ = 1.45. The paper does not define the discretisation of a class: here it
+/// is the density at its diameter. Diameters are numbers, multiples of the step, from three on; at most 32 classes. The resulting Sauter diameter is 12.2 nm, not the
+/// 11.3 nm implied by the box of "140 $\bar{d}_s$".
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -51,7 +51,7 @@ fn moments<R: Real>(median: R, sigma_g: R, lo: R, hi: R) -> [R; 4] {
 /// | `s_g` | $\sigma_G$ | 1 | [1.2, 3] | geometric standard deviation |
 /// | `lo` | $d_{lo}$ | 1 | >= 3 | smallest diameter |
 /// | `hi` | $d_{hi}$ | 1 | >= 3 | largest diameter, up to 31 above the smallest |
-/// | → `p` | $p$ | 1 | | share of the class |
+/// | → `p` | $p$ | 1 | | fraction of the particles in the class |
 ///
 /// Rounding: at most 1.5 ULP.
 ///

@@ -23,7 +23,7 @@ use crate::{Real, Vec3, equation, piecewise};
 /// | `t_turn` | $T$ | s | > 0 | duration of the reversal, 0.2 µs |
 /// | `t` | $t$ | s | any | time since the setpoint |
 /// | → `v` | $v$ | m/s | | velocity |
-/// | → `z` | $z$ | m | | height above that of the setpoint |
+/// | → `z` | $z$ | m | | height relative to the setpoint |
 ///
 /// Rounding: at most 0.5 ULP.
 ///

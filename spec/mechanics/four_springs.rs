@@ -79,7 +79,7 @@ flat_struct! {
 pub enum Order {
     /// It is stretched, then it acts: steps 3 and 4 of Section 2.1.1.
     StretchFirst,
-    /// It acts, then it is stretched, as in the published program: it lags one step behind the positions, and its dashpot is that of
+    /// It acts, then it is stretched, as in the published program: it lags one step behind the positions, and acts like a dashpot of
     /// $\eta - k \Delta t$, which may be negative.
     ActFirst,
 }
@@ -259,10 +259,10 @@ impl<R: Real> Springs<R> {
         let (force, next) = rubbed(k, eta, acting, xi_dot, holds, dynamic_friction(mu_d, f_n));
         let next = if lagged { S::select(holds, xi, next) } else { next };
         let next = S::select(acts, next, S::none());
-        // A spring that lags acts like one that does not, with less of a dashpot.
+        // A lagging spring acts like one that does not lag, with a weaker dashpot.
         let eta = if lagged { eta - k * dt } else { eta };
         let dashpot = eta * xi_dot.square() * dt;
-        // What friction works, less what the dashpot takes and the spring keeps; stretched by a whole step before it slips, the spring never held more.
+        // Work of friction minus dashpot dissipation and change of the spring's energy; the spring never held the energy of a whole step's stretch.
         let slip = force.inner(xi_dot) * dt - dashpot + energy(k, before) - energy(k, next);
         Pull { force, xi: next, dashpot, slip: R::select(holds & acts, R::zero(), slip) }
     }

@@ -68,7 +68,7 @@ pub fn is_dynamic<R: Real>(f_0: Vec3<R>, f_cs: R) -> R {
 /// # Reading
 ///
 /// $f_\mathrm{n}$ is the repulsion of the contact, spring and dashpot, without van der Waals and capillary forces, which act
-/// through the overlap; where the two together would pull, it is zero and so is every friction.
+/// through the overlap; where their sum would pull, it is zero and so is all friction.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -162,7 +162,7 @@ fn slipped<R: Real, S: Span<R>>(k: R, eta: R, applied: S, xi_dot: S) -> S {
 ///
 /// # Reading
 ///
-/// The spring comes incremented, see [`stretched_spring`](super::rotated_spring::stretched_spring).
+/// The spring has already been incremented, see [`stretched_spring`](super::rotated_spring::stretched_spring).
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

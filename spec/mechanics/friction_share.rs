@@ -12,7 +12,7 @@ use crate::{Real, equation};
 /// # Reading
 ///
 /// Friction may stop a rotating body, but not reverse it. Each contact may at most stop a body of this smaller inertia; all of them together
-/// then stop the whole. Of a body that is no sphere, $I$ is the least principal moment.
+/// then stop the whole. For a non-spherical body $I$ is the smallest principal moment.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

@@ -15,9 +15,9 @@ use crate::{Real, Vec3, equation};
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
-/// | `x` | $\mathbf{x}$ | m (3) | any | place, from the common centre of mass |
+/// | `x` | $\mathbf{x}$ | m (3) | any | position relative to the common centre of mass |
 /// | `m` | $m$ | kg | > 0 | mass |
-/// | `total` | $M$ | kg | > 0 | mass of all |
+/// | `total` | $M$ | kg | > 0 | total mass |
 /// | → `square` | $g_a^2$ | m^2 (3) |  | contribution along each axis |
 ///
 /// Rounding: at most 1 ULP.
@@ -39,8 +39,8 @@ pub fn gyration_term<R: Real>(x: Vec3<R>, m: R, total: R) -> Vec3<R> {
 ///
 /// # Reading
 ///
-/// With it the radius of gyration of a single sphere is its radius (Filippov, Zurita & Rosner, J. Colloid Interface Sci. 229, 261, 2000). Of the
-/// three axes together it is $r^2 m / M$.
+/// With it the radius of gyration of a single sphere is its radius (Filippov, Zurita & Rosner, J. Colloid Interface Sci. 229, 261, 2000). Summed
+/// over the three axes it is $r^2 m / M$.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

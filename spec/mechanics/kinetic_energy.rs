@@ -11,8 +11,8 @@ use crate::{Real, Vec3, equation};
 ///
 /// # Reading
 ///
-/// With the changes of both velocities in a kick for the velocities, it is the energy by which the kick exceeds the work of force and torque
-/// at the velocities before it, see [`excess_of_a_kick`].
+/// Evaluated with the changes of both velocities in a kick, it is the energy by which the kick exceeds the work of force and torque at the
+/// velocities before it, see [`excess_of_a_kick`].
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -62,7 +62,7 @@ pub fn translational_energy<R: Real>(m: R, v: Vec3<R>) -> R {
 ///
 /// # Reading
 ///
-/// Of a wall that a load drives along some axes, and that moves along the others as prescribed.
+/// For a wall driven by a load along some axes, with prescribed motion along the others.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

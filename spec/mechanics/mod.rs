@@ -1,7 +1,8 @@
 //! Mechanics shared by all papers: spheres and rigid bodies, their integration, springs and their transport, drag, stress, and distributions.
 //!
-//! Relations used by several models stand here once. An equation that a paper prints or prescribes keeps the id of that paper, by which it is listed; the paper's room points
-//! to it. Those with an id of this room have no paper. [`four_springs`] are the springs of a contact or a neck, [`necked`] adds necks to any contact law.
+//! Relations used by several models are defined once, here. An equation that a paper prints or prescribes keeps the id of that paper, under which it is listed; the paper's
+//! module refers to it. Equations with an id of this module belong to no paper. [`four_springs`] are the springs of a contact or a neck, [`necked`] adds necks to any contact
+//! law.
 
 #[cfg(test)]
 pub(crate) mod amplification;

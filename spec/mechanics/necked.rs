@@ -1,12 +1,12 @@
-//! Necks in any model: spheres that necks join, under a contact law for all others.
+//! Necks in any model: spheres joined by necks, with a contact law for all other pairs.
 //!
 //! **Reference.** Suggested by Laube et al. 2018, Sections 4.2 and 4.5: rigid aggregates should bend and break. The neck is that of
 //! Demidov, Gor & Khalizov 2024, Section 2.1.1. Nothing here is an equation of its own.
 //!
 //! **Reading.** A pair that a neck joins is held by the four springs of the neck and by nothing else: the material between the two
-//! particles leaves no room for a water layer. A pair without a neck, or whose neck has broken, obeys the contact law, with springs that
-//! begin relaxed. A neck joins the bare particles, which touch at equilibrium: their spheres are smaller than those of the
-//! contact law by the overlap of the latter at equilibrium.
+//! particles leaves no room for a water layer. A pair without a neck, or whose neck has broken, obeys the contact law, with initially
+//! relaxed springs. A neck joins the bare particles, which touch at equilibrium: their spheres are smaller than the spheres of the
+//! contact law by the equilibrium overlap.
 
 use super::contact_kinematics::ContactKinematics;
 use super::four_springs::{Friction, Memory, Springs};
@@ -29,7 +29,7 @@ flat_struct! {
 flat_struct! {
     /// One for a pair that a neck joins, zero for one that obeys the contact law.
     pub struct Joined {
-        /// Which of both.
+        /// One or zero.
         pub joined,
     }
 }
@@ -227,7 +227,7 @@ mod laws {
         (4.0 + LAYER, 6.0 + LAYER)
     }
 
-    /// Two particles of 8 and 12 nm, so far beyond their distance at rest.
+    /// Two particles of 8 and 12 nm, at a given distance beyond equilibrium.
     fn contact<R: Real>(beyond: R, v: [f64; 3], w: [f64; 3]) -> Contact<R> {
         let ((r_i, r_j), of) = (radii(), |numbers: [f64; 3]| Vec3(numbers.map(R::lit)));
         let x = Vec3::new(R::lit(10.0) + beyond, R::zero(), R::zero());
@@ -270,7 +270,7 @@ mod laws {
             let model = model();
             let (k, _) = constants::<f64>(&model);
             let k = model.joined(k);
-            // Over a small time: energies are of first order in it, and what differs is of second order.
+            // Over a short time energies are of first order in it, and differences of second order.
             let change = |dt: f64| {
                 let c = contact(beyond, v, w);
                 let acts = model.pair(&c, &k, (Vec3::zero(), Memory::zero()), dt);

@@ -56,8 +56,8 @@ pub fn neck_frequencies<R: Real>(k_n: R, k_t: R, k_r: R, k_o: R, m: R, i: R, r: 
 /// # Reading
 ///
 /// Eqs. 1, 2 and 12 for small motions about rest; dashpots act with the velocity of the step before. The largest eigenvalue of the map of the two springs over a step; the step is stable below 4.
-/// Equal spheres slide and roll independently, and each motion has the limit of a mass on a spring. Unequal spheres do not: undamped, the limit of a sphere on one of three times
-/// its radius is nine tenths of the limit on an equal one, on an infinite one three quarters.
+/// Equal spheres slide and roll independently, and each motion has the limit of a mass on a spring. Unequal spheres do not: undamped, the limit of a sphere against one of three times its radius
+/// is nine tenths of the limit against an equal one, against an infinite one three quarters.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -107,7 +107,7 @@ mod laws {
 
         #[test]
         fn a_large_partner_couples_sliding_and_rolling(k in 0.1..10.0f64, m in 0.1..10.0, r in 0.1..10.0) {
-            // Equal spheres have 7. Beside an endless one the arm of rolling is twice the radius: the matrix of 3.5, 10 and, off its diagonal, 5.
+            // Equal spheres have 7. Against an infinite one the rolling arm is twice the radius: the matrix of 3.5, 10 and, off its diagonal, 5.
             let endless = 0.5 * (13.5 + 142.25f64.sqrt());
             let beside = slide_and_roll(k, k, r, 1e9 * r, m, 1e27 * m) * m / k;
             prop_assert!((beside - endless).abs() < 1e-6);

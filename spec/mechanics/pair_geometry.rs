@@ -13,13 +13,13 @@ use crate::{Real, Vec3, equation};
 ///
 /// # Reading
 ///
-/// From i to j: the opposite of the normal of a [`Contact`](crate::Contact). All equations of this room are in the convention of
-/// the paper; [`ContactKinematics`](super::contact_kinematics::ContactKinematics) is the one place where one is turned into the other.
+/// From i to j: the opposite of the normal of a [`Contact`](crate::Contact). All equations of this paper are in the convention of the
+/// paper; [`ContactKinematics`](super::contact_kinematics::ContactKinematics) is the one place where one is turned into the other.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `x_i` | $\mathbf{x}_i$ | m (3) | any | position of i |
-/// | `x_j` | $\mathbf{x}_j$ | m (3) | any | position of j, another one |
+/// | `x_j` | $\mathbf{x}_j$ | m (3) | any | position of j, distinct from `x_i` |
 /// | → `n` | $\mathbf{n}$ | 1 (3) | | normal, from i to j |
 ///
 /// Rounding: at most 1 ULP.
@@ -41,8 +41,8 @@ pub fn normal<R: Real>(x_i: Vec3<R>, x_j: Vec3<R>) -> Vec3<R> {
 ///
 /// # Reading
 ///
-/// For unequal spheres each has its own, $a_i = r_i + \delta/2$ and $a_j = r_j + \delta/2$: the contact point lies half way between the surfaces,
-/// and the arms add up to the distance of the centres, without which no force in the contact plane could keep angular momentum.
+/// For unequal spheres each has its own, $a_i = r_i + \delta/2$ and $a_j = r_j + \delta/2$: the contact point lies halfway between the surfaces,
+/// and the arms add up to the distance between the centres; otherwise no force in the contact plane could conserve angular momentum.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -73,7 +73,7 @@ pub fn arm<R: Real>(r: R, delta: R) -> R {
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `x_i` | $\mathbf{x}_i$ | m (3) | any | position of i |
-/// | `x_j` | $\mathbf{x}_j$ | m (3) | any | position of j, another one |
+/// | `x_j` | $\mathbf{x}_j$ | m (3) | any | position of j, distinct from `x_i` |
 /// | `r_i` | $r_i$ | m | > 0 | radius of i |
 /// | `r_j` | $r_j$ | m | > 0 | radius of j |
 /// | → `delta` | $\delta$ | m | | gap, negative for an overlap |

@@ -45,7 +45,7 @@ pub fn relative_spin<R: Real>(omega_i: Vec3<R>, omega_j: Vec3<R>) -> Vec3<R> {
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `x_i` | $\mathbf{x}_i$ | m (3) | any | position of i |
-/// | `x_j` | $\mathbf{x}_j$ | m (3) | any | position of j, another one |
+/// | `x_j` | $\mathbf{x}_j$ | m (3) | any | position of j, distinct from `x_i` |
 /// | `omega_i` | $\boldsymbol{\omega}_i$ | rad/s (3) | any | angular velocity of i |
 /// | `omega_j` | $\boldsymbol{\omega}_j$ | rad/s (3) | any | angular velocity of j |
 /// | → `omega_n` | $\boldsymbol{\omega}_{ij,\mathrm{n}}$ | rad/s (3) | | torsional angular velocity |
@@ -74,7 +74,7 @@ pub fn torsional_spin<R: Real>(x_i: Vec3<R>, x_j: Vec3<R>, omega_i: Vec3<R>, ome
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `x_i` | $\mathbf{x}_i$ | m (3) | any | position of i |
-/// | `x_j` | $\mathbf{x}_j$ | m (3) | any | position of j, another one |
+/// | `x_j` | $\mathbf{x}_j$ | m (3) | any | position of j, distinct from `x_i` |
 /// | `omega_i` | $\boldsymbol{\omega}_i$ | rad/s (3) | any | angular velocity of i |
 /// | `omega_j` | $\boldsymbol{\omega}_j$ | rad/s (3) | any | angular velocity of j |
 /// | → `omega_r` | $\boldsymbol{\omega}_{ij,\mathrm{r}}$ | rad/s (3) | | rolling angular velocity |
@@ -103,7 +103,7 @@ pub fn rolling_spin<R: Real>(x_i: Vec3<R>, x_j: Vec3<R>, omega_i: Vec3<R>, omega
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `x_i` | $\mathbf{x}_i$ | m (3) | any | position of i |
-/// | `x_j` | $\mathbf{x}_j$ | m (3) | any | position of j, another one |
+/// | `x_j` | $\mathbf{x}_j$ | m (3) | any | position of j, distinct from `x_i` |
 /// | `omega_i` | $\boldsymbol{\omega}_i$ | rad/s (3) | any | angular velocity of i |
 /// | `omega_j` | $\boldsymbol{\omega}_j$ | rad/s (3) | any | angular velocity of j |
 /// | `r_i` | $r_i$ | m | > 0 | radius of i |

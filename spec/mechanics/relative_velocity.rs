@@ -21,7 +21,7 @@ use crate::{Real, Vec3, equation};
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `x_i` | $\mathbf{x}_i$ | m (3) | any | position of i |
-/// | `x_j` | $\mathbf{x}_j$ | m (3) | any | position of j, another one |
+/// | `x_j` | $\mathbf{x}_j$ | m (3) | any | position of j, distinct from `x_i` |
 /// | `v_i` | $\mathbf{v}_i$ | m/s (3) | any | velocity of i |
 /// | `v_j` | $\mathbf{v}_j$ | m/s (3) | any | velocity of j |
 /// | `omega_i` | $\boldsymbol{\omega}_i$ | rad/s (3) | any | angular velocity of i |
@@ -72,7 +72,7 @@ pub fn at_contact<R: Real>(v: Vec3<R>, omega_i: Vec3<R>, omega_j: Vec3<R>, n: Ve
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `x_i` | $\mathbf{x}_i$ | m (3) | any | position of i |
-/// | `x_j` | $\mathbf{x}_j$ | m (3) | any | position of j, another one |
+/// | `x_j` | $\mathbf{x}_j$ | m (3) | any | position of j, distinct from `x_i` |
 /// | `v_i` | $\mathbf{v}_i$ | m/s (3) | any | velocity of i |
 /// | `v_j` | $\mathbf{v}_j$ | m/s (3) | any | velocity of j |
 /// | `omega_i` | $\boldsymbol{\omega}_i$ | rad/s (3) | any | angular velocity of i |
@@ -116,7 +116,7 @@ pub fn normal_velocity<R: Real>(
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `x_i` | $\mathbf{x}_i$ | m (3) | any | position of i |
-/// | `x_j` | $\mathbf{x}_j$ | m (3) | any | position of j, another one |
+/// | `x_j` | $\mathbf{x}_j$ | m (3) | any | position of j, distinct from `x_i` |
 /// | `v_i` | $\mathbf{v}_i$ | m/s (3) | any | velocity of i |
 /// | `v_j` | $\mathbf{v}_j$ | m/s (3) | any | velocity of j |
 /// | `omega_i` | $\boldsymbol{\omega}_i$ | rad/s (3) | any | angular velocity of i |
@@ -172,7 +172,7 @@ mod laws {
 
         #[test]
         fn rolling_on_each_other_without_sliding_is_no_relative_velocity(x in vector(), omega in vector(), r_i in 0.1..2.0, r_j in 0.1..2.0) {
-            // Fixed centres, opposite spins as the inverse of the arms, like cogwheels.
+            // Fixed centres, opposite spins inversely proportional to the arms, like gears.
             prop_assume!(x.norm() > 0.1);
             let zero = Vec3::zero();
             let delta = gap(zero, x, r_i, r_j);

@@ -11,7 +11,7 @@ use crate::{Real, Vec3, equation};
 ///
 /// # Reading
 ///
-/// For spheres of one size the radius is half of their common one; in general it is that of the relative curvature.
+/// For equal spheres the effective radius is half their radius; in general it is the radius of the relative curvature.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

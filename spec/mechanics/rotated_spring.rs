@@ -64,12 +64,12 @@ impl<R: Real> Span<R> for Vec3<R> {
     }
 }
 
-/// The torsion spring of a pair: a number along the normal, which goes wherever the normal goes ([`rotated_torsion`]), or, following the text of the paper, a vector that every step
-/// turns into the contact plane.
+/// The torsion spring of a pair: a number along the normal, which follows the normal ([`rotated_torsion`]), or, following the text of the paper, a vector that every step rotates
+/// into the contact plane.
 pub trait Twist<R: Real>: Span<R> + Flat<R> {
     /// The spring after the normal has turned.
     fn rotated(self, n: Vec3<R>) -> Self;
-    /// What is `along` the normal.
+    /// The spring of length `along` the normal.
     fn of(along: R, n: Vec3<R>) -> Self;
     /// Its torque on i, at an arm `r`, as a quasi-force.
     fn torque(self, n: Vec3<R>, r: R) -> Vec3<R>;
@@ -113,7 +113,7 @@ impl<R: Real> Twist<R> for Vec3<R> {
 /// # Reading
 ///
 /// "Rotating to be orthogonal to n and re-scaling". In the limit of small steps this is the parallel transport of the spring with the contact plane.
-/// A spin of the pair about its normal does not turn it. A spring without a part in the plane, which no small step can leave, vanishes.
+/// A spin of the pair about its normal does not turn it. A spring without a component in the plane, which cannot result from small steps, vanishes.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -209,8 +209,8 @@ pub fn stretched<R: Real, S: Span<R>>(xi: S, xi_dot: S, dt: R) -> S {
 ///
 /// # Reading
 ///
-/// Of the published program: its springs lag, see [`stretched_spring`], and above this step the effective damping coefficient is negative and drives the pair. It adds to the limits of the frequency,
-/// and does not depend on masses: where all springs have the same ratio it holds for any number of necks.
+/// The springs of the published program lag, see [`stretched_spring`]: above this step the effective damping coefficient is negative and drives the pair. This limit holds in addition to the
+/// frequency limits, and does not depend on masses: where all springs have the same ratio it holds for any number of necks.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

@@ -17,11 +17,11 @@ use crate::{Real, Vec3, equation};
 ///
 /// # Reading
 ///
-/// The paper says only "rigid aggregates". The kinetic energy is a sum of three terms, one for each principal axis, and each alone is a rotation that can be
-/// done exactly; in symmetric order they are a symplectic, reversible step of second order that keeps the length of the angular momentum and of the
-/// quaternion to rounding and the energy without drift (Dullweber, Leimkuhler & McLachlan; "no squish" of Miller et al.).
+/// The paper says only "rigid aggregates". The kinetic energy is a sum of three terms, one for each principal axis, and each alone generates a rotation that
+/// can be evaluated exactly; in symmetric order they form a symplectic, reversible step of second order that preserves the lengths of the angular momentum
+/// and of the quaternion to rounding and the energy without drift (Dullweber, Leimkuhler & McLachlan; "no squish" of Miller et al.).
 ///
-/// The exact angle is $L_k t / I_k$. With the arc tangent, which differs from it in the third order, sine and cosine are ratios, and the rate still depends
+/// The exact angle is $L_k t / I_k$. With the arctangent, which differs from it in the third order, sine and cosine are ratios, and the rate still depends
 /// on $L_k$ alone: the rotation belongs to a slightly different kinetic energy, so the step stays symplectic, reversible and of second order.
 ///
 /// | name | symbol | unit | domain | meaning |
@@ -82,8 +82,8 @@ fn turned<R: Real>(c: R, s: R, e: Vec3<R>, v: Vec3<R>) -> Vec3<R> {
 ///
 /// # Reading
 ///
-/// For a quaternion of length one. With $-\mathbf{q}$ it is the way back, from space to the body: a torque $\mathbf{M}$ of space changes $\mathbf{L}$ by that
-/// of $\mathbf{M} \Delta t$.
+/// For a quaternion of length one. With $-\mathbf{q}$ it is the inverse, from space to the body: a torque $\mathbf{M}$ in the frame of space changes
+/// $\mathbf{L}$ by the transformed $\mathbf{M} \Delta t$.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -153,7 +153,7 @@ mod laws {
                 prop_assert!((to_space(state.0, state.1, state.2) - l_0).norm() < 1e-11);
             }
             prop_assert!((state.0 * state.0 + state.1.dot(state.1) - 1.0).abs() < 1e-11);
-            // the error swings as the top tumbles: it may not grow from the first half to the second
+            // the error oscillates as the body tumbles: it must not grow from the first half to the second
             prop_assert!(worst[1] <= 1.1 * worst[0] + 1e-12 && worst[0] < 1e-3 * e_0.max(0.01));
         }
 
@@ -194,7 +194,7 @@ mod laws {
 
     #[test]
     fn a_tennis_racket_flips() {
-        // About its middle axis, with a little wobble, the top turns over again and again; about the others it does not.
+        // Slightly perturbed, rotation about the intermediate axis flips again and again; about the others it does not.
         let flips = |axis: usize| {
             let mut l = Vec3([1e-3; 3]);
             l.0[axis] = 1.0;

@@ -7,7 +7,7 @@ use super::rotated_spring::{Span, Twist};
 use crate::equation::Equation;
 use crate::{Real, Vec3, equation};
 
-/// **Eq. 12**, Section 2.1.2: force on i of a spring with its dashpot.
+/// **Eq. 12**, Section 2.1.2: force of a spring and its dashpot on i.
 ///
 /// ```math
 /// \mathbf{f} = k \boldsymbol{\xi} + \eta \dot{\boldsymbol{\xi}}
@@ -16,7 +16,7 @@ use crate::{Real, Vec3, equation};
 /// # Reading
 ///
 /// On i, with the velocity of j relative to i: the spring pulls i after j. For the normal spring, $\boldsymbol{\xi} = \delta \mathbf{n}$: a neck is at rest where the
-/// surfaces touch, whatever the gap at which it was made. The dashpot acts from the onset of a contact, with a jump.
+/// surfaces touch, whatever the gap at which it was made. The dashpot acts from the onset of a contact, discontinuously.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -87,7 +87,7 @@ pub fn energy<R: Real, S: Span<R>>(k: R, xi: S) -> R {
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `x_i` | $\mathbf{x}_i$ | m (3) | any | position of i |
-/// | `x_j` | $\mathbf{x}_j$ | m (3) | any | position of j, another one |
+/// | `x_j` | $\mathbf{x}_j$ | m (3) | any | position of j, distinct from `x_i` |
 /// | `r_i` | $r_i$ | m | > 0 | radius of i |
 /// | `r_j` | $r_j$ | m | > 0 | radius of j |
 /// | `f_t` | $\mathbf{f}_\mathrm{t}$ | N (3) | any | tangential force on i |

@@ -7,7 +7,8 @@ use super::rotated_spring::lag_limit;
 use super::stable_step::stable_time_step;
 
 impl Springs<f64> {
-    /// Largest stable time step of a solid sphere that these springs hold to an equal one, or to one of the same density up to the `largest` radius, s.
+    /// Largest stable time step of a solid sphere joined by these springs to an equal one, or to one of the same density and a radius up to `largest`,
+    /// s.
     pub fn critical_time_step(&self, r: f64, m: f64, largest: f64) -> f64 {
         // Radii between the two need no shorter step.
         self.limit_of_pair(r, m, r).min(self.limit_of_pair(r, m, largest))
@@ -16,7 +17,7 @@ impl Springs<f64> {
     fn limit_of_pair(&self, r: f64, m: f64, other: f64) -> f64 {
         let ratio = other / r;
         let m_j = m * ratio * ratio * ratio;
-        // What is missing limits no step, not even an endless one.
+        // A missing spring and dashpot limit no step, not even an infinite one.
         let of_step = |k: f64, eta: f64, dt: f64| if k + eta > 0.0 { k * dt * dt + 2.0 * eta * dt } else { 0.0 };
         let is_stable = |dt: f64| {
             let turn = |slide: f64, k: f64, eta: f64| slide_and_roll(slide, of_step(k, eta, dt), r, other, m, m_j);
@@ -38,7 +39,7 @@ impl Springs<f64> {
     }
 }
 
-/// The largest number up to `most` for which a condition holds that holds for all smaller ones.
+/// The largest number up to `most` for which a condition holds, if it then holds for all smaller ones.
 fn bisected(most: f64, holds: impl Fn(f64) -> bool) -> f64 {
     let (mut least, mut most) = (0.0, most);
     loop {

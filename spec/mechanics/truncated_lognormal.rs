@@ -19,7 +19,7 @@ use crate::{Real, equation};
 /// more than enough for any number. $\ln(1 + u)$ is evaluated as $u \ln w / (w - 1)$ with $w = 1 + u$ rounded, which
 /// loses nothing for small `u`; where `w` is one, it is `u`.
 ///
-/// A logarithm takes a number: the diameters here are numbers, multiples of any one unit of length.
+/// A logarithm requires a dimensionless argument: diameters are multiples of any one unit of length.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -95,7 +95,7 @@ pub fn truncated_moments<R: Real>(d_0: R, d_s: R, d_l: R) -> (R, R, R, R) {
     (kept, median * mean, median * deviation, median * median * median * moment(3.0))
 }
 
-/// The normal distribution less one half: its density times `z + z^3/3 + z^5/15 + ...`. Beyond nine nothing is left.
+/// The normal distribution minus one half: its density times `z + z^3/3 + z^5/15 + ...`. Beyond nine nothing is left.
 fn beyond_the_middle<R: Real>(z: R) -> R {
     let z = z.min(R::lit(9.0)).max(R::lit(-9.0));
     let square = z.squared();

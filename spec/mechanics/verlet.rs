@@ -16,11 +16,11 @@ use crate::{Real, Vec3, equation};
 ///
 /// # Reading
 ///
-/// The text leaves the integration of Eqs. 1 and 2 open; this is the scheme its results were computed with. Velocities live half a step before
-/// the positions. Forces see $\mathbf{x}_n$ and $\mathbf{v}_{n-1/2}$: a spring that grows by $\dot{\boldsymbol{\xi}}_{n-1/2} \Delta t$ before it is used is then as
-/// far as the positions are: its length at $n$ is that of the way up to $\mathbf{x}_n$, and the dashpot is half a step late. A contact that exists at the start has springs
-/// longer by $\dot{\boldsymbol{\xi}}_{-1/2} \Delta t$: the first step stretches them while the positions still are $\mathbf{x}_0$. The first velocity comes from [`half_step_start`];
-/// a system that starts at rest, or all of it with one velocity, may as well take the given velocity for it.
+/// The text leaves the integration of Eqs. 1 and 2 open; this is the scheme its results were computed with. Velocities are half a step behind the positions. Forces are evaluated
+/// with $\mathbf{x}_n$ and $\mathbf{v}_{n-1/2}$: a spring that grows by $\dot{\boldsymbol{\xi}}_{n-1/2} \Delta t$ before it is used is then synchronous with the positions: its
+/// length at $n$ is the displacement up to $\mathbf{x}_n$, and the dashpot is half a step late. A contact that exists at the start has springs longer by
+/// $\dot{\boldsymbol{\xi}}_{-1/2} \Delta t$: the first step stretches them while the positions still are $\mathbf{x}_0$. The first velocity comes from [`half_step_start`]; a system
+/// that starts at rest, or with one common velocity, may use the given velocity instead.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -66,8 +66,9 @@ pub fn half_step<R: Real>(
 ///
 /// # Reading
 ///
-/// The force is that at the start. It must not advance the springs: those of a contact that exists at the start would otherwise
-/// be stretched by two steps of its initial velocity before anything has moved, and not by the one of the first [`half_step`].
+/// The force is that at the start. It must not advance the springs: the springs of a contact that exists at the start would
+/// otherwise be stretched by two steps of its initial velocity before anything has moved, instead of the one step of the first
+/// [`half_step`].
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -109,11 +110,12 @@ pub fn half_step_start<R: Real>(
 ///
 /// # Reading
 ///
-/// An alternative to [`half_step`] with velocities at the full step. The next forces see $\mathbf{x}_{n+1}$ and $\mathbf{v}_{n+1/2}$; a spring grows by
-/// $\dot{\boldsymbol{\xi}}_{n+1/2} \Delta t$ before it is used, once a step. For forces without springs, and contacts that come about later, this is what [`half_step`] shows them: the
-/// positions are the same, but for dashpots at the start, and what differs is the velocity that is reported with a position. The forces at the start see $\mathbf{x}_0$ and $\mathbf{v}_0$, and do not advance the springs:
-/// those of a contact that exists at the start are as long as the way, one step of their initial rate shorter than with [`half_step`]. Positions then differ in first order: of an undamped spring
-/// by $\dot{\xi}_0 \Delta t \, (1 - \cos \omega t)$, at most by two steps' way, and where it comes to rest by one. From rest, or with one velocity for all, nothing of first order is left.
+/// An alternative to [`half_step`] with velocities at the full step. The next forces are evaluated with $\mathbf{x}_{n+1}$ and $\mathbf{v}_{n+1/2}$; a spring grows by
+/// $\dot{\boldsymbol{\xi}}_{n+1/2} \Delta t$ before it is used, once per step. For forces without springs, and for contacts formed later, [`half_step`] evaluates the same: the positions are the
+/// same, except for dashpots at the start, and only the velocity reported with a position differs. The forces at the start are evaluated with $\mathbf{x}_0$ and $\mathbf{v}_0$, and do not advance
+/// the springs: the springs of a contact that exists at the start match the displacement, one step of their initial rate shorter than with [`half_step`]. Positions then differ in first order: for
+/// an undamped spring by $\dot{\xi}_0 \Delta t \, (1 - \cos \omega t)$, at most by the displacement of two steps, and where it comes to rest by one. From rest, or with one common velocity, no
+/// first-order difference remains.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -243,7 +245,8 @@ mod laws {
                 (x, v)
             };
             (0..50).for_each(|_| now = step(now));
-            // The velocity half a step ahead is, turned round, that half a step behind of the way back: its first step starts at the next position.
+            // Reversed, the velocity half a step ahead is the velocity half a step behind of the backward motion, whose first step starts at the
+            // next position.
             now = (now.0, -now.1);
             let back = |(x, v): (Vec3<f64>, Vec3<f64>)| {
                 let x = x + v * dt;

@@ -43,7 +43,7 @@ pub fn pair_stress<R: Real>(volume: R, r: Vec3<R>, f: Vec3<R>) -> Tensor<R> {
 ///
 /// # Reading
 ///
-/// With the velocity relative to the mean motion, or the stress would depend on the observer.
+/// With the velocity relative to the mean motion; otherwise the stress would depend on the observer.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

@@ -51,7 +51,7 @@ pub fn axial_work<R: Real>(f_a: R, v_a: R, dt: R) -> R {
     f_a * v_a * dt
 }
 
-/// Energy that a drag takes in a time step.
+/// Energy that a drag dissipates in a time step.
 ///
 /// ```math
 /// \Delta E = c v^2 \, \Delta t
@@ -59,7 +59,7 @@ pub fn axial_work<R: Real>(f_a: R, v_a: R, dt: R) -> R {
 ///
 /// # Reading
 ///
-/// Of the velocity before the step, with which [`global_damping`](super::drag::global_damping) acts.
+/// Evaluated with the velocity before the step, with which [`global_damping`](super::drag::global_damping) acts.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
