@@ -23,7 +23,7 @@ type Effect<R> = (Vec3<R>, Vec3<R>, Vec3<R>, Vec3<R>, Vec3<R>, R);
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `x_i` | $\mathbf{x}_i$ | m (3) | any | position of i |
-/// | `x_j` | $\mathbf{x}_j$ | m (3) | any | position of j, another one |
+/// | `x_j` | $\mathbf{x}_j$ | m (3) | any | position of j, distinct from `x_i` |
 /// | `v_i` | $\mathbf{v}_i$ | m/s (3) | any | velocity of i |
 /// | `v_j` | $\mathbf{v}_j$ | m/s (3) | any | velocity of j |
 /// | `omega_i` | $\boldsymbol{\omega}_i$ | rad/s (3) | any | angular velocity of i |
@@ -42,7 +42,7 @@ type Effect<R> = (Vec3<R>, Vec3<R>, Vec3<R>, Vec3<R>, Vec3<R>, R);
 /// | `xi_r` | $\boldsymbol{\xi}_\mathrm{r}$ | m (3) | any | rolling spring before |
 /// | `xi_o` | $\xi_\mathrm{o}$ | m | any | torsion spring before, along the normal |
 /// | `dt` | $\Delta t$ | s | >= 0 | time step |
-/// | → `force` | $\mathbf{f}$ | N (3) | | force on i; that on j is its negative |
+/// | → `force` | $\mathbf{f}$ | N (3) | | force on i; the force on j is its negative |
 /// | → `torque_i` | $\boldsymbol{\tau}_i$ | N m (3) | | torque on i about its centre |
 /// | → `torque_j` | $\boldsymbol{\tau}_j$ | N m (3) | | torque on j about its centre |
 /// | → `xi_t_next` | $\boldsymbol{\xi}_\mathrm{t}$ | m (3) | | tangential spring now |
@@ -102,7 +102,7 @@ pub fn neck<R: Real>(
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `x_i` | $\mathbf{x}_i$ | m (3) | any | position of i |
-/// | `x_j` | $\mathbf{x}_j$ | m (3) | any | position of j, another one |
+/// | `x_j` | $\mathbf{x}_j$ | m (3) | any | position of j, distinct from `x_i` |
 /// | `v_i` | $\mathbf{v}_i$ | m/s (3) | any | velocity of i |
 /// | `v_j` | $\mathbf{v}_j$ | m/s (3) | any | velocity of j |
 /// | `omega_i` | $\boldsymbol{\omega}_i$ | rad/s (3) | any | angular velocity of i |
@@ -118,14 +118,14 @@ pub fn neck<R: Real>(
 /// | `eta_r` | $\eta_\mathrm{r}$ | kg/s | >= 0 | rolling damping |
 /// | `eta_o` | $\eta_\mathrm{o}$ | kg/s | >= 0 | torsional damping |
 /// | `mu_t` | $\mu_\mathrm{s}$ | 1 | >= 0 | static friction coefficient of sliding |
-/// | `mu_r` | $\mu_\mathrm{s,r}$ | 1 | >= 0 | of rolling |
-/// | `mu_o` | $\mu_\mathrm{s,o}$ | 1 | >= 0 | of torsion |
+/// | `mu_r` | $\mu_\mathrm{s,r}$ | 1 | >= 0 | static friction coefficient of rolling |
+/// | `mu_o` | $\mu_\mathrm{s,o}$ | 1 | >= 0 | static friction coefficient of torsion |
 /// | `phi` | $\mu_\mathrm{d} / \mu_\mathrm{s}$ | 1 | [0, 1] | ratio of the dynamic to the static coefficients |
 /// | `xi_t` | $\boldsymbol{\xi}_\mathrm{t}$ | m (3) | any | tangential spring before |
 /// | `xi_r` | $\boldsymbol{\xi}_\mathrm{r}$ | m (3) | any | rolling spring before |
 /// | `xi_o` | $\xi_\mathrm{o}$ | m | any | torsion spring before, along the normal |
 /// | `dt` | $\Delta t$ | s | >= 0 | time step |
-/// | → `force` | $\mathbf{f}$ | N (3) | | force on i; that on j is its negative |
+/// | → `force` | $\mathbf{f}$ | N (3) | | force on i; the force on j is its negative |
 /// | → `torque_i` | $\boldsymbol{\tau}_i$ | N m (3) | | torque on i about its centre |
 /// | → `torque_j` | $\boldsymbol{\tau}_j$ | N m (3) | | torque on j about its centre |
 /// | → `xi_t_next` | $\boldsymbol{\xi}_\mathrm{t}$ | m (3) | | tangential spring now |

@@ -16,7 +16,7 @@ use crate::{Real, Vec3, equation};
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
-/// | `sum` | $\sum N_{\mathrm{nb},i}$ | 1 | >= 0 | numbers of neighbours, added up |
+/// | `sum` | $\sum N_{\mathrm{nb},i}$ | 1 | >= 0 | sum of the numbers of neighbours |
 /// | `n` | $N$ | 1 | > 0 | number of primary particles |
 /// | → `c` | $c$ | 1 | | mean coordination number |
 ///

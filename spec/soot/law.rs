@@ -1,4 +1,4 @@
-//! The contact law, composed of its equations, for an engine.
+//! The contact law, composed from its equations, for an engine.
 
 use super::def_body_forces::Attraction;
 use super::def_neck_stress::neck_stress;
@@ -12,9 +12,9 @@ pub use wall::Wall;
 
 /// The reading of the springs of contacts and necks.
 pub trait Reading: Copy + Send + Sync {
-    /// What is remembered of a twist.
+    /// The torsion spring that is stored.
     type Torsion<R: Real>: Twist<R>;
-    /// What springs do first in a step.
+    /// Order of stretching and acting within a step.
     const ORDER: Order;
 }
 
@@ -93,7 +93,7 @@ pub struct Soot<S = Along> {
     pub walls: [Wall; 2],
 }
 
-/// The same numbers in another arithmetic.
+/// The same values in another number type.
 #[inline(always)]
 fn lifted<R: Real, A: Flat<f64>, B: Flat<R>>(numbers: &A) -> B {
     B::from_fn(|k| R::lit(*numbers.at(k)))
@@ -204,7 +204,7 @@ impl<S: Reading> PairModel for Soot<S> {
 }
 
 impl<S: Reading> Soot<S> {
-    /// Largest tensile and largest shear stress, Pa, that the springs of a neck leave in it where it is thinnest, `r_b` from its axis to its circumference.
+    /// Largest tensile and largest shear stress, Pa, that the springs of a neck cause in its thinnest cross-section, of radius `r_b`.
     pub fn neck_stress<R: Real>(&self, c: &Contact<R>, memory: &Memory<R, S::Torsion<R>>, r_b: R) -> (R, R) {
         let (at, neck) = (ContactKinematics::of_spheres(c), lifted::<R, _, Springs<R>>(&self.neck));
         let turning = turning_torque(at.n, at.a, memory.rolling * neck.k_r, at.r, memory.torsion * neck.k_o);

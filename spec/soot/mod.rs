@@ -1,19 +1,20 @@
 //! Demidov, Gor & Khalizov, *Discrete element method model of soot aggregates*,
 //! Phys. Rev. E 110 (2024) 054902.
 //!
-//! Aggregates of spheres that touch or are joined by necks, attract each other, and are compacted by a coating or pulled apart by the tip of an atomic force microscope.
-//! The modules `eq..` are the numbered equations, `def_..` unnumbered relations. [`four_springs`](mechanics::four_springs) are the four springs of a contact,
-//! [`def_contact`] neck and friction, [`def_wall`] substrate and tip, [`law`] the law for an engine, [`verlet`](mechanics::verlet) the step. Every number, 1 to 33, is a function. All of it holds for
-//! unequal spheres; the equal spheres of the paper are a special case.
+//! Aggregates of spheres that touch or are joined by necks, attract each other, and are compacted by a coating or pulled apart by the tip of an atomic force microscope. The modules `eq..` are the
+//! numbered equations, `def_..` unnumbered relations. [`four_springs`](mechanics::four_springs) are the four springs of a contact, [`def_contact`] neck and friction, [`def_wall`] substrate and tip,
+//! [`law`] the law for an engine, [`verlet`](mechanics::verlet) the step. Every numbered equation, 1 to 33, has a function. All of it holds for unequal spheres; the equal spheres of the paper are a
+//! special case.
 //!
 //! # Errata
 //!
-//! The paper is followed to the letter unless it contradicts itself. With a law that fails for the printed reading:
+//! The paper is followed to the letter unless it contradicts itself. Errata, each with a law that fails for the printed
+//! reading:
 //!
 //! * Eq. 4: both angular velocities have the wrong sign for the normal of Eq. 3, see [`eq04_relative_velocity`].
 //! * Step 2 of Section 2.1.1: a torsion spring cannot be turned into the contact plane, see [`rotated_torsion`](mechanics::rotated_spring::rotated_torsion).
 //! * Eq. 17 has the sign of another convention, see [`eq13_friction::slipped_spring`].
-//! * The printed forms of Eqs. 18 to 21 cancel for spheres that are not close.
+//! * The printed forms of Eqs. 18 to 21 suffer from cancellation for spheres that are not close.
 //!
 //! Choices where the text is ambiguous: the normal force of the caps ([`eq13_friction::static_friction`]), the saturation distance
 //! ([`eq19_equal_hamaker::saturated_hamaker`]), direction and meaning of Eq. 23, Eq. 25 against its prose, the hull ([`hull_volume`](mechanics::convex_hull::hull_volume)), the arms at a wall ([`def_wall`]).

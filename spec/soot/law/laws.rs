@@ -139,7 +139,7 @@ proptest! {
         let (tangential, rolling) = (spring.perpendicular_to(n), rolling.perpendicular_to(n));
         fn differ<S: Reading>(law: Soot<S>, c: &Contact<f64>, memory: Memory<f64, S::Torsion<f64>>) -> f64 {
             let wrench = law.pair(c, &Coefficients { bonded: 1.0 }, memory, 1e-3).wrench;
-            // What turns equal spheres against each other bends and twists the neck; what turns them alike balances the force across it.
+            // Opposite rotations of equal spheres bend and twist the neck; equal rotations balance the transverse force.
             let moment = (wrench.torque_i - wrench.torque_j) * 0.5;
             let (pull, across) = (-wrench.force.dot(c.n), wrench.force.perpendicular_to(c.n));
             let (expected, found) = (neck_stress(pull, across, moment, c.n, 0.3), law.neck_stress(c, &memory, 0.3));
@@ -256,7 +256,7 @@ fn a_twist_meets_no_lasting_resistance_as_published_and_bends_a_pair_that_turns(
     let (still, slow, quick) = (Vec3::zero(), Vec3::new(0.0, 1e-4, 0.0), Vec3::new(0.0, 1e-3, 0.0));
     assert!((after_a_twist(law, along(1.0), still).0 - 2e-3).abs() > 1e-6);
     assert!((after_a_twist(read(law, Programmed), along(1.0), still).0 - 2e-3).abs() < 1e-12);
-    // How fast the pair turns decides where it is bent, not how much.
+    // The rate at which the pair rotates determines where it is bent, not how much.
     let [bent, more] = [slow, quick].map(|turning| after_a_twist(read(law, Programmed), along(1.0), turning).1);
     assert!((more / bent - 1.0).abs() < 0.01);
     assert!(after_a_twist(law, along(1.0), quick).1 < 0.02 * bent);
