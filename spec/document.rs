@@ -12,9 +12,9 @@ pub struct Document {
     pub formula: String,
     /// Errata, ambiguities, signs, and the choice made.
     pub reading: String,
-    /// What goes in, in the order of the function's arguments.
+    /// Inputs, in the order of the function's arguments.
     pub arguments: Vec<Quantity>,
-    /// What comes out.
+    /// Results.
     pub results: Vec<Quantity>,
     /// Names of the tests that prove the equation.
     pub laws: Vec<String>,
@@ -35,9 +35,9 @@ pub struct Quantity {
     pub exponents: Exponents,
     /// 1 for a scalar, 3 for a vector, 9 for a tensor.
     pub size: usize,
-    /// Values it may have.
+    /// Allowed values.
     pub domain: Domain,
-    /// What it is.
+    /// Meaning, in words.
     pub meaning: String,
 }
 

@@ -1,8 +1,8 @@
 //! The list of all equations, as data.
 //!
-//! A room of the specification ends with one line, `equation!("wear-3", ["3"], normal_force)`. From it come the golden
+//! A room of the specification ends with one line, `equation!("wear-3", ["3"], normal_force)`. It yields the golden
 //! vectors, the unit check, the rounding bounds, the index, the benches and `veridem eq`. Names, units and domains are
-//! not repeated there: they are read from the table in the function's documentation .
+//! not repeated there: they are read from the table in the function's documentation.
 
 use crate::numbers::Lanes;
 use crate::{Real, Tensor, Vec3};

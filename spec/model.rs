@@ -2,7 +2,7 @@
 
 use crate::{Contact, Real, Vec3};
 
-/// The action of a pair: forces and torques, never accelerations, so that Newton's third law can be seen.
+/// The action of a pair: forces and torques, never accelerations, so that Newton's third law is visible.
 #[derive(Clone, Copy, Debug)]
 pub struct Wrench<R> {
     /// Force on `i`, N; the force on `j` is its negative.
@@ -26,7 +26,7 @@ impl<R: Real> Wrench<R> {
 pub struct Outcome<R, M, L> {
     /// Forces and torques now.
     pub wrench: Wrench<R>,
-    /// The springs to start the next step from.
+    /// The springs with which the next step starts.
     pub memory: M,
     /// Energy lost in this step, J, by cause.
     pub losses: L,
@@ -172,13 +172,13 @@ macro_rules! flat_struct {
 ///
 /// Units are those of SI here; any consistent system will do. The engine calls it with nm, ag and ns, hence pN and zJ.
 pub trait PairModel: Sync {
-    /// What stays constant while two spheres are neighbours.
+    /// Constants of a pair while its spheres are neighbours.
     type Coefficients<R: Real>: Flat<R>;
-    /// The springs of a contact; all zero when it is born.
+    /// The springs of a contact; all zero for a new contact.
     type Memory<R: Real>: Flat<R>;
-    /// What one time step turns into heat, J, by cause.
+    /// Energy dissipated in one time step, J, by cause.
     type Losses<R: Real>: Named<R>;
-    /// What a pair holds, J, by cause; all zero for spheres far apart.
+    /// Energy stored in a pair, J, by cause; all zero for spheres far apart.
     type Stored<R: Real>: Named<R>;
 
     /// The constants of a pair of given radii (m) and masses (kg).
@@ -187,7 +187,7 @@ pub trait PairModel: Sync {
     fn joined<R: Real>(&self, constants: Self::Coefficients<R>) -> Self::Coefficients<R> {
         constants
     }
-    /// Whether friction is limited by what it may stop in a step, which [`turning`](Self::turning) is told.
+    /// Whether friction is limited by the inertia it may stop in a step, which [`turning`](Self::turning) receives.
     const FRICTION_STOPS: bool = false;
     /// The constants of a pair of which the engine knows what its friction may stop: the reduced moment of inertia (kg m²) of two spheres, or
     /// of the rigid bodies that they are parts of, each shared by all contacts that touch.
@@ -204,8 +204,8 @@ pub trait PairModel: Sync {
         memory: Self::Memory<R>,
         dt: R,
     ) -> Outcome<R, Self::Memory<R>, Self::Losses<R>>;
-    /// The springs that a pair keeps when the neighbour list is rebuilt, and the energy lost with the others, J, by cause: all are kept unless a
-    /// program is to be followed that forgets some.
+    /// The springs that a pair keeps when the neighbour list is rebuilt, and the energy lost with the others, J, by cause: all are kept unless
+    /// the model follows a program that resets some.
     fn relisted<R: Real>(
         &self,
         _c: &Contact<R>,
@@ -216,7 +216,7 @@ pub trait PairModel: Sync {
     }
     /// Whether most pairs in range only attract or repel each other along the line of centres: those need not be evaluated in full.
     const MOSTLY_FAR: bool = false;
-    /// The pairs that must be evaluated in full; every other has no spring and [`far`](Self::far) is all that acts.
+    /// The pairs that must be evaluated in full; all others have no spring, and only [`far`](Self::far) acts.
     fn is_near<R: Real>(&self, _c: &Contact<R>, _k: &Self::Coefficients<R>) -> R::Mask {
         R::zero().le(R::zero())
     }
@@ -224,7 +224,7 @@ pub trait PairModel: Sync {
     fn far<R: Real>(&self, _c: &Contact<R>) -> Vec3<R> {
         Vec3::zero()
     }
-    /// The energy that a pair holds.
+    /// The energy stored in a pair.
     fn stored<R: Real>(&self, c: &Contact<R>, k: &Self::Coefficients<R>, memory: &Self::Memory<R>) -> Self::Stored<R>;
     /// Largest stable time step of two equal spheres in contact, s.
     fn critical_time_step(&self, r: f64, m: f64) -> f64;

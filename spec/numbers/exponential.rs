@@ -1,4 +1,4 @@
-//! The exponential function without a branch: a pair loop that calls it can still compute several pairs at once.
+//! The exponential function without a branch: a pair loop that calls it can still be vectorised.
 //!
 //! Plain additions and multiplications, so every instruction set gives the same bits. At most 1 ULP from the exact value
 //! where that is a normal number.
