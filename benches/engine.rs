@@ -13,7 +13,9 @@ use veridem::papers::parse;
 use veridem::papers::soot::{self, Plan};
 use veridem::run::{Study, advance};
 use veridem::simulation::Simulation;
+use veridem::spec::Vec3;
 use veridem::spec::soot::Along;
+use veridem::system::{Mesh, Shape};
 
 const CRYSTALS: [[usize; 3]; 2] = [[18, 12, 7], [29, 17, 26]];
 
@@ -56,6 +58,38 @@ fn restructuring(criterion: &mut Criterion) {
     group.finish();
 }
 
+/// An aggregate above a square of two and of 3,200 triangles, on one core.
+fn surface(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("step of a soot aggregate above a square");
+    let file = Path::new("deposition");
+    let text = "title: t\nmodel: {soot: {}}\nsample: {aggregate: {spheres: 30}}\nexperiment: {deposition: {}}\n";
+    let plan = Plan::of(&parse::<soot::Soot>(file, text).expect("a case of defaults"), Along);
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
+    for n in [1, 40] {
+        let initial = plan.initial(&Interrupt::default()).expect("an aggregate");
+        let mut system = plan.set_up(0, initial).expect("an aggregate above a substrate");
+        let corner =
+            |i: usize, j: usize| Vec3([600.0 * i as f64 / n as f64 - 200.0, 600.0 * j as f64 / n as f64 - 200.0, 0.0]);
+        let squares = (0..n).flat_map(|i| (0..n).map(move |j| (i, j)));
+        let triangles = squares.flat_map(|(i, j)| {
+            let [a, b, c, d] = [corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)];
+            [[a, b, c], [a, c, d]]
+        });
+        let triangles: Vec<_> = triangles.collect();
+        let lowest = system.particles.x.iter().map(|x| x.0[2]).fold(f64::INFINITY, f64::min);
+        let down = Vec3([0.0, 0.0, 15.0 - lowest]);
+        system.particles.x.iter_mut().for_each(|x| *x = *x + down);
+        system.particles.v.fill(Vec3([0.0; 3]));
+        system.surfaces[0].shape = Shape::Mesh(Mesh::new(&triangles).expect("a square"));
+        let settings = plan.settings(0, &system);
+        let mut simulation = Simulation::new(plan.model(0), system, settings).expect("a stable step");
+        group.bench_function(format!("{} triangles", triangles.len()), |b| {
+            pool.install(|| b.iter(|| advance(&mut simulation, 1).expect("a stable aggregate")));
+        });
+    }
+    group.finish();
+}
+
 /// Growing an aggregate of 150 spheres, another one each time.
 fn growth(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("grow an aggregate of 150 spheres");
@@ -88,6 +122,6 @@ fn list(criterion: &mut Criterion) {
 criterion_group! {
     name = all;
     config = Criterion::default().sample_size(20).warm_up_time(Duration::from_secs(1)).measurement_time(Duration::from_secs(3));
-    targets = step, restructuring, growth, list
+    targets = step, restructuring, surface, growth, list
 }
 criterion_main!(all);

@@ -249,18 +249,27 @@ pub trait PairModel: Sync {
         let wrench = Wrench { force: zero, torque_i: zero, torque_j: zero };
         Outcome { wrench, memory, losses: Flat::from_fn(|_| 0.0) }
     }
-    /// The force with which a surface attracts a sphere from its nearest point, N.
+    /// The force with which a place of a surface attracts a sphere, N.
     fn surface_pull(&self, _material: usize, _touch: &Touch<f64>) -> f64 {
         0.0
     }
-    /// The energy that the springs of a contact hold, and, at the `nearest` point of the surface, its attraction.
+    /// The energy of this attraction, J.
+    fn surface_energy(&self, _material: usize, _touch: &Touch<f64>) -> f64 {
+        0.0
+    }
+    /// The energy that the springs of a contact hold, and the share of its place in the energy of attraction, J.
     fn surface_stored(
         &self,
         _material: usize,
         _touch: &Touch<f64>,
         _memory: &Self::Memory<f64>,
-        _nearest: bool,
+        _share: f64,
     ) -> Self::Stored<f64> {
         Flat::from_fn(|_| 0.0)
+    }
+    /// The share of a place in the attraction of a surface beside a nearer place, and its gradient, by the vectors from the places to the
+    /// centre and their changes when the centre is displaced by the other.
+    fn surface_share(&self, _sight: [Vec3<f64>; 2], _change: [Vec3<f64>; 2]) -> (f64, Vec3<f64>) {
+        (0.0, Vec3::zero())
     }
 }

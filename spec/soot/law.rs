@@ -1,6 +1,7 @@
 //! The contact law, composed from its equations, for an engine.
 
 use super::def_body_forces::Attraction;
+use super::def_facets::{facet_share, facet_share_slope};
 use super::def_neck_stress::neck_stress;
 use super::eq12_spring_force::turning_torque;
 use crate::mechanics::contact_kinematics::ContactKinematics;
@@ -189,15 +190,23 @@ impl<S: Reading> PairModel for Soot<S> {
         self.walls[material].pull(touch.gap, touch.r)
     }
 
+    fn surface_energy(&self, material: usize, touch: &Touch<f64>) -> f64 {
+        self.walls[material].energy(touch.gap, touch.r)
+    }
+
+    fn surface_share(&self, [d, d_0]: [Vec3<f64>; 2], [q_d_0, q_0_d]: [Vec3<f64>; 2]) -> (f64, Vec3<f64>) {
+        (facet_share(d, d_0), facet_share_slope(d, d_0, q_d_0, q_0_d))
+    }
+
     fn surface_stored(
         &self,
         material: usize,
         touch: &Touch<f64>,
         memory: &Self::Memory<f64>,
-        nearest: bool,
+        share: f64,
     ) -> Stored<f64> {
         let (wall, &Touch { gap, r, .. }) = (&self.walls[material], touch);
-        let van_der_waals = if nearest { wall.energy(gap, r) } else { 0.0 };
+        let van_der_waals = share * wall.energy(gap, r);
         let [normal, tangential, rolling, torsion] = wall.stored(gap, memory);
         Stored { necks: 0.0, normal, tangential, rolling, torsion, van_der_waals, capillary: 0.0 }
     }

@@ -22,6 +22,7 @@
 pub mod def_body_forces;
 pub mod def_contact;
 pub mod def_convexity;
+pub mod def_facets;
 pub mod def_filter;
 pub mod def_neck_stress;
 pub mod def_wall;
@@ -73,6 +74,7 @@ fn equations() -> Vec<Equation> {
         eq18_hamaker::equations(),
         eq19_equal_hamaker::equations(),
         eq21_hamaker_plane::equations(),
+        def_facets::equations(),
         eq23_capillary::equations(),
         def_body_forces::equations(),
         eq24_fractal::equations(),

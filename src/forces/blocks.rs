@@ -10,6 +10,7 @@ use super::layout::{CAPACITY, LANES, bond, no_loads};
 use super::pairs::{FarPairs, Pairs, Places, row_and_lane};
 use crate::error::Reason;
 use crate::geometry::Neighbour;
+use crate::geometry::triangles::NearTriangles;
 use crate::spec::{PairModel, Vec3};
 use crate::system::Springs;
 use crate::system::{Domain, Image, Particles};
@@ -45,6 +46,8 @@ pub struct Block<M: PairModel> {
     pub incoming: Vec<(u32, u32, u32)>,
     /// The loads on its spheres in the last step, own and halo.
     pub loads: Box<[Load; CAPACITY]>,
+    /// The triangles near its own spheres, for each surface.
+    pub near: Vec<Vec<NearTriangles>>,
 }
 
 impl<M: PairModel> Block<M> {
@@ -154,7 +157,8 @@ pub fn partition<M: PairModel>(
             let far = FarPairs::arrange(&places, &far);
             let pairs = Pairs::arrange(model, &places, [&joined, &near, &others], necks, springs);
             let touchable = Vec::new();
-            let mut block = Block { own, halo, pairs, touchable, far, incoming: Vec::new(), loads: no_loads() };
+            let mut block =
+                Block { own, halo, pairs, touchable, far, incoming: Vec::new(), loads: no_loads(), near: Vec::new() };
             if M::FRICTION_STOPS {
                 block.touchable = block.each_touchable(particles, (x, domain, skin), necks).collect();
             }

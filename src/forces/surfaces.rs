@@ -1,7 +1,7 @@
 //! The forces of surfaces on the spheres in contact with them.
 
 use super::{Block, Load};
-use crate::geometry::triangles::DistanceMinimum;
+use crate::geometry::triangles::{DistanceMinimum, NearTriangles, Support};
 use crate::spec::numbers::Lanes;
 use crate::spec::{Flat, Outcome, PairModel, Touch, Vec3};
 use crate::system::{ContactTable, Forces, Particles, Surface};
@@ -62,17 +62,23 @@ impl<M: PairModel> SurfaceTotals<M> {
 /// loads of the block.
 pub fn surface_forces<M: PairModel>(
     model: &M,
-    surface: &Surface,
+    (number, surface): (usize, &Surface),
     particles: &Particles,
     block: &mut Block<M>,
     dt: f64,
 ) -> SurfaceTotals<M> {
     let mut totals = SurfaceTotals::default();
     let mut seen = Vec::new();
-    for (place, p) in block.own.clone().enumerate() {
-        each_touch(model, surface, particles, p, &mut seen, |at, touch, springs, nearest| {
-            let (id, load) = (particles.id[p], &mut block.loads[place]);
-            *load = *load + totals.enter(model, surface, (id, at, nearest), touch, springs, dt);
+    let Block { own, near, loads, .. } = block;
+    if near.len() <= number {
+        near.resize(number + 1, vec![NearTriangles::default(); own.len()]);
+    }
+    for (place, p) in own.clone().enumerate() {
+        let near = &mut near[number][place];
+        let mut minima = |x, reach, found: &mut Vec<_>| near.distance_minima(surface, x, reach, found);
+        each_touch(model, surface, particles, p, (&mut seen, &mut minima), |at, touch, springs, share| {
+            let (id, load) = (particles.id[p], &mut loads[place]);
+            *load = *load + totals.enter(model, surface, (id, at, share), touch, springs, dt);
         });
     }
     totals
@@ -84,7 +90,7 @@ impl<M: PairModel> SurfaceTotals<M> {
         &mut self,
         model: &M,
         surface: &Surface,
-        (sphere, at, nearest): (u32, &DistanceMinimum, bool),
+        (sphere, at, share): (u32, &DistanceMinimum, Share),
         touch: &Touch<f64>,
         springs: Option<M::Memory<f64>>,
         dt: f64,
@@ -103,8 +109,7 @@ impl<M: PairModel> SurfaceTotals<M> {
         }
         let contact = touch.n * force.dot(touch.n);
         let friction = force - contact;
-        let pull = if nearest { model.surface_pull(material, touch) } else { 0.0 };
-        let van_der_waals = -(touch.n * pull);
+        let van_der_waals = share.attraction(model, material, touch);
         self.force = self.force.and(Forces { contact, friction, van_der_waals });
         let force = force + van_der_waals;
         self.power += force.dot(touch.v + surface.velocity) + torque.dot(touch.omega);
@@ -117,15 +122,50 @@ impl<M: PairModel> SurfaceTotals<M> {
     }
 }
 
-/// Shows every place where a surface acts on a free sphere, with the springs of the contact there if it is not new, the nearest place first; then
-/// the contact points that the sphere has left since the last step, out of contact and at rest, whose springs have not been released yet.
+/// The share of a place in the attraction of its surface, and its gradient, 1/nm.
+#[derive(Clone, Copy, Debug)]
+pub struct Share {
+    /// The share.
+    pub value: f64,
+    slope: Vec3<f64>,
+}
+
+impl Share {
+    const NOTHING: Self = Self { value: 0.0, slope: Vec3([0.0; 3]) };
+    const WHOLE: Self = Self { value: 1.0, slope: Vec3([0.0; 3]) };
+
+    /// The share of a minimum of the distance beside nearer ones: the smallest counts.
+    fn beside<M: PairModel>(model: &M, nearer: &[DistanceMinimum], at: &DistanceMinimum) -> Self {
+        nearer.iter().fold(Self::WHOLE, |least, other| {
+            let [d, d_0] = [at.sight(), other.sight()];
+            let (value, slope) = model.surface_share([d, d_0], [at.change_of_sight(d_0), other.change_of_sight(d)]);
+            if value < least.value { Self { value, slope } } else { least }
+        })
+    }
+
+    /// The force of attraction: minus the gradient of the share times the energy.
+    fn attraction<M: PairModel>(self, model: &M, material: usize, touch: &Touch<f64>) -> Vec3<f64> {
+        if self.value == 0.0 {
+            return Vec3::zero();
+        }
+        let force = -(touch.n * (self.value * model.surface_pull(material, touch)));
+        if self.value == 1.0 { force } else { force - self.slope * model.surface_energy(material, touch) }
+    }
+}
+
+/// Adds to a list the minima of the distance of a surface from a point within a reach.
+pub type Minima<'a> = &'a mut dyn FnMut(Vec3<f64>, f64, &mut Vec<DistanceMinimum>);
+
+/// Shows every place where a surface acts on a free sphere, with the springs of the contact there if it is not new and its share in the attraction,
+/// the nearest place first; then the contact points that the sphere has left since the last step, out of contact and at rest, whose springs have not
+/// been released yet.
 pub fn each_touch<M: PairModel>(
     model: &M,
     surface: &Surface,
     particles: &Particles,
     p: usize,
-    seen: &mut Vec<DistanceMinimum>,
-    mut show: impl FnMut(&DistanceMinimum, &Touch<f64>, Option<M::Memory<f64>>, bool),
+    (seen, minima): (&mut Vec<DistanceMinimum>, Minima),
+    mut show: impl FnMut(&DistanceMinimum, &Touch<f64>, Option<M::Memory<f64>>, Share),
 ) {
     if particles.wall[p] > 0 {
         return;
@@ -133,14 +173,14 @@ pub fn each_touch<M: PairModel>(
     let Particles { x, v, w, radius, id, .. } = particles;
     seen.clear();
     let just = (1.0 + JUST) * radius[p];
-    surface.distance_minima(x[p], model.surface_range(surface.material, radius[p]).max(just), just, seen);
+    minima(x[p], model.surface_range(surface.material, radius[p]).max(just), seen);
     let mut contacts = surface.contacts.of(id[p]);
     for (k, at) in seen.iter().enumerate() {
         let (gap, v) = (at.distance - radius[p], v[p] - surface.velocity);
         let touch = Touch { n: at.n, gap, v, omega: w[p], r: radius[p] };
-        let springs = contacts.take(at.place, JUMP * radius[p]);
+        let springs = if at.distance < just { contacts.take(at.place, JUMP * radius[p]) } else { None };
         let springs = springs.map(|springs| Flat::from_fn(|k| springs[k]));
-        show(at, &touch, springs, k == 0);
+        show(at, &touch, springs, Share::beside(model, &seen[..k], at));
     }
     for (place, springs) in contacts.rest() {
         let from = x[p] - surface.way - place;
@@ -148,6 +188,7 @@ pub fn each_touch<M: PairModel>(
         let n = if distance > 0.0 { from * (1.0 / distance) } else { Vec3([0.0, 0.0, 1.0]) };
         let touch =
             Touch { n, gap: (distance - radius[p]).max(0.0), v: Vec3::zero(), omega: Vec3::zero(), r: radius[p] };
-        show(&DistanceMinimum { n, distance, place }, &touch, Some(Flat::from_fn(|k| springs[k])), false);
+        let left = DistanceMinimum { n, distance, place, support: Support::Corner };
+        show(&left, &touch, Some(Flat::from_fn(|k| springs[k])), Share::NOTHING);
     }
 }

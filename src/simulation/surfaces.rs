@@ -2,7 +2,7 @@
 
 use super::{Simulation, SurfaceAccount};
 use crate::error::{Halt, Reason};
-use crate::forces::{SurfaceTotals, each_touch, surface_forces};
+use crate::forces::{Minima, SurfaceTotals, each_touch, surface_forces};
 use crate::spec::mechanics::work::work;
 use crate::spec::{Flat, PairModel, Vec3};
 use rayon::prelude::*;
@@ -33,7 +33,7 @@ impl<M: PairModel> Simulation<M> {
     /// Adds the forces of a surface to the loads on the spheres, with the springs of its contacts advanced by `dt`.
     pub(super) fn totals_of(&mut self, s: usize, dt: f64) -> Result<SurfaceTotals<M>, Halt> {
         let (model, particles, surface) = (&self.model, &self.system.particles, &self.system.surfaces[s]);
-        let one = |block| surface_forces(model, surface, particles, block, dt);
+        let one = |block| surface_forces(model, (s, surface), particles, block, dt);
         let parts: Vec<SurfaceTotals<M>> = if self.blocks.len() < MANY {
             self.blocks.iter_mut().map(one).collect()
         } else {
@@ -51,9 +51,11 @@ impl<M: PairModel> Simulation<M> {
         let mut seen = Vec::new();
         for surface in &self.system.surfaces {
             for p in 0..self.system.particles.len() {
-                each_touch(&self.model, surface, &self.system.particles, p, &mut seen, |_, touch, springs, nearest| {
+                let mut minima = |x, reach, found: &mut Vec<_>| surface.distance_minima(x, reach, found);
+                let finder = (&mut seen, &mut minima as Minima);
+                each_touch(&self.model, surface, &self.system.particles, p, finder, |_, touch, springs, share| {
                     let springs = springs.unwrap_or(Flat::from_fn(|_| 0.0));
-                    let stored = self.model.surface_stored(surface.material, touch, &springs, nearest);
+                    let stored = self.model.surface_stored(surface.material, touch, &springs, share.value);
                     for (k, sum) in sums.iter_mut().enumerate() {
                         *sum += stored.at(k);
                     }

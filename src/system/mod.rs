@@ -12,6 +12,7 @@ pub use body::{Body, Pose};
 pub use domain::{Domain, Image};
 pub use history::{Bond, Springs};
 pub use mesh::Mesh;
+pub(crate) use mesh::{Leaf, Tree};
 pub use steering::Steering;
 pub use surface::{ContactTable, Forces, PrescribedMotion, Shape, Surface};
 pub use wall::{Motion, Wall};

@@ -12,8 +12,8 @@ use crate::{Real, Touch};
 /// # Reading
 ///
 /// In the paper the tip consists of facets, each of which acts on a sphere. Here facets that share an edge or a corner share the contact there: a sphere has one contact with a surface, or
-/// one for each place where its distance from the surface is least. Eq. 22, the force of a whole half-space, acts once, from the nearest point: the distance of a centre from a surface is a
-/// continuous function of its position, and so is the energy. Below a corner a half-space exceeds the actual body, so the force is an upper bound; the published program adds
+/// one for each place where its distance from the surface has a minimum. From each of these places Eq. 22, the force of a whole half-space, attracts, with the share that
+/// [`facet_share`](super::super::def_facets::facet_share) gives it. Below a corner a half-space exceeds the actual body, so the force is an upper bound; the published program adds
 /// the half-spaces of all facets and gives three times this force below the apex.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wall {
@@ -43,7 +43,7 @@ impl Wall {
         self.springs().grip_in(order, &lifted(&self.friction), never::<R>(), &at, memory, dt)
     }
 
-    /// The attraction of the nearest point, N.
+    /// The attraction, N.
     #[inline(always)]
     pub fn pull<R: Real>(&self, gap: R, r: R) -> R {
         self.within(r + gap, plane_force(r, gap.max(R::lit(self.delta_0)), R::lit(self.hamaker)))

@@ -76,12 +76,12 @@ impl Mesh {
         }
         let across = across(&triangles, &numbers)?;
         let closed = across.iter().flatten().all(|&neighbour| neighbour != u32::MAX);
-        Ok(Self { vertices, triangles, across, faces, corners, closed, bounds })
+        Ok(Self { vertices, triangles, across, faces, corners, closed, bounds, tree: Default::default() })
     }
 
     /// The same surface displaced.
     pub fn displaced(&self, by: Vec3<f64>) -> Self {
-        let mut mesh = self.clone();
+        let mut mesh = Self { tree: Default::default(), ..self.clone() };
         mesh.vertices.iter_mut().chain(&mut mesh.bounds).for_each(|x| *x = *x + by);
         mesh
     }

@@ -2,7 +2,9 @@
 
 use super::*;
 use crate::spec::Real;
+use crate::system::Leaf;
 use proptest::prelude::*;
+use rstar::{AABB, RTree};
 
 type Corners = [Vec3<f64>; 3];
 
@@ -48,9 +50,15 @@ fn mesh(triangles: &[Corners]) -> Mesh {
     Mesh::new(triangles).expect("a surface")
 }
 
+/// A triangle that every search finds.
+fn anywhere(triangle: usize) -> Leaf {
+    let [low, high] = [-1e9, 1e9f64].map(|place| [place, place, place, place.signum(), place.signum(), place.signum()]);
+    Leaf { triangle, envelope: AABB::from_corners(low, high) }
+}
+
 fn seen(mesh: &Mesh, p: Vec3<f64>, touch: f64) -> Vec<DistanceMinimum> {
     let mut found = Vec::new();
-    mesh.distance_minima(p, 100.0, touch, &mut found);
+    mesh.distance_minima(p, touch, &mut found);
     found
 }
 
@@ -108,6 +116,30 @@ proptest! {
         let (few, many) = (seen(&coarse, p, 50.0), seen(&fine, p, 50.0));
         prop_assert_eq!((few.len(), many.len()), (1, 1));
         prop_assert!((few[0].place - many[0].place).norm() < 1e-9 && (few[0].n - many[0].n).norm() < 1e-6);
+    }
+
+    #[test]
+    fn a_tree_finds_what_looking_at_every_triangle_finds(p in places(), cuts in 1usize..5, reach in 0.1..9.0, open in any::<bool>(), order in any::<u64>()) {
+        // A box, or a box without its last face: its inside is a room with concave corners.
+        let mut triangles = cuboid(SIDES, cuts);
+        triangles.truncate(triangles.len() - if open { 2 * cuts * cuts } else { 0 });
+        let (tree, all) = (mesh(&triangles), mesh(&triangles));
+        let leaves = RTree::bulk_load((0..triangles.len()).map(anywhere).collect());
+        let every = Tree { leaves, ..Tree::of(&all) };
+        all.tree.0.set(Box::new(every)).expect("no tree yet");
+        let found = seen(&tree, p, reach);
+        // On the surface there is no normal.
+        prop_assume!(found.iter().all(|minimum| minimum.distance.abs() > 1e-3));
+        prop_assert_eq!(&found, &seen(&all, p, reach));
+        // The order of the triangles is of no account, unless several places inside a body are equally near.
+        prop_assume!(found.iter().all(|minimum| minimum.distance > 0.0));
+        let shift = order as usize % triangles.len();
+        triangles.rotate_left(shift);
+        let other = seen(&mesh(&triangles), p, reach);
+        prop_assert_eq!(found.len(), other.len());
+        for a in found {
+            prop_assert!(other.iter().any(|b| (a.place - b.place).norm() < 1e-9 && (a.n - b.n).norm() < 1e-6), "{:?} {:?}", a, other);
+        }
     }
 
     #[test]

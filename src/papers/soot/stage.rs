@@ -121,7 +121,7 @@ fn is_met_first(Particles { x, radius, .. }: &Particles, p: usize, tip: &Surface
     let mut seen = Vec::new();
     let mut gap = |q: usize| {
         seen.clear();
-        tip.distance_minima(x[q], f64::INFINITY, 0.0, &mut seen);
+        tip.distance_minima(x[q], f64::INFINITY, &mut seen);
         seen[0].distance - radius[q]
     };
     let least = gap(p);

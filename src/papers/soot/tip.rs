@@ -21,12 +21,12 @@ mod tests {
         assert!(tip.is_closed());
         assert_eq!(tip.bounds(), [Vec3([-84.0, -42.0, 0.0]), Vec3([84.0, 84.0, 70.0])]);
         let mut seen = Vec::new();
-        tip.distance_minima(Vec3([0.0, 0.0, -3.0]), 14.0, 14.0, &mut seen);
+        tip.distance_minima(Vec3([0.0, 0.0, -3.0]), 14.0, &mut seen);
         assert_eq!(seen.len(), 1);
         assert_eq!((seen[0].n, seen[0].distance), (Vec3([0.0, 0.0, -1.0]), 3.0));
         // A sphere inside it has a negative distance.
         seen.clear();
-        tip.distance_minima(Vec3([0.0, 0.0, 30.0]), 100.0, 14.0, &mut seen);
+        tip.distance_minima(Vec3([0.0, 0.0, 30.0]), 100.0, &mut seen);
         assert_eq!(seen.len(), 1);
         assert!(seen[0].distance < 0.0);
     }

@@ -245,7 +245,7 @@ fn spheres_on(Particles { x, radius, .. }: &Particles, surface: &Surface) -> u64
     let mut seen = Vec::new();
     let near = |p: usize| {
         seen.clear();
-        surface.distance_minima(x[p], (1.0 + 2.0 * NEIGHBOURLY) * radius[p], 0.0, &mut seen);
+        surface.distance_minima(x[p], (1.0 + 2.0 * NEIGHBOURLY) * radius[p], &mut seen);
         !seen.is_empty()
     };
     (0..x.len()).map(near).filter(|near| *near).count() as u64
