@@ -1,6 +1,10 @@
 //! Requests to stop before the end: a signal, a limit of time or of steps.
 
 use crate::error::Error;
+#[cfg(unix)]
+use signal_hook::consts::{SIGHUP, SIGXCPU, SIGXFSZ};
+use signal_hook::consts::{SIGINT, SIGTERM};
+use signal_hook::flag;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
@@ -14,19 +18,26 @@ pub struct Interrupt {
 }
 
 impl Interrupt {
-    /// Stops on SIGINT and SIGTERM, after `time` of the wall clock, and after a number of steps of this process.
+    /// Stops on SIGINT, SIGTERM, SIGHUP and SIGXCPU, after `time` of the wall clock, and after a number of steps of this process.
     ///
     /// # Errors
     ///
     /// If the operating system refuses a signal handler.
     pub fn new(time: Option<Duration>, steps: Option<u64>) -> std::io::Result<Self> {
         let signal = Arc::new(AtomicBool::new(false));
-        for number in [signal_hook::consts::SIGINT, signal_hook::consts::SIGTERM] {
-            // The second signal ends the process at once: nothing that was written before is harmed.
-            signal_hook::flag::register_conditional_shutdown(number, 75, signal.clone())?;
-            signal_hook::flag::register(number, signal.clone())?;
+        #[cfg(unix)]
+        for number in [SIGHUP, SIGXCPU].into_iter().filter(|&number| number != SIGHUP || !hangup_is_ignored()) {
+            // The system may repeat them at any time.
+            flag::register(number, signal.clone())?;
         }
-        Ok(Self { signal, deadline: time.map(|time| Instant::now() + time), steps })
+        for number in [SIGINT, SIGTERM] {
+            // The same signal a second time ends the process at once: nothing that was written before is harmed.
+            let first = Arc::new(AtomicBool::new(false));
+            flag::register_conditional_shutdown(number, 75, first.clone())?;
+            flag::register(number, first)?;
+            flag::register(number, signal.clone())?;
+        }
+        Ok(Self { signal, deadline: time.and_then(|time| Instant::now().checked_add(time)), steps })
     }
 
     /// The same wish, and to stop after `time` of the wall clock.
@@ -48,8 +59,28 @@ impl Interrupt {
     ///
     /// # Errors
     ///
-    /// [`Error::Stopped`] if a signal has come or the time is over.
+    /// [`Error::Interrupted`] if a signal has come or the time is over.
     pub fn check(&self) -> Result<(), Error> {
-        if self.is_due() { Err(Error::Stopped(None)) } else { Ok(()) }
+        if self.is_due() { Err(Error::Interrupted) } else { Ok(()) }
     }
+}
+
+/// Whether the process was told to ignore the end of its terminal, as by `nohup`.
+#[cfg(unix)]
+fn hangup_is_ignored() -> bool {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let ignored = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    let ignored = ignored.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok());
+    ignored.is_some_and(|mask| mask >> (SIGHUP - 1) & 1 == 1)
+}
+
+/// Lets a write beyond the size that the system allows for a file fail instead of ending the process.
+///
+/// # Errors
+///
+/// If the operating system refuses a signal handler.
+pub fn outlive_file_limits() -> std::io::Result<()> {
+    #[cfg(unix)]
+    flag::register(SIGXFSZ, Arc::new(AtomicBool::new(false)))?;
+    Ok(())
 }

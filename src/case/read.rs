@@ -3,7 +3,7 @@
 use super::Case;
 use super::check::{self, Found};
 use super::section::Part;
-use crate::error::{Error, Problem};
+use crate::error::{Error, Problem, read_file};
 use serde::de::{DeserializeSeed, Deserializer, IgnoredAny, MapAccess, Visitor};
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 ///
 /// If the file cannot be read, or is not UTF-8.
 pub fn read_text(file: &Path) -> Result<String, Error> {
-    std::fs::read_to_string(file).map_err(|cause| Error::NoInput(file.into(), cause))
+    String::from_utf8(read_file(file)?).map_err(|_| Error::input(file, "is not a text in UTF-8"))
 }
 
 /// Parses a case file whose sections are known, completes it and checks it; `problems` finds errors beyond its grammar.

@@ -41,8 +41,12 @@ fn summarise(root: &Path, papers: Papers, manner: OutputMode) -> Result<(), Erro
         let summary = json!({ "title": title, "manifest": manifest, "state": state, "results": findings });
         return print(&format!("{summary:#}\n"));
     }
-    let mut text =
-        format!("{}\n{:?}, {} rows, commit {}\n\n", title, manifest.status, series.rows.len(), manifest.commit);
+    let mut text = format!(
+        "{title}\n{}, {} rows, commit {}\n\n",
+        manifest.status_word(&folder),
+        series.rows.len(),
+        manifest.commit
+    );
     for (column, cell) in state {
         text.push_str(&format!("{column:36}  {cell}\n"));
     }

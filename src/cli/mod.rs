@@ -15,6 +15,7 @@ mod schema;
 mod sweep;
 
 use crate::error::Error;
+use crate::interrupt::outlive_file_limits;
 use crate::papers::Papers;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use serde_json::json;
@@ -39,7 +40,7 @@ pub struct CommandLine {
 }
 
 const EXIT_CODES: &str = "Exit status: 0 done, 2 wrong command line, 4 verification failed, 5 simulation halted, \
-65 wrong input, 66 no input, 70 broken invariant, 74 I/O failure, 75 stopped and resumable";
+65 wrong input, 66 no input, 70 broken invariant, 74 I/O failure, or interrupted with nothing to resume, 75 stopped and resumable";
 
 #[derive(Subcommand)]
 enum Command {
@@ -93,16 +94,25 @@ pub fn command(papers: Papers) -> clap::Command {
 
 /// Runs the program for these papers: parses the command line, executes the command, and returns the exit status.
 pub fn main(papers: Papers) -> ExitCode {
-    let matches = command(papers).try_get_matches().unwrap_or_else(|error| refuse(&error));
-    let command_line = CommandLine::from_arg_matches(&matches).unwrap_or_else(|error| refuse(&error));
+    std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| execute(papers))).unwrap_or(ExitCode::from(BROKEN))
+}
+
+/// The exit status after a panic.
+const BROKEN: u8 = 70;
+
+fn execute(papers: Papers) -> ExitCode {
+    let parsed = command(papers).try_get_matches().and_then(|matches| CommandLine::from_arg_matches(&matches));
+    let command_line = match parsed {
+        Ok(command_line) => command_line,
+        Err(error) => return refuse(&error),
+    };
     let manner = OutputMode { json: command_line.json, quiet: command_line.quiet };
     std::panic::set_hook(Box::new(move |panic| {
         let what = format!("broken invariant: {panic}");
         complain(&what);
         if manner.json {
-            print_error(&json!({ "exit": 70, "what": what }));
+            print_error(&json!({ "exit": BROKEN, "what": what }));
         }
-        std::process::exit(70);
     }));
     if manner.quiet {
         crate::error::silence();
@@ -111,6 +121,7 @@ pub fn main(papers: Papers) -> ExitCode {
     let threads = command_line.threads.map_or(0, usize::from);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).use_current_thread();
     pool.build_global().expect("the thread pool is set up once, before it is used");
+    outlive_file_limits().ok();
     let done = match command_line.command {
         Command::Run(arguments) => run::run(&arguments, papers, manner),
         Command::Resume(arguments) => resume::run(&arguments, papers, manner),
@@ -125,11 +136,15 @@ pub fn main(papers: Papers) -> ExitCode {
         Command::Schema(arguments) => schema::run(&arguments, papers, manner),
         Command::Completions(arguments) => completions::run(&arguments, papers, manner),
     };
+    exit(done, manner.json)
+}
+
+fn exit(done: Result<(), Error>, json: bool) -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             complain(&error.to_string());
-            if manner.json {
+            if json {
                 print_error(&error.to_json());
             }
             error.exit_code().into()
@@ -137,12 +152,16 @@ pub fn main(papers: Papers) -> ExitCode {
     }
 }
 
-/// Ends the program for a wrong command line, or with the help that was asked for.
-fn refuse(error: &clap::Error) -> ! {
-    if error.use_stderr() && std::env::args_os().any(|argument| argument == "--json") {
+/// Answers a wrong command line, or with the help that was asked for, which is data.
+fn refuse(error: &clap::Error) -> ExitCode {
+    if !error.use_stderr() {
+        return exit(printed(error.print()), false);
+    }
+    if std::env::args_os().any(|argument| argument == "--json") {
         print_error(&Error::Usage(error.to_string().trim_end().into()).to_json());
     }
-    error.exit()
+    error.print().ok();
+    ExitCode::from(2)
 }
 
 /// Prints an error as JSON, unless the command has printed its result already: standard output holds one document.
@@ -170,7 +189,12 @@ pub(crate) fn complain(text: &str) {
 pub fn print(text: &str) -> Result<(), Error> {
     use std::io::Write;
     PRINTED.store(true, Ordering::Relaxed);
-    match std::io::stdout().write_all(text.as_bytes()) {
+    let mut out = std::io::stdout().lock();
+    printed(out.write_all(text.as_bytes()).and_then(|()| out.flush()))
+}
+
+fn printed(written: std::io::Result<()>) -> Result<(), Error> {
+    match written {
         Err(cause) if cause.kind() != std::io::ErrorKind::BrokenPipe => Err(Error::Io("standard output".into(), cause)),
         _ => Ok(()),
     }

@@ -4,7 +4,7 @@ use super::OutputMode;
 use super::progress::Progress;
 use super::run::{Limits, conclude};
 use crate::error::Error;
-use crate::output::{Manifest, RunFolder, Status};
+use crate::output::RunFolder;
 use crate::papers::Papers;
 use std::path::PathBuf;
 
@@ -22,17 +22,8 @@ pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> 
     let interrupt = arguments.limits.interrupt()?;
     let folder = RunFolder::open(&arguments.run)?;
     let job = papers.read(&folder.case())?;
-    let manifest = Manifest::read(&folder)?;
-    if manifest.status == Status::Finished {
-        return Err(Error::Usage(format!("{}: has finished; there is nothing to resume", arguments.run.display())));
-    }
-    if !manifest.is_ours() {
-        manner.say(
-            "warning: the run was started by another build of this program; it may not continue with the same bits",
-        );
-    }
     let mut progress = Progress::new(manner);
-    let findings = job.resume(&folder, manifest, &interrupt, &mut |message| progress.tell(message));
+    let findings = job.resume(&folder, &interrupt, &mut |message| progress.tell(message));
     progress.finish();
     conclude(&folder, &findings?, manner)
 }

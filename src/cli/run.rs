@@ -6,7 +6,8 @@ use crate::error::Error;
 use crate::interrupt::Interrupt;
 use crate::output::{Finding, RunFolder};
 use crate::papers::Papers;
-use std::path::PathBuf;
+use std::ffi::{OsStr, OsString};
+use std::path::{Component, Path, PathBuf};
 use std::time::Duration;
 
 /// The arguments.
@@ -14,9 +15,9 @@ use std::time::Duration;
 pub(super) struct Arguments {
     /// The case file
     case: PathBuf,
-    /// Name of the run; by default the name of the case file
+    /// Name of the run, a single file name; by default the name of the case file
     #[arg(long)]
-    name: Option<String>,
+    name: Option<OsString>,
     /// Folder in which run folders are created
     #[arg(long, value_name = "FOLDER", default_value = "run")]
     out: PathBuf,
@@ -50,14 +51,24 @@ impl Limits {
 /// Runs the case.
 pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
     let interrupt = arguments.limits.interrupt()?;
-    let stem = || arguments.case.file_stem().unwrap_or_default().to_string_lossy().to_string();
-    let root = arguments.out.join(arguments.name.clone().unwrap_or_else(stem));
+    let name = arguments.name.as_deref().or(arguments.case.file_stem()).unwrap_or_default();
+    if !is_a_name(name) {
+        return Err(Error::Usage(format!("--name: found `{}`, expected a single file name", name.display())));
+    }
+    let root = arguments.out.join(name);
     let job = papers.read(&arguments.case)?;
     let mut progress = Progress::new(manner);
     let ended = job.launch(&root, arguments.force, &interrupt, &mut |message| progress.tell(message));
     progress.finish();
     let (folder, findings) = ended?;
     conclude(&folder, &findings, manner)
+}
+
+/// Whether a folder of this name lies in the folder that it is joined to, on any operating system.
+fn is_a_name(name: &OsStr) -> bool {
+    let mut parts = Path::new(name).components();
+    matches!((parts.next(), parts.next()), (Some(Component::Normal(part)), None) if part == name)
+        && !name.to_string_lossy().contains(['/', '\\', ':', '\0'])
 }
 
 /// Reports the findings.

@@ -8,7 +8,7 @@ use super::{OutputMode, print};
 use crate::case::unmarked;
 use crate::error::Error;
 use crate::interrupt::Interrupt;
-use crate::output::create_folder;
+use crate::output::{Lock, create_folder};
 use crate::papers::Papers;
 use crate::run::sweep::{Point, carry_out, distinct};
 use crate::run::{Message, Reader};
@@ -53,6 +53,7 @@ pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> 
     let out = arguments.out.clone().unwrap_or_else(|| Path::new("run").join(stem));
     let interrupt = arguments.limits.interrupt()?;
     create_folder(&out)?;
+    let _lock = Lock::take(&out)?;
     let mut summary = Summary::open(&out)?;
     for point in &points {
         let before = summary.row(&point.name).cloned();

@@ -67,6 +67,8 @@ pub enum Error {
     Io(PathBuf, io::Error),
     /// A run was stopped and can be resumed from its checkpoint; without a path: several runs, which the same command resumes.
     Stopped(Option<PathBuf>),
+    /// A command was stopped of which nothing is left to resume.
+    Interrupted,
 }
 
 impl Error {
@@ -79,7 +81,7 @@ impl Error {
             Self::Runs(_, _, first) => first.exit_code(),
             Self::Input(_) => 65,
             Self::NoInput(..) => 66,
-            Self::Io(..) => 74,
+            Self::Io(..) | Self::Interrupted => 74,
             Self::Stopped(_) => 75,
         }
     }
@@ -126,6 +128,7 @@ impl fmt::Display for Error {
             Self::Halted(halt, Some(state)) => write!(f, "halted at {halt}; the state is in {}", state.display()),
             Self::Io(path, cause) => write!(f, "{}: {cause}", path.display()),
             Self::Stopped(Some(run)) => write!(f, "stopped; resume with `{} resume {}`", program(), run.display()),
+            Self::Interrupted => f.write_str("interrupted; nothing was kept, and there is nothing to resume"),
             Self::Stopped(None) => f.write_str("stopped; the same command resumes it"),
         }
     }
@@ -150,6 +153,22 @@ impl From<Halt> for Error {
     fn from(halt: Halt) -> Self {
         Self::Halted(halt, None)
     }
+}
+
+/// The error of a file that cannot be opened for reading.
+pub fn not_opened(path: &Path, cause: io::Error) -> Error {
+    use io::ErrorKind::{InvalidFilename, IsADirectory, NotADirectory, NotFound, PermissionDenied};
+    let of_the_name = [NotFound, PermissionDenied, IsADirectory, NotADirectory, InvalidFilename];
+    if of_the_name.contains(&cause.kind()) { Error::NoInput(path.into(), cause) } else { Error::Io(path.into(), cause) }
+}
+
+/// Reads a whole input file.
+///
+/// # Errors
+///
+/// [`Error::NoInput`] if there is no file of that name to be read, [`Error::Io`] if reading it fails.
+pub fn read_file(path: &Path) -> Result<Vec<u8>, Error> {
+    std::fs::read(path).map_err(|cause| not_opened(path, cause))
 }
 
 /// Adds the path to an I/O error.

@@ -1,6 +1,7 @@
 //! The graphs of a report.
 
 use crate::output::Column;
+use crate::output::columns::{RELATIVE_RESIDUAL, TIME};
 
 /// A graph of a report: one column of the series against another.
 #[derive(Clone, Copy, Debug)]
@@ -15,4 +16,14 @@ pub struct Graph {
     pub y: Column,
     /// Words of the events that are marked on the curve of the last stage.
     pub marks: &'static [&'static str],
+}
+
+/// The graph of every run.
+pub(super) const LEDGER: Graph = Graph { name: "ledger", stages: &[], x: TIME, y: RELATIVE_RESIDUAL, marks: &[] };
+/// Name of the graph of the energies of all causes.
+pub(super) const ENERGIES: &str = "energies";
+
+/// The names of all graphs of the report of a run whose paper has these.
+pub fn graph_names(graphs: &[Graph]) -> impl Iterator<Item = &str> {
+    graphs.iter().map(|graph| graph.name).chain([LEDGER.name, ENERGIES])
 }

@@ -9,7 +9,7 @@ mod plot;
 mod report;
 mod snapshot;
 
-pub use graph::Graph;
+pub use graph::{Graph, graph_names};
 #[cfg(feature = "cli")]
 pub use page::Report;
 #[cfg(feature = "cli")]

@@ -1,18 +1,14 @@
 //! The report of a run: its findings, graphs of its record, and its pictures.
 
+use super::graph::{ENERGIES, LEDGER, graph_names};
 use super::{Axis, Curve, Graph, Mark, Plot, Report};
 use crate::error::{AtPath, Error};
-use crate::output::columns::{self, AT_SURFACES, RELATIVE_RESIDUAL, TIME};
+use crate::output::columns::{self, AT_SURFACES, TIME};
 use crate::output::{Column, Event, Finding, RunFolder, Series, between, write_atomically};
 use std::collections::BTreeMap;
 
-/// The graph of every run.
-const LEDGER: Graph = Graph { name: "ledger", stages: &[], x: TIME, y: RELATIVE_RESIDUAL, marks: &[] };
-
 /// Largest number of marked events of a kind; more would hide the curve.
 const MOST_MARKS: usize = 200;
-/// Name of the graph of the energies of all causes.
-const ENERGIES: &str = "energies";
 
 /// Creates figures and report of a finished run from its record.
 ///
@@ -65,7 +61,7 @@ fn pictures(folder: &RunFolder, graphs: &[Graph]) -> Result<BTreeMap<String, Str
     for entry in std::fs::read_dir(folder.figures()).at(&folder.figures())? {
         let path = entry.at(&folder.figures())?.path();
         let name = path.file_stem().unwrap_or_default().to_string_lossy().to_string();
-        if name != ENERGIES && !graphs.iter().chain(&[LEDGER]).any(|graph| graph.name == name) {
+        if graph_names(graphs).all(|graph| graph != name) {
             found.insert(name, std::fs::read_to_string(&path).at(&path)?);
         }
     }

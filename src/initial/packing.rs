@@ -51,7 +51,7 @@ const ASKED: usize = 4096;
 ///
 /// # Errors
 ///
-/// [`Error::Stopped`] when interrupted.
+/// [`Error::Interrupted`] when interrupted.
 pub fn random_packing(
     sizes: Sizes,
     sides: [f64; 3],

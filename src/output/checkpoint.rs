@@ -1,9 +1,12 @@
 //! Complete states on disk: a heading, a checksum, and the state.
 
-use super::files::{read, write_atomically};
+use super::files::{sha256, write_atomically};
+use super::{Manifest, read};
 use crate::error::{AtPath, Error, Problem};
-use serde::Serialize;
 use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 /// The kind of a saved state.
@@ -41,6 +44,11 @@ pub fn save_state<T: Serialize>(path: &Path, what: SavedKind, state: &T) -> Resu
 ///
 /// If the file cannot be read, is damaged, or holds another kind of state.
 pub fn load_state<T: DeserializeOwned>(path: &Path, what: SavedKind) -> Result<T, Error> {
+    postcard::from_bytes(&body(path, what)?).map_err(|_| Error::input(path, "was written by another version"))
+}
+
+/// The part of a saved state that the checksum protects.
+fn body(path: &Path, what: SavedKind) -> Result<Vec<u8>, Error> {
     let bytes = read(path)?;
     let rest = bytes.strip_prefix(what.heading());
     let (checksum, body) = rest.and_then(|rest| rest.split_at_checked(4)).ok_or_else(|| {
@@ -50,7 +58,36 @@ pub fn load_state<T: DeserializeOwned>(path: &Path, what: SavedKind) -> Result<T
     if crc32fast::hash(body).to_le_bytes() != checksum {
         return Err(Error::input(path, "is damaged: its checksum does not match"));
     }
-    postcard::from_bytes(body).map_err(|_| Error::input(path, "was written by another version"))
+    Ok(body.to_vec())
+}
+
+/// The SHA-256 of a state: every number of it, bit by bit.
+pub fn state_hash<T: Serialize>(state: &T) -> String {
+    sha256(&postcard::to_allocvec(state).expect("a state is plain data"))
+}
+
+/// The run that a checkpoint belongs to.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Origin {
+    version: String,
+    inputs: BTreeMap<String, String>,
+}
+
+impl Origin {
+    /// The run of a manifest.
+    pub fn of(manifest: &Manifest) -> Self {
+        Self { version: env!("CARGO_PKG_VERSION").into(), inputs: manifest.inputs.clone() }
+    }
+
+    /// The files in which two runs differ.
+    fn differences<'a>(&'a self, other: &'a Self) -> Vec<&'a str> {
+        let missing = |a: &'a Self, b: &'a Self| a.inputs.iter().filter(|input| b.inputs.get(input.0) != Some(input.1));
+        let mut names: Vec<&str> =
+            missing(self, other).chain(missing(other, self)).map(|input| input.0.as_str()).collect();
+        names.sort_unstable();
+        names.dedup();
+        names
+    }
 }
 
 /// The checkpoints of a run: the last two regular ones, and the one at which it was stopped.
@@ -83,7 +120,11 @@ impl Checkpoints {
     /// The regular checkpoints, oldest first.
     fn due(&self) -> Result<Vec<PathBuf>, Error> {
         let mut found = Vec::new();
-        for entry in std::fs::read_dir(&self.folder).at(&self.folder)? {
+        let entries = match std::fs::read_dir(&self.folder) {
+            Err(cause) if cause.kind() == ErrorKind::NotFound => return Ok(found),
+            entries => entries.at(&self.folder)?,
+        };
+        for entry in entries {
             let path = entry.at(&self.folder)?.path();
             if path.extension().is_some_and(|e| e == EXTENSION) && path != self.path(STOPPED) {
                 found.push(path);
@@ -98,8 +139,8 @@ impl Checkpoints {
     /// # Errors
     ///
     /// If the file cannot be written.
-    pub fn save<T: Serialize>(&self, steps: u64, state: &T) -> Result<(), Error> {
-        save_state(&self.path(&format!("{steps:012}")), SavedKind::Checkpoint, state)?;
+    pub fn save<T: Serialize>(&self, steps: u64, origin: &Origin, state: &T) -> Result<(), Error> {
+        save_state(&self.path(&format!("{steps:012}")), SavedKind::Checkpoint, &(origin, state))?;
         self.prune()
     }
 
@@ -122,24 +163,47 @@ impl Checkpoints {
     /// # Errors
     ///
     /// If the file cannot be written.
-    pub fn keep_stopped<T: Serialize>(&self, state: &T) -> Result<(), Error> {
-        save_state(&self.path(STOPPED), SavedKind::Checkpoint, state)
+    pub fn keep_stopped<T: Serialize>(&self, origin: &Origin, state: &T) -> Result<(), Error> {
+        save_state(&self.path(STOPPED), SavedKind::Checkpoint, &(origin, state))
     }
 
     /// The latest readable state that `fits` the record of its run, and the problems of those that were passed over.
     ///
     /// # Errors
     ///
-    /// If there is none; if a file cannot be read.
+    /// If there is none, or one of another run; if a file cannot be read.
     pub fn latest<T: DeserializeOwned>(
         &self,
-        mut fits: impl FnMut(&T) -> Result<(), Error>,
+        origin: &Origin,
+        mut fits: impl FnMut(&Path, &T) -> Result<(), Error>,
     ) -> Result<(T, Vec<Problem>), Error> {
         let candidates = [self.path(STOPPED)].into_iter().filter(|path| path.exists());
         let mut passed_over = Vec::new();
         for path in candidates.chain(self.due()?.into_iter().rev()) {
-            match load_state(&path, SavedKind::Checkpoint).and_then(|state| fits(&state).map(|()| state)) {
-                Ok(state) => return Ok((state, passed_over)),
+            let body = match body(&path, SavedKind::Checkpoint) {
+                Ok(body) => body,
+                Err(Error::Input(problems)) => {
+                    passed_over.extend(problems);
+                    continue;
+                }
+                Err(error) => return Err(error),
+            };
+            let unknown = |by: &str| Error::input(&path, format!("was written by another version{by}"));
+            let state = postcard::take_from_bytes::<Origin>(&body).map_err(|_| unknown("")).and_then(|(of, state)| {
+                let others = of.differences(origin);
+                if !others.is_empty() {
+                    return Ok(Err(Error::input(
+                        &path,
+                        format!("belongs to another run: {} differs", others.join(", ")),
+                    )));
+                }
+                let state = postcard::from_bytes(state).map_err(|_| unknown(&format!(", {}", of.version)))?;
+                fits(&path, &state).map(|()| Ok(state))
+            });
+            match state {
+                // It was put here by hand: the user decides.
+                Ok(Err(stranger)) => return Err(stranger),
+                Ok(Ok(state)) => return Ok((state, passed_over)),
                 Err(Error::Input(problems)) => passed_over.extend(problems),
                 Err(error) => return Err(error),
             }
@@ -178,23 +242,29 @@ mod tests {
     fn the_last_two_are_kept_and_a_damaged_one_is_passed_over() {
         let folder = tempfile::tempdir().unwrap();
         let checkpoints = Checkpoints::new(folder.path().into());
+        let of = |hash: &str| Origin { version: "1".into(), inputs: [("a.yaml".into(), hash.into())].into() };
+        let origin = of("a");
         for step in [10u64, 200, 3000] {
-            checkpoints.save(step, &step).unwrap();
+            checkpoints.save(step, &origin, &step).unwrap();
         }
         assert_eq!(checkpoints.due().unwrap().len(), 2);
         let latest = |fits: &dyn Fn(&u64) -> bool| {
-            let fits = |state: &u64| if fits(state) { Ok(()) } else { Err(Error::input(folder.path(), "differs")) };
-            checkpoints.latest::<u64>(fits).map(|(state, passed_over)| (state, passed_over.len()))
+            let fits =
+                |_: &Path, state: &u64| if fits(state) { Ok(()) } else { Err(Error::input(folder.path(), "differs")) };
+            checkpoints.latest::<u64>(&origin, fits).map(|(state, passed_over)| (state, passed_over.len()))
         };
         assert_eq!(latest(&|_| true).unwrap(), (3000, 0));
         assert_eq!(latest(&|&state| state < 3000).unwrap(), (200, 1));
         std::fs::write(checkpoints.path("000000003000"), b"half a file").unwrap();
         assert_eq!(latest(&|_| true).unwrap(), (200, 1));
         assert_eq!(latest(&|_| false).unwrap_err().to_string().lines().count(), 3);
-        checkpoints.keep_stopped(&2500u64).unwrap();
+        checkpoints.keep_stopped(&origin, &2500u64).unwrap();
         assert_eq!(latest(&|_| true).unwrap(), (2500, 0));
-        checkpoints.save(4000, &4000u64).unwrap();
+        checkpoints.save(4000, &origin, &4000u64).unwrap();
         assert_eq!(latest(&|_| true).unwrap(), (4000, 0));
         assert!(!checkpoints.path(STOPPED).exists());
+        checkpoints.save(5000, &of("b"), &5000u64).unwrap();
+        let refused = latest(&|_| true).unwrap_err().to_string();
+        assert!(refused.ends_with("000000005000.checkpoint: belongs to another run: a.yaml differs"), "{refused}");
     }
 }

@@ -74,13 +74,13 @@ fn folder_of(path: &Path) -> &Path {
     }
 }
 
-/// Reads a whole input file.
-///
-/// # Errors
-///
-/// If the file cannot be read.
-pub fn read(path: &Path) -> Result<Vec<u8>, Error> {
-    std::fs::read(path).map_err(|cause| Error::NoInput(path.into(), cause))
+/// The SHA-256 of some bytes, in hexadecimal.
+pub fn sha256(bytes: &[u8]) -> String {
+    hexadecimal(Sha256::new_with_prefix(bytes))
+}
+
+fn hexadecimal(hash: Sha256) -> String {
+    hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 /// The SHA-256 of a file, in hexadecimal.
@@ -93,7 +93,7 @@ pub fn sha256_file(path: &Path) -> Result<String, Error> {
     let (mut hash, mut buffer) = (Sha256::new(), vec![0; 1 << 16]);
     loop {
         match file.read(&mut buffer) {
-            Ok(0) => return Ok(hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect()),
+            Ok(0) => return Ok(hexadecimal(hash)),
             Ok(n) => hash.update(&buffer[..n]),
             Err(cause) if cause.kind() == ErrorKind::Interrupted => {}
             Err(cause) => return Err(Error::Io(path.into(), cause)),

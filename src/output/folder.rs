@@ -4,6 +4,22 @@ use super::{Checkpoints, create_folder};
 use crate::error::{AtPath, Error};
 use std::path::{Path, PathBuf};
 
+pub(super) const FRAMES: &str = "frames";
+pub(super) const FIGURES: &str = "figures";
+pub(super) const CHECKPOINTS: &str = "checkpoints";
+
+/// The files that a run writes into its folder, beside those three folders and its lock.
+pub(super) const FILES: [&str; 8] = [
+    "case.yaml",
+    "case.resolved.yaml",
+    "manifest.json",
+    "series.csv",
+    "events.jsonl",
+    "results.yaml",
+    "report.html",
+    "halted.xyz",
+];
+
 /// The folder of one run.
 #[derive(Clone, Debug)]
 pub struct RunFolder {
@@ -11,54 +27,9 @@ pub struct RunFolder {
 }
 
 impl RunFolder {
-    /// Creates a new folder; an existing one is replaced only if forced, and only if it is a run folder.
-    ///
-    /// # Errors
-    ///
-    /// If the folder exists and is not to be replaced, is no run folder, or cannot be written.
-    pub fn create(root: &Path, force: bool) -> Result<Self, Error> {
-        let folder = Self { root: root.into() };
-        if root.exists() {
-            if !force {
-                let what =
-                    format!("{}: exists already; use --force to replace it, or --name for another", root.display());
-                return Err(Error::Usage(what));
-            }
-            if !folder.case().exists() {
-                return Err(Error::Usage(format!("{}: is not a run folder and is not replaced", root.display())));
-            }
-            std::fs::remove_dir_all(root).at(root)?;
-        }
-        folder.complete()?;
-        Ok(folder)
-    }
-
-    /// Removes a folder left by a run that was killed before its manifest was written; returns whether the folder is gone.
-    ///
-    /// # Errors
-    ///
-    /// If the folder cannot be read or removed.
-    pub fn clear(root: &Path) -> Result<bool, Error> {
-        let folder = Self { root: root.into() };
-        if !root.exists() {
-            return Ok(true);
-        }
-        let entries = |path: &Path| -> Result<Vec<PathBuf>, Error> {
-            std::fs::read_dir(path).at(path)?.map(|entry| Ok(entry.at(path)?.path())).collect()
-        };
-        let folders = [folder.frames(), folder.checkpoint_folder(), folder.figures()];
-        for path in entries(root)? {
-            let left = if path.is_dir() {
-                folders.contains(&path) && entries(&path)?.is_empty()
-            } else {
-                [folder.case(), folder.resolved()].contains(&path) || path.extension().is_some_and(|e| e == "part")
-            };
-            if !left {
-                return Ok(false);
-            }
-        }
-        std::fs::remove_dir_all(root).at(root)?;
-        Ok(true)
+    /// The folder of a run that need not exist.
+    pub fn at(root: &Path) -> Self {
+        Self { root: root.into() }
     }
 
     /// The folder of an existing run.
@@ -111,11 +82,11 @@ impl RunFolder {
     }
     /// The frames: states of the particles, one file each.
     pub fn frames(&self) -> PathBuf {
-        self.root.join("frames")
+        self.root.join(FRAMES)
     }
     /// The pictures.
     pub fn figures(&self) -> PathBuf {
-        self.root.join("figures")
+        self.root.join(FIGURES)
     }
     /// The report, for a first look.
     pub fn report(&self) -> PathBuf {
@@ -126,7 +97,7 @@ impl RunFolder {
         self.root.join("halted.xyz")
     }
     fn checkpoint_folder(&self) -> PathBuf {
-        self.root.join("checkpoints")
+        self.root.join(CHECKPOINTS)
     }
     /// The checkpoints.
     pub fn checkpoints(&self) -> Checkpoints {

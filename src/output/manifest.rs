@@ -44,13 +44,19 @@ pub struct Manifest {
     pub seed: u64,
     /// SHA-256 of the input files.
     pub inputs: BTreeMap<String, String>,
+    /// The names of the graphs of its report.
+    #[serde(default)]
+    pub graphs: Vec<String>,
+    /// SHA-256 of the final state of a finished run: every number of the spheres, the box, walls, surfaces, springs and the time.
+    #[serde(default)]
+    pub final_state: Option<String>,
     /// SHA-256 of the output files.
     pub outputs: BTreeMap<String, String>,
 }
 
 impl Manifest {
     /// The manifest of a run started by this process.
-    pub fn begin(seed: u64, inputs: BTreeMap<String, String>) -> Self {
+    pub fn begin(seed: u64, inputs: BTreeMap<String, String>, graphs: Vec<String>) -> Self {
         Self {
             status: Status::Running,
             version: env!("CARGO_PKG_VERSION").into(),
@@ -61,6 +67,8 @@ impl Manifest {
             command_lines: vec![command_line()],
             seed,
             inputs,
+            graphs,
+            final_state: None,
             outputs: BTreeMap::new(),
         }
     }
@@ -79,6 +87,19 @@ impl Manifest {
     /// Whether the run was started by this build of the program.
     pub fn is_ours(&self) -> bool {
         (&*self.version, &*self.commit) == (env!("CARGO_PKG_VERSION"), env!("VERIDEM_COMMIT"))
+    }
+
+    /// Whether one of the inputs has this hash.
+    pub fn knows(&self, hash: &str) -> bool {
+        self.inputs.values().any(|input| input == hash)
+    }
+
+    /// The status in a word; a run whose process has ended without saying so was killed.
+    pub fn status_word(&self, folder: &RunFolder) -> String {
+        match self.status {
+            Status::Running if !super::Lock::is_held(folder.root()) => "Killed".into(),
+            _ => format!("{:?}", self.status),
+        }
     }
 
     /// Updates the manifest for a resumption by this process.
@@ -115,6 +136,8 @@ impl Manifest {
     }
 }
 
-fn command_line() -> String {
-    std::env::args().collect::<Vec<_>>().join(" ")
+/// The command line of this process.
+pub(super) fn command_line() -> String {
+    let words = std::env::args_os().map(|word| word.to_string_lossy().into_owned());
+    words.collect::<Vec<_>>().join(" ")
 }

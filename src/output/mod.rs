@@ -2,20 +2,26 @@
 
 mod appending;
 mod checkpoint;
+mod claim;
 pub mod columns;
 mod files;
 mod folder;
 mod frames;
+mod lock;
 mod manifest;
 mod reading;
 mod series;
 
+pub use crate::error::read_file as read;
 pub use appending::{Appending, Fingerprint};
-pub use checkpoint::{Checkpoints, SavedKind, load_state, save_state};
+pub use checkpoint::{Checkpoints, Origin, SavedKind, load_state, save_state, state_hash};
+pub use claim::{Claim, Place};
 pub use columns::Column;
-pub use files::{create_folder, read, sha256_file, sync_folder, write_atomically};
+pub use files::{create_folder, sha256, sha256_file, sync_folder, write_atomically};
 pub use folder::RunFolder;
 pub use frames::{SURFACES, extended_xyz, frame_name, wavefront};
+pub use lock::Lock;
+use manifest::command_line;
 pub use manifest::{Manifest, Status};
 pub use reading::{Event, Series, between};
 pub use series::{Cell, Finding, row};

@@ -46,7 +46,8 @@ impl Series {
     pub fn read(folder: &RunFolder) -> Result<Self, Error> {
         let path = folder.series();
         let broken = |error: csv::Error| Error::input(&path, error.to_string());
-        let mut reader = csv::Reader::from_path(&path).map_err(broken)?;
+        let bytes = read(&path)?;
+        let mut reader = csv::Reader::from_reader(&*bytes);
         let line = |record: &csv::StringRecord| record.iter().map(str::to_string).collect::<Vec<_>>();
         let columns = line(reader.headers().map_err(broken)?);
         let rows = reader.records().map(|record| record.map(|r| line(&r)).map_err(broken)).collect::<Result<_, _>>()?;

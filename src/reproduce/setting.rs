@@ -3,7 +3,7 @@
 use super::Extent;
 use crate::error::Error;
 use crate::interrupt::Interrupt;
-use crate::output::{Manifest, RunFolder, create_folder};
+use crate::output::{Lock, Manifest, RunFolder, create_folder};
 use crate::run::Reader;
 use crate::run::sweep::{Point, carry_out};
 use indicatif::HumanDuration;
@@ -41,6 +41,7 @@ impl Setting<'_> {
     /// The first run that fails, and a folder that cannot be written.
     pub fn run_all(&self, points: &[Point]) -> Result<RunSet, Error> {
         create_folder(&self.runs)?;
+        let _lock = Lock::take(&self.runs)?;
         let (begin, state) = (Instant::now(), Mutex::new((0, 0, None)));
         carry_out(points, &self.runs, self.interrupt, self.read, &|_| false, &|_, outcome| {
             let (done, new, failure) = &mut *state.lock().expect("no worker panics");

@@ -1,13 +1,16 @@
 //! A job: a checked case, ready to be run into its run folder.
 
+use super::places::{free, is_there, outside, savable, unchanged};
 use super::recorder::{Recorder, State};
-use super::{Driver, Message, Study};
+use super::{Driver, Message, Outcome, Study};
 use crate::case::{Output, located};
 use crate::error::{AtPath, Error};
 use crate::figures::Graph;
 use crate::forces::Instructions;
 use crate::interrupt::Interrupt;
-use crate::output::{Finding, Manifest, RunFolder, Status, sha256_file, write_atomically};
+use crate::output::{
+    Claim, Finding, Lock, Manifest, Origin, Place, RunFolder, Status, sha256, sha256_file, state_hash, write_atomically,
+};
 use crate::simulation::{Settings, Simulation};
 use crate::system::System;
 use std::collections::BTreeMap;
@@ -91,19 +94,20 @@ impl<S: Study> Runnable for S {
         interrupt: &Interrupt,
         tell: &mut dyn FnMut(Message),
     ) -> Result<(RunFolder, Vec<Finding>), Error> {
+        let claim = Claim::new(root, replace)?;
         let inputs = job.inputs()?;
         // Errors in the input are found before anything is written.
         let initial = match self.initial(interrupt) {
             // A run that is to be replaced is worth more than one that has not begun.
-            Err(Error::Stopped(_)) if replace && RunFolder::open(root).is_ok() => return Err(Error::Stopped(None)),
-            Err(Error::Stopped(_)) => {
-                let (folder, mut manifest) = job.make_folder(root, replace, inputs)?;
+            Err(Error::Interrupted) if claim.replaces() => return Err(Error::Interrupted),
+            Err(Error::Interrupted) => {
+                let (folder, _lock, mut manifest) = job.begin(claim, inputs, tell)?;
                 manifest.end(&folder, Status::Stopped)?;
                 return Err(Error::Stopped(Some(folder.root().into())));
             }
             initial => initial.map_err(|error| located(error, &job.file, &job.text))?,
         };
-        let (folder, manifest) = job.make_folder(root, replace, inputs)?;
+        let (folder, _lock, manifest) = job.begin(claim, inputs, tell)?;
         let findings = from_the_beginning(self, job, &folder, manifest, initial, interrupt, tell)?;
         Ok((folder, findings))
     }
@@ -119,18 +123,27 @@ impl<S: Study> Runnable for S {
         folder.complete()?;
         if folder.checkpoints().is_empty()? {
             unchanged(&job.reads, &manifest)?;
-            let initial = self.initial(interrupt).map_err(|error| located(error, &job.file, &job.text))?;
+            let initial = match self.initial(interrupt) {
+                Err(Error::Interrupted) => return Err(Error::Stopped(Some(folder.root().into()))),
+                initial => initial.map_err(|error| located(error, &job.file, &job.text))?,
+            };
             manifest.resume();
             manifest.write(folder)?;
             return from_the_beginning(self, job, folder, manifest, initial, interrupt, tell);
         }
         let mut driver = Driver::new(self, interrupt).using(job.instructions);
         let mut missing = Vec::new();
-        let fits = |state: &State<S::Watch>| {
+        let stages = self.names().len();
+        let fits = |path: &Path, state: &State<S::Watch>| {
+            let sound = state.stage < stages && [state.dt, state.skin].iter().all(|&x| x > 0.0 && x < f64::INFINITY);
+            if !sound || !state.damping.is_finite() || !state.snapshot.is_sound() {
+                return Err(Error::input(path, "holds numbers or lengths that no run has"));
+            }
             missing = state.recorded.check(folder)?;
             Ok(())
         };
-        let (state, passed_over) = folder.checkpoints().latest(fits)?;
+        let origin = Origin::of(&manifest);
+        let (state, passed_over) = folder.checkpoints().latest(&origin, fits)?;
         let State { stage, dt, damping, skin, snapshot, watch, run, recorded } = state;
         unchanged(&self.reads_after(stage), &manifest)?;
         for problem in passed_over {
@@ -140,14 +153,14 @@ impl<S: Study> Runnable for S {
             let what = format!("{} missing frame files, the first is {}", missing.len(), first.display());
             tell(Message::Note(format!("warning: {what}; frames before the checkpoint are not written again")));
         }
-        let mut sink = Recorder::resume(folder, &job.output, recorded, tell)?;
+        let mut sink = Recorder::resume(folder, origin, &job.output, recorded, tell)?;
         manifest.resume();
         manifest.write(folder)?;
         job.conclude(folder, manifest, || {
             let settings = Settings { dt, damping, skin, ..driver.settings(stage, snapshot.system()) };
             let simulation = Simulation::resume(self.model(stage), settings, snapshot)?;
             let stage = driver.stage(stage, simulation, watch);
-            Ok(driver.resume(stage, run, &mut sink)?.findings)
+            driver.resume(stage, run, &mut sink)
         })
     }
 }
@@ -162,9 +175,10 @@ fn from_the_beginning<S: Study>(
     interrupt: &Interrupt,
     tell: &mut dyn FnMut(Message),
 ) -> Result<Vec<Finding>, Error> {
+    let origin = Origin::of(&manifest);
     job.conclude(folder, manifest, || {
-        let mut sink = Recorder::begin(study, folder, &job.output, tell)?;
-        Ok(Driver::new(study, interrupt).using(job.instructions).run_from(initial, &mut sink)?.findings)
+        let mut sink = Recorder::begin(study, folder, origin, &job.output, tell)?;
+        Driver::new(study, interrupt).using(job.instructions).run_from(initial, &mut sink)
     })
 }
 
@@ -182,6 +196,11 @@ impl Job {
         tell: &mut dyn FnMut(Message),
     ) -> Result<(RunFolder, Vec<Finding>), Error> {
         self.needs(root)?;
+        if !replace {
+            free(&self.saves).map_err(|error| located(error, &self.file, &self.text))?;
+        } else if root.is_dir() {
+            outside(root, self.reads.iter().chain([&self.file]).map(PathBuf::as_path))?;
+        }
         self.study.start(self, root, replace, interrupt, tell)
     }
 
@@ -189,17 +208,27 @@ impl Job {
     ///
     /// # Errors
     ///
-    /// As [`Runnable::resume`].
+    /// As [`Runnable::resume`], and if another process writes the folder, or the run has finished.
     pub fn resume(
         &self,
         folder: &RunFolder,
-        manifest: Manifest,
         interrupt: &Interrupt,
         tell: &mut dyn FnMut(Message),
     ) -> Result<Vec<Finding>, Error> {
-        let begun_with = sha256_file(&folder.case())?;
-        if !manifest.inputs.values().any(|input| *input == begun_with) {
+        // A folder without a manifest is not a run's, and nothing is written into it.
+        Manifest::read(folder)?;
+        let _lock = Lock::take(folder.root())?;
+        let manifest = Manifest::read(folder)?;
+        if manifest.status == Status::Finished {
+            let what = format!("{}: has finished; there is nothing to resume", folder.root().display());
+            return Err(Error::Usage(what));
+        }
+        if !manifest.knows(&sha256_file(&folder.case())?) {
             return Err(Error::input(&folder.case(), "has changed since the run was started"));
+        }
+        if !manifest.is_ours() {
+            let what = "the run was started by another build of this program; it may not continue with the same bits";
+            tell(Message::Note(format!("warning: {what}")));
         }
         self.study.resume(self, folder, manifest, interrupt, tell)
     }
@@ -210,23 +239,28 @@ impl Job {
     ///
     /// As [`launch`](Self::launch) and [`resume`](Self::resume), and if the folder holds something else.
     pub fn complete(&self, root: &Path, interrupt: &Interrupt) -> Result<bool, Error> {
+        let folder = RunFolder::at(root);
+        let replace = match Place::of(&folder)? {
+            Place::Free => false,
+            Place::Other => {
+                let what = "is not a resumable run; remove this folder to start again";
+                return Err(Error::Usage(format!("{}: {what}", root.display())));
+            }
+            Place::Run(manifest) => {
+                let case = folder.case();
+                if case.exists() && std::fs::read_to_string(&case).at(&case)? != self.text {
+                    return Err(Error::Usage("its run folder holds another case".into()));
+                }
+                if manifest.status == Status::Finished {
+                    return Ok(false);
+                }
+                if !folder.checkpoints().is_empty()? {
+                    return self.resume(&folder, interrupt, &mut |_| {}).map(|_| true);
+                }
+                true
+            }
+        };
         // A run that was killed before its first checkpoint starts again.
-        let replace = !RunFolder::clear(root)?;
-        if replace {
-            let what = "is not a resumable run; remove this folder to start again";
-            let strange = |_| Error::Usage(format!("{}: {what}", root.display()));
-            let folder = RunFolder::open(root).map_err(strange)?;
-            let manifest = Manifest::read(&folder).map_err(strange)?;
-            if std::fs::read_to_string(folder.case()).at(&folder.case())? != self.text {
-                return Err(Error::Usage("its run folder holds another case".into()));
-            }
-            if manifest.status == Status::Finished {
-                return Ok(false);
-            }
-            if !folder.checkpoints().is_empty()? {
-                return self.resume(&folder, manifest, interrupt, &mut |_| {}).map(|_| true);
-            }
-        }
         self.launch(root, replace, interrupt, &mut |_| {}).map(|_| true)
     }
 
@@ -240,18 +274,11 @@ impl Job {
         self.study.examine().map_err(|error| located(error, &self.file, &self.text))
     }
 
-    /// Checks that the input files exist, and that the output folders exist or are created by the run.
+    /// Checks that the input files exist, and that the files to be saved can be.
     fn needs(&self, root: &Path) -> Result<(), Error> {
         self.reads.iter().try_for_each(|file| is_there(file))?;
-        for (section, file) in &self.saves {
-            // The parent of a mere name is empty.
-            let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty());
-            if folder.is_some_and(|folder| !folder.is_dir() && !root.ancestors().any(|of_run| of_run == folder)) {
-                let what = format!("found `{}`, expected a file in a folder that exists", file.display());
-                return Err(located(Error::of_key(format!("{section}.save"), what), &self.file, &self.text));
-            }
-        }
-        Ok(())
+        let reads: Vec<&Path> = self.reads.iter().chain([&self.file]).map(PathBuf::as_path).collect();
+        savable(&self.saves, &reads, root).map_err(|error| located(error, &self.file, &self.text))
     }
 
     /// Hashes of the input files, by name.
@@ -259,21 +286,22 @@ impl Job {
         self.reads.iter().map(|file| Ok((file.display().to_string(), sha256_file(file)?))).collect()
     }
 
-    /// The folder of a new run, and its manifest.
-    fn make_folder(
+    /// Begins a run: its folder, its lock and its manifest.
+    fn begin(
         &self,
-        root: &Path,
-        replace: bool,
+        claim: Claim,
         mut inputs: BTreeMap<String, String>,
-    ) -> Result<(RunFolder, Manifest), Error> {
-        let folder = RunFolder::create(root, replace)?;
-        write_atomically(&folder.case(), self.text.as_bytes())?;
-        write_atomically(&folder.resolved(), self.resolved.as_bytes())?;
-        // The hash is taken from the copy, because a case from a pipe can be read only once.
-        inputs.insert(self.file.display().to_string(), sha256_file(&folder.case())?);
-        let manifest = Manifest::begin(self.seed, inputs);
-        manifest.write(&folder)?;
-        Ok((folder, manifest))
+        tell: &mut dyn FnMut(Message),
+    ) -> Result<(RunFolder, Lock, Manifest), Error> {
+        // The hash is taken from the text, because a case from a pipe can be read only once.
+        inputs.insert(self.file.display().to_string(), sha256(self.text.as_bytes()));
+        let graphs = crate::figures::graph_names(self.graphs);
+        let manifest = Manifest::begin(self.seed, inputs, graphs.map(|name| format!("{name}.svg")).collect());
+        let (folder, lock, left) = claim.begin(&manifest, &self.text, &self.resolved)?;
+        for path in left {
+            tell(Message::Note(format!("warning: {}: was not made by a run and is left where it is", path.display())));
+        }
+        Ok((folder, lock, manifest))
     }
 
     /// Writes results and report of a run, and its final status to the manifest.
@@ -281,39 +309,29 @@ impl Job {
         &self,
         folder: &RunFolder,
         mut manifest: Manifest,
-        run: impl FnOnce() -> Result<Vec<Finding>, Error>,
+        run: impl FnOnce() -> Result<Outcome, Error>,
     ) -> Result<Vec<Finding>, Error> {
-        let result = run().and_then(|findings| {
+        let run = std::panic::catch_unwind(std::panic::AssertUnwindSafe(run)).unwrap_or_else(|broken| {
+            manifest.end(folder, Status::Failed).ok();
+            std::panic::resume_unwind(broken)
+        });
+        let result = run.and_then(|Outcome { findings, system }| {
             let results = serde_yaml::to_string(&findings).expect("findings are plain data");
             write_atomically(&folder.results(), results.as_bytes())?;
             #[cfg(feature = "cli")]
             crate::figures::report(&self.title, self.graphs, folder, &findings)?;
             folder.checkpoints().prune()?;
+            manifest.final_state = Some(state_hash(&system));
             Ok(findings)
         });
         let status = match &result {
             Ok(_) => Status::Finished,
             Err(Error::Halted(..)) => Status::Halted,
-            Err(Error::Stopped(_)) => Status::Stopped,
+            Err(Error::Stopped(_) | Error::Interrupted) => Status::Stopped,
             Err(Error::Io(..) | Error::NoInput(..)) => Status::Interrupted,
             Err(_) => Status::Failed,
         };
         let written = manifest.end(folder, status);
         result.and_then(|findings| written.map(|()| findings))
     }
-}
-
-fn is_there(file: &Path) -> Result<(), Error> {
-    std::fs::metadata(file).map(drop).map_err(|cause| Error::NoInput(file.into(), cause))
-}
-
-/// Checks that files have not changed since a run was started.
-fn unchanged(files: &[PathBuf], manifest: &Manifest) -> Result<(), Error> {
-    for file in files {
-        is_there(file)?;
-        if manifest.inputs.get(&file.display().to_string()) != Some(&sha256_file(file)?) {
-            return Err(Error::input(file, "has changed since the run was started"));
-        }
-    }
-    Ok(())
 }

@@ -2,6 +2,7 @@
 
 mod driver;
 mod job;
+mod places;
 mod record;
 mod recorder;
 mod row;

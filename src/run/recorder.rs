@@ -5,7 +5,7 @@ use super::{RunState, RunningStage, Sink, Step, Study, columns};
 use crate::case::{InSteps, Output};
 use crate::error::{Error, Halt};
 use crate::figures::picture;
-use crate::output::{RunFolder, extended_xyz, write_atomically};
+use crate::output::{Origin, RunFolder, extended_xyz, write_atomically};
 use crate::simulation::{Settings, Snapshot};
 use serde::{Deserialize, Serialize};
 use std::ops::ControlFlow;
@@ -61,6 +61,7 @@ struct Intervals {
 /// Records a run in its folder.
 pub(super) struct Recorder<'a> {
     folder: &'a RunFolder,
+    origin: Origin,
     output: &'a Output,
     record: Record,
     tell: &'a mut dyn FnMut(Message),
@@ -73,21 +74,23 @@ impl<'a> Recorder<'a> {
     pub(super) fn begin<S: Study>(
         study: &S,
         folder: &'a RunFolder,
+        origin: Origin,
         output: &'a Output,
         tell: &'a mut dyn FnMut(Message),
     ) -> Result<Self, Error> {
         let record = Record::begin(folder, &columns(study))?;
-        Ok(Self { folder, output, record, tell, seen: (0.0, 0.0) })
+        Ok(Self { folder, origin, output, record, tell, seen: (0.0, 0.0) })
     }
 
     /// Restores the record to its state at a checkpoint.
     pub(super) fn resume(
         folder: &'a RunFolder,
+        origin: Origin,
         output: &'a Output,
         recorded: Recorded,
         tell: &'a mut dyn FnMut(Message),
     ) -> Result<Self, Error> {
-        Ok(Self { folder, output, record: Record::resume(folder, recorded)?, tell, seen: (0.0, 0.0) })
+        Ok(Self { folder, origin, output, record: Record::resume(folder, recorded)?, tell, seen: (0.0, 0.0) })
     }
 
     fn intervals<S: Study>(&self, stage: &RunningStage<'_, S>) -> Intervals {
@@ -169,7 +172,7 @@ impl<S: Study> Sink<S> for Recorder<'_> {
         }
         if taken.is_multiple_of(checkpoints) && !last {
             self.event(stage, "checkpoint")?;
-            self.folder.checkpoints().save(run.steps, &self.state(stage, run)?)?;
+            self.folder.checkpoints().save(run.steps, &self.origin, &self.state(stage, run)?)?;
         }
         Ok(ControlFlow::Continue(()))
     }
@@ -187,7 +190,7 @@ impl<S: Study> Sink<S> for Recorder<'_> {
 
     fn stop(&mut self, stage: &mut RunningStage<'_, S>, run: &RunState) -> Error {
         self.show(stage);
-        match self.state(stage, run).and_then(|state| self.folder.checkpoints().keep_stopped(&state)) {
+        match self.state(stage, run).and_then(|state| self.folder.checkpoints().keep_stopped(&self.origin, &state)) {
             Ok(()) => Error::Stopped(Some(self.folder.root().into())),
             Err(error) => error,
         }

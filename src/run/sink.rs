@@ -55,7 +55,7 @@ pub trait Sink<S: Study> {
     }
     /// The run is interrupted here: saves a checkpoint. Returns the error with which the run ends.
     fn stop(&mut self, _stage: &mut RunningStage<'_, S>, _run: &RunState) -> Error {
-        Error::Stopped(None)
+        Error::Interrupted
     }
     /// The simulation has halted. Returns the error with which the run ends.
     fn halt(&mut self, _stage: &mut RunningStage<'_, S>, halt: Halt) -> Error {

@@ -1,6 +1,7 @@
 //! Sweeps: many runs in parallel, each in its own folder.
 
 use super::Reader;
+use super::places::absolute;
 use crate::error::Error;
 use crate::interrupt::Interrupt;
 use rayon::ThreadPoolBuilder;
@@ -24,6 +25,8 @@ pub struct Point {
     pub file: PathBuf,
     /// Its case.
     pub text: String,
+    /// The files that it writes beside its folder.
+    pub saves: Vec<PathBuf>,
     /// Its case with every default and derived value.
     pub resolved: String,
 }
@@ -44,10 +47,11 @@ impl Point {
         let place = format!("{} with {}", file.file_name().unwrap_or_default().display(), whole.join(" "));
         // Beside the file, from which the paths in it are relative.
         let place = file.with_file_name(place.replace(std::path::is_separator, "_"));
-        let resolved = read(&place, &text).map_err(without_lines)?.resolved;
+        let job = read(&place, &text).map_err(without_lines)?;
+        let saves = job.saves.iter().map(|(_, file)| absolute(file)).collect();
         let name = name(values);
         let values = values.iter().map(|(_, value)| value.to_string()).collect();
-        Ok(Self { name, values, file: place, text, resolved })
+        Ok(Self { name, values, file: place, text, saves, resolved: job.resolved })
     }
 }
 
@@ -70,7 +74,7 @@ fn name(values: &[(&str, &str)]) -> String {
     name
 }
 
-/// Checks that no two runs are the same or share a folder.
+/// Checks that no two runs are the same, share a folder, or save to the same file.
 ///
 /// # Errors
 ///
@@ -84,6 +88,13 @@ pub fn distinct(points: &[Point]) -> Result<(), Error> {
                 let told = |point: &Point| point.values.join(", ");
                 return Err(Error::Usage(format!("`{}` and `{}` {what}", told(other), told(point))));
             }
+        }
+    }
+    let mut saved = HashMap::new();
+    for (point, file) in points.iter().flat_map(|point| point.saves.iter().map(move |file| (point, file))) {
+        if let Some(other) = saved.insert(file, point) {
+            let (one, other) = (other.values.join(", "), point.values.join(", "));
+            return Err(Error::Usage(format!("`{one}` and `{other}` save to the same file, {}", file.display())));
         }
     }
     Ok(())

@@ -32,6 +32,30 @@ impl Snapshot {
     pub fn system(&self) -> &System {
         &self.system
     }
+
+    /// Whether its numbers are finite, its lists of the same length, and its numbers of spheres, bodies and walls those of existing ones.
+    pub fn is_sound(&self) -> bool {
+        let Self { system, listed, .. } = self;
+        let (p, spheres) = (&system.particles, system.particles.len());
+        let lengths = [p.v.len(), p.w.len(), p.radius.len(), p.mass.len(), p.wall.len(), p.body.len(), p.arm.len()];
+        let sound = lengths.into_iter().chain([p.id.len(), p.tag.len(), listed.x.len()]).all(|n| n == spheres)
+            && listed.poses.len() == system.bodies.len()
+            && listed.moving <= spheres
+            && p.wall
+                .iter()
+                .chain(system.bodies.iter().map(|body| &body.wall))
+                .all(|&k| k as usize <= system.walls.len())
+            && p.body.iter().all(|&k| k as usize <= system.bodies.len());
+        let places = system.places();
+        let known = |id: &u32| places.contains_key(id);
+        let vectors = [&p.x, &p.v, &p.w, &p.arm, &listed.x].into_iter().flatten().flat_map(|vector| vector.0);
+        sound
+            && places.len() == spheres
+            && system.necks.iter().all(|(i, j)| known(i) && known(j) && i != j)
+            && p.radius.iter().chain(&p.mass).chain(&system.domain.sides).chain(&listed.sides).all(|&x| x > 0.0)
+            && vectors.chain([system.time]).chain(p.radius.iter().chain(&p.mass).copied()).all(f64::is_finite)
+            && system.domain.sides.iter().chain(&listed.sides).all(|x| x.is_finite())
+    }
 }
 
 impl<M: PairModel> Simulation<M> {

@@ -120,9 +120,10 @@ fn rows(file: &Path) -> Result<Vec<Row>, Error> {
 
 /// The row of a run as its folder shows it, and its findings.
 pub(super) fn row(axes: &[Axis], point: &Point, out: &Path, reason: String) -> Result<(Row, Vec<Finding>), Error> {
-    let begun = RunFolder::open(&out.join(&point.name)).and_then(|run| Ok((Manifest::read(&run)?.status, run)));
+    let begun =
+        RunFolder::open(&out.join(&point.name)).and_then(|run| Ok((Manifest::read(&run)?.status_word(&run), run)));
     let (status, findings) = match begun {
-        Ok((status, run)) => (format!("{status:?}").to_lowercase(), Finding::of_run(&run)?),
+        Ok((status, run)) => (status.to_lowercase(), Finding::of_run(&run)?),
         Err(_) => ("not run".into(), Vec::new()),
     };
     let header = |finding: &Finding| match &*finding.unit {

@@ -126,7 +126,7 @@ impl Failure {
     /// The error of a case whose section `key` asked for the aggregate.
     pub fn of(self, key: &str) -> Error {
         match self {
-            Self::Interrupted => Error::Stopped(None),
+            Self::Interrupted => Error::Interrupted,
             other => Error::of_key(key, other.to_string()),
         }
     }
