@@ -301,8 +301,21 @@ fn inspect_finds_what_differs_between_two_runs() {
     std::fs::write(&series, changed).unwrap();
     let differ = veridem(place.path(), &["inspect", "--diff", "run/one", "run/two"]);
     assert_eq!(differ.status.code(), Some(4));
-    assert_eq!(text(&differ.stdout), "side z [nm]: differs from row 1 on, by up to 5e-1 of 1.85e1\n");
+    assert_eq!(text(&differ.stdout), "series.csv: row 1, side z [nm]: 18 and 18.5\n");
     assert_eq!(text(&differ.stderr), "run/one and run/two differ\n");
+
+    std::fs::write(&series, std::fs::read(place.path().join("run/one/series.csv")).unwrap()).unwrap();
+    let frame = place.path().join("run/two/frames/000001.xyz");
+    let changed = std::fs::read_to_string(&frame).unwrap().replacen("\n", "0\n", 1);
+    std::fs::write(&frame, changed).unwrap();
+    std::fs::remove_file(place.path().join("run/two/frames/000000.xyz")).unwrap();
+    let differ = veridem(place.path(), &["inspect", "--diff", "run/one", "run/two"]);
+    let told = text(&differ.stdout);
+    assert!(told.starts_with("frames/000000.xyz: present and missing\nframes/000001.xyz: line 1: `"), "{told}");
+    std::fs::remove_file(&series).unwrap();
+    let missing = veridem(place.path(), &["inspect", "run/two"]);
+    assert_eq!(missing.status.code(), Some(66));
+    assert!(text(&missing.stderr).starts_with("run/two/series.csv: cannot be read: "), "{}", text(&missing.stderr));
 
     let summary = text(&veridem(place.path(), &["inspect", "run/one"]).stdout);
     assert!(summary.starts_with("A small junction, coarse and short\nFinished, "), "{summary}");

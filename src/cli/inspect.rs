@@ -6,6 +6,7 @@ use crate::error::Error;
 use crate::output::{Finding, Manifest, RunFolder, Series, read};
 use crate::papers::Papers;
 use serde_json::json;
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 /// The arguments.
@@ -53,84 +54,97 @@ fn summarise(root: &Path, papers: Papers, manner: OutputMode) -> Result<(), Erro
     print(&format!("{text}\n{}", table(&findings)))
 }
 
-/// The largest difference of a column, and the first row that differs.
+/// A difference between two runs.
+#[derive(serde::Serialize)]
 struct Difference {
-    column: String,
+    /// The file, relative to the run folder.
+    file: String,
+    /// The first row of the series, or the first line, that differs, counted from 1; 0 if the whole file does.
     row: usize,
-    largest: f64,
-    scale: f64,
+    /// The column of the series; otherwise empty.
+    column: String,
+    /// What stands there in the first run.
+    a: String,
+    /// What stands there in the second.
+    b: String,
 }
 
 fn compare(a: &Path, b: &Path, manner: OutputMode) -> Result<(), Error> {
-    let (folder_a, folder_b) = (RunFolder::open(a)?, RunFolder::open(b)?);
-    let (series_a, series_b) = (Series::read(&folder_a)?, Series::read(&folder_b)?);
-    let differences = differences(&series_a, &series_b);
-    let rows = (series_a.rows.len(), series_b.rows.len());
-    let (findings_a, findings_b) = (Finding::of_run(&folder_a)?, Finding::of_run(&folder_b)?);
-    let changed: Vec<(&Finding, Option<&Finding>)> = findings_a
-        .iter()
-        .map(|one| (one, findings_b.iter().find(|other| other.name == one.name)))
-        .filter(|(one, other)| *other != Some(one))
-        .collect();
-    let frames = last_frame(&folder_a)? == last_frame(&folder_b)?;
-    let same_columns = series_a.columns == series_b.columns;
-    let identical = same_columns && differences.is_empty() && rows.0 == rows.1 && findings_a == findings_b && frames;
+    let folders = [RunFolder::open(a)?, RunFolder::open(b)?];
+    let found = differences(&folders)?;
     if manner.json {
-        let list: Vec<_> = differences
-            .iter()
-            .map(|d| json!({ "column": d.column, "first_row": d.row, "largest": d.largest, "scale": d.scale }))
-            .collect();
-        let results: Vec<_> = changed.iter().map(|(one, other)| json!({ "a": one, "b": other })).collect();
-        let report = json!({ "identical": identical, "rows": [rows.0, rows.1], "series": list, "results": results, "last_frame_identical": frames });
-        print(&format!("{report:#}\n"))?;
+        print(&format!("{:#}\n", json!({ "identical": found.is_empty(), "differences": found })))?;
+    } else if found.is_empty() {
+        print("identical\n")?;
     } else {
-        let mut text = String::new();
-        if rows.0 != rows.1 {
-            text.push_str(&format!("series: {} rows and {} rows\n", rows.0, rows.1));
-        }
-        if !same_columns {
-            text.push_str("series: the columns differ\n");
-        }
-        for d in &differences {
-            let Difference { column, row, largest, scale } = d;
-            text.push_str(&format!("{column}: differs from row {row} on, by up to {largest:e} of {scale:e}\n"));
-        }
-        for (one, other) in &changed {
-            let other = other.map_or("nothing", |other| &other.value);
-            text.push_str(&format!("{}: {} and {other}\n", one.name, one.value));
-        }
-        if !frames {
-            text.push_str("last frame: differs\n");
-        }
-        if identical {
-            text.push_str("identical\n");
-        }
-        print(&text)?;
+        let line = |Difference { file, row, column, a, b }: &Difference| match (row, &**column) {
+            (0, _) => format!("{file}: {a} and {b}\n"),
+            (row, "") => format!("{file}: line {row}: {a} and {b}\n"),
+            (row, column) => format!("{file}: row {row}, {column}: {a} and {b}\n"),
+        };
+        print(&found.iter().map(line).collect::<String>())?;
     }
-    if identical { Ok(()) } else { Err(Error::Verification(format!("{} and {} differ", a.display(), b.display()))) }
+    match found.is_empty() {
+        true => Ok(()),
+        false => Err(Error::Verification(format!("{} and {} differ", a.display(), b.display()))),
+    }
 }
 
-/// Compares column by column, over the rows that both have.
-fn differences(a: &Series, b: &Series) -> Vec<Difference> {
-    let mut found = Vec::new();
-    for (place, column) in a.columns.iter().enumerate() {
-        let Some(other) = b.columns.iter().position(|name| name == column) else { continue };
-        let pairs = || a.rows.iter().zip(&b.rows).map(|(x, y)| (&x[place], &y[other]));
-        let Some(row) = pairs().position(|(x, y)| x != y) else { continue };
-        let number = |cell: &str| cell.parse::<f64>().unwrap_or(f64::NAN);
-        let sizes = |f: &dyn Fn(f64, f64) -> f64| pairs().map(|(x, y)| f(number(x), number(y))).fold(0.0, f64::max);
-        let largest = sizes(&|x, y| (x - y).abs());
-        found.push(Difference {
-            column: column.clone(),
-            row: row + 1,
-            largest,
-            scale: sizes(&|x, y| x.abs().max(y.abs())),
-        });
+/// The first difference of every column of the series, and of every other file that holds results.
+fn differences(folders: &[RunFolder; 2]) -> Result<Vec<Difference>, Error> {
+    let [a, b] = folders;
+    let mut found = of_series(&Series::read(a)?, &Series::read(b)?);
+    let name = |folder: &RunFolder, path: &Path| path.strip_prefix(folder.root()).unwrap_or(path).to_path_buf();
+    let mut names = BTreeSet::new();
+    for folder in folders {
+        let given = [folder.case(), folder.resolved(), folder.series()];
+        names.extend(folder.outputs()?.iter().filter(|path| !given.contains(path)).map(|path| name(folder, path)));
+    }
+    for name in names {
+        let paths = folders.each_ref().map(|folder| folder.root().join(&name));
+        let file = name.display().to_string();
+        if let Some(missing) = paths.iter().position(|path| !path.exists()) {
+            let word = |k: usize| if k == missing { "missing" } else { "present" };
+            found.push(Difference { file, row: 0, column: String::new(), a: word(0).into(), b: word(1).into() });
+            continue;
+        }
+        let [a, b] = [read(&paths[0])?, read(&paths[1])?];
+        if a != b {
+            let lines = |bytes: &[u8]| -> Vec<String> {
+                bytes.split(|&byte| byte == b'\n').map(|line| String::from_utf8_lossy(line).into()).collect()
+            };
+            let (a, b) = (lines(&a), lines(&b));
+            let place = a.iter().zip(&b).position(|(a, b)| a != b).unwrap_or(a.len().min(b.len()));
+            let at =
+                |lines: &[String]| lines.get(place).map_or("the end of the file".into(), |line| format!("`{line}`"));
+            found.push(Difference { file, row: place + 1, column: String::new(), a: at(&a), b: at(&b) });
+        }
+    }
+    Ok(found)
+}
+
+/// The first row of every column that differs, over the rows that both have, and the number of rows.
+fn of_series(a: &Series, b: &Series) -> Vec<Difference> {
+    let difference = |row, column: &str, a: &str, b: &str| Difference {
+        file: "series.csv".into(),
+        row,
+        column: column.into(),
+        a: a.into(),
+        b: b.into(),
+    };
+    if a.columns != b.columns {
+        let [a, b] = [a, b].map(|series| series.columns.join(","));
+        return vec![difference(0, "", &a, &b)];
+    }
+    let rows = || a.rows.iter().zip(&b.rows);
+    let of_column = |(place, column): (usize, &String)| {
+        let row = rows().position(|(a, b)| a[place] != b[place])?;
+        Some(difference(row + 1, column, &a.rows[row][place], &b.rows[row][place]))
+    };
+    let mut found: Vec<Difference> = a.columns.iter().enumerate().filter_map(of_column).collect();
+    if a.rows.len() != b.rows.len() {
+        let [a, b] = [a, b].map(|series| format!("{} rows", series.rows.len()));
+        found.push(difference(0, "", &a, &b));
     }
     found
-}
-
-fn last_frame(folder: &RunFolder) -> Result<Option<Vec<u8>>, Error> {
-    let mut frames = folder.outputs()?.into_iter().filter(|path| path.starts_with(folder.frames()));
-    frames.next_back().map(|path| read(&path)).transpose()
 }

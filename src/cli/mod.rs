@@ -15,6 +15,7 @@ mod schema;
 mod sweep;
 
 use crate::error::Error;
+use crate::forces::Instructions;
 use crate::interrupt::outlive_file_limits;
 use crate::papers::Papers;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
@@ -35,6 +36,9 @@ pub struct CommandLine {
     /// Number of threads; all cores by default
     #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     threads: Option<u16>,
+    /// Vector instructions, for checks: results do not depend on them
+    #[arg(long, global = true, value_name = "SET", hide = true)]
+    instructions: Option<String>,
     #[command(subcommand)]
     command: Command,
 }
@@ -122,7 +126,7 @@ fn execute(papers: Papers) -> ExitCode {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).use_current_thread();
     pool.build_global().expect("the thread pool is set up once, before it is used");
     outlive_file_limits().ok();
-    let done = match command_line.command {
+    let done = choose_instructions(command_line.instructions.as_deref()).and_then(|()| match command_line.command {
         Command::Run(arguments) => run::run(&arguments, papers, manner),
         Command::Resume(arguments) => resume::run(&arguments, papers, manner),
         Command::Check(arguments) => check::run(&arguments, papers, manner),
@@ -135,7 +139,7 @@ fn execute(papers: Papers) -> ExitCode {
         Command::Golden(arguments) => golden::run(&arguments, manner),
         Command::Schema(arguments) => schema::run(&arguments, papers, manner),
         Command::Completions(arguments) => completions::run(&arguments, papers, manner),
-    };
+    });
     exit(done, manner.json)
 }
 
@@ -150,6 +154,19 @@ fn exit(done: Result<(), Error>, json: bool) -> ExitCode {
             error.exit_code().into()
         }
     }
+}
+
+/// Chooses the vector instructions with this name.
+fn choose_instructions(name: Option<&str>) -> Result<(), Error> {
+    let Some(name) = name else { return Ok(()) };
+    let sets = Instructions::available();
+    let Some(chosen) = sets.iter().find(|set| set.name() == name) else {
+        let names: Vec<&str> = sets.iter().map(|set| set.name()).collect();
+        let what = format!("--instructions: this processor has no `{name}`, it has `{}`", names.join("`, `"));
+        return Err(Error::Usage(what));
+    };
+    chosen.choose();
+    Ok(())
 }
 
 /// Answers a wrong command line, or with the help that was asked for, which is data.

@@ -4,7 +4,7 @@ use super::{OutputMode, print};
 use crate::error::Error;
 use crate::figures::Report;
 use crate::interrupt::Interrupt;
-use crate::output::{create_folder, write_atomically};
+use crate::output::{create_folder, with_suffix, write_atomically};
 use crate::papers::{AnyPaper, Papers};
 use crate::reproduce::{Chapter, Claim, Evidence, Extent, Setting, Verdict};
 use clap::builder::{PossibleValue, PossibleValuesParser};
@@ -105,7 +105,7 @@ fn write_chapter(title: &str, chapter: &Evidence, page: &mut Report, out: &Path)
     page.table(&HEAD, &rows);
     for figure in &chapter.figures {
         page.figure(&figure.svg, &figure.caption);
-        write(&out.join("figures").join(&figure.name).with_extension("svg"), &figure.svg)?;
+        write(&with_suffix(out.join("figures").join(&figure.name), "svg"), &figure.svg)?;
     }
     Ok(())
 }

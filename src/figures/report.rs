@@ -4,7 +4,7 @@ use super::graph::{ENERGIES, LEDGER, graph_names};
 use super::{Axis, Curve, Graph, Mark, Plot, Report};
 use crate::error::{AtPath, Error};
 use crate::output::columns::{self, AT_SURFACES, TIME};
-use crate::output::{Column, Event, Finding, RunFolder, Series, between, write_atomically};
+use crate::output::{Column, Event, Finding, RunFolder, Series, between, with_suffix, write_atomically};
 use std::collections::BTreeMap;
 
 /// Largest number of marked events of a kind; more would hide the curve.
@@ -50,7 +50,7 @@ fn draw(folder: &RunFolder, page: &mut Report, name: &str, plot: Plot) -> Result
         return Ok(());
     }
     let svg = plot.svg();
-    write_atomically(&folder.figures().join(name).with_extension("svg"), svg.as_bytes())?;
+    write_atomically(&with_suffix(folder.figures().join(name), "svg"), svg.as_bytes())?;
     page.figure(&svg, &format!("{} against {}", plot.y.label, plot.x.label));
     Ok(())
 }

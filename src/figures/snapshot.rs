@@ -2,7 +2,7 @@
 
 use super::COLOURS;
 use crate::error::Error;
-use crate::output::{RunFolder, write_atomically};
+use crate::output::{RunFolder, with_suffix, write_atomically};
 use crate::spec::Vec3;
 use crate::system::{Shape, Surface, System};
 use std::fmt::Write;
@@ -29,7 +29,7 @@ pub fn picture(folder: &RunFolder, name: &str, system: &System, upwards: usize) 
         &turned
     };
     let height = system.domain.sides[1];
-    let path = folder.figures().join(name).with_extension("svg");
+    let path = with_suffix(folder.figures().join(name), "svg");
     write_atomically(&path, snapshot(system, [-0.1 * height, 1.2 * height]).as_bytes())
 }
 

@@ -1,6 +1,7 @@
 //! The vector instructions in use. The bits of the results do not depend on them.
 
 use super::transpose::Square;
+use std::sync::OnceLock;
 
 /// An instruction set that this processor has: there is no other way to come by one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,6 +17,8 @@ pub(super) enum Set {
     /// Eight numbers at once.
     Avx512,
 }
+
+static CHOSEN: OnceLock<Instructions> = OnceLock::new();
 
 impl Instructions {
     /// What every processor of the target has.
@@ -39,9 +42,24 @@ impl Instructions {
         sets
     }
 
-    /// The widest that this processor has.
+    /// Those that were chosen for this process, otherwise the widest that this processor has.
     pub fn best() -> Self {
-        Self::available().pop().unwrap_or(Self::BASELINE)
+        *CHOSEN.get_or_init(|| Self::available().pop().unwrap_or(Self::BASELINE))
+    }
+
+    /// Chooses these for all that this process computes from now on, unless something was computed already. Results do not depend on
+    /// them.
+    pub fn choose(self) {
+        CHOSEN.get_or_init(|| self);
+    }
+
+    /// The name.
+    pub fn name(self) -> &'static str {
+        match self.0 {
+            Set::Baseline => "baseline",
+            Set::Avx2 => "avx2",
+            Set::Avx512 => "avx512",
+        }
     }
 
     /// Which one it is.

@@ -1,6 +1,6 @@
 //! Complete states on disk: a heading, a checksum, and the state.
 
-use super::files::{sha256, write_atomically};
+use super::files::{sha256, with_suffix, write_atomically};
 use super::{Manifest, read};
 use crate::error::{AtPath, Error, Problem};
 use serde::de::DeserializeOwned;
@@ -105,7 +105,7 @@ impl Checkpoints {
     }
 
     fn path(&self, name: &str) -> PathBuf {
-        self.folder.join(name).with_extension(EXTENSION)
+        with_suffix(self.folder.join(name), EXTENSION)
     }
 
     /// Whether there is no checkpoint.

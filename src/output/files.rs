@@ -83,6 +83,14 @@ fn hexadecimal(hash: Sha256) -> String {
     hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
+/// A path with an extension appended: what stands behind the last dot of a name like `d = 1.5` is a part of the name.
+pub fn with_suffix(path: PathBuf, extension: &str) -> PathBuf {
+    let mut path = path.into_os_string();
+    path.push(".");
+    path.push(extension);
+    path.into()
+}
+
 /// The SHA-256 of a file, in hexadecimal.
 ///
 /// # Errors

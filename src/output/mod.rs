@@ -17,7 +17,7 @@ pub use appending::{Appending, Fingerprint};
 pub use checkpoint::{Checkpoints, Origin, SavedKind, load_state, save_state, state_hash};
 pub use claim::{Claim, Place};
 pub use columns::Column;
-pub use files::{create_folder, sha256, sha256_file, sync_folder, write_atomically};
+pub use files::{create_folder, sha256, sha256_file, sync_folder, with_suffix, write_atomically};
 pub use folder::RunFolder;
 pub use frames::{SURFACES, extended_xyz, frame_name, wavefront};
 pub use lock::Lock;

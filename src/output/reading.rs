@@ -45,8 +45,8 @@ impl Series {
     /// If the series cannot be read.
     pub fn read(folder: &RunFolder) -> Result<Self, Error> {
         let path = folder.series();
-        let broken = |error: csv::Error| Error::input(&path, error.to_string());
         let bytes = read(&path)?;
+        let broken = |error: csv::Error| Error::input(&path, error.to_string());
         let mut reader = csv::Reader::from_reader(&*bytes);
         let line = |record: &csv::StringRecord| record.iter().map(str::to_string).collect::<Vec<_>>();
         let columns = line(reader.headers().map_err(broken)?);
