@@ -1,0 +1,104 @@
+//! A person who runs a small case, meets a fault, and goes on as the program says.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+use std::sync::OnceLock;
+use tempfile::TempDir;
+
+/// Two stages with a tip; several checkpoints, frames and rows in each.
+const CASE: &str = "\
+title: A small case in which everything is written
+model: {soot: {necks: S}}
+sample: {aggregate: {spheres: 4, neck_fraction: 1}}
+experiment:
+  sequence:
+    - deposition: {velocity: 2 m/s, duration: 120 steps}
+    - indentation: {gap: 7 nm, cantilever: 70e-3 1/ns, duration: 90 steps}
+output: {series: 20 steps, frames: 60 steps, checkpoints: 40 steps}
+";
+
+/// The name of the case's file, and of its run.
+pub(crate) const FILE: &str = "small.yaml";
+pub(crate) const RUN: &str = "run/small";
+
+/// Number of trials: as many as a test asks for, times `VERIDEM_TRIALS`.
+pub(crate) fn trials(few: u64) -> u64 {
+    few * std::env::var("VERIDEM_TRIALS").map_or(1, |times| times.parse().expect("VERIDEM_TRIALS is a number"))
+}
+
+/// A folder with the case and nothing else.
+pub(crate) fn desk() -> TempDir {
+    let place = tempfile::tempdir().unwrap();
+    std::fs::write(place.path().join(FILE), CASE).unwrap();
+    place
+}
+
+/// The program, in a folder.
+pub(crate) fn veridem(place: &Path, arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_veridem"));
+    command.current_dir(place).args(["--quiet", "--threads", "1"]).args(arguments).stdin(Stdio::null());
+    command
+}
+
+/// The run that nothing disturbs: every file that it leaves.
+pub(crate) fn undisturbed() -> &'static BTreeMap<PathBuf, Vec<u8>> {
+    static FILES: OnceLock<BTreeMap<PathBuf, Vec<u8>>> = OnceLock::new();
+    FILES.get_or_init(|| {
+        let place = desk();
+        let done = veridem(place.path(), &["run", FILE]).output().unwrap();
+        assert!(done.status.success(), "{}", told(&done));
+        outcome(place.path())
+    })
+}
+
+/// Every file of the run but the manifest, which tells the run's history, and the lock; of checkpoints the names alone, because one
+/// that was damaged and never read stays as it is.
+pub(crate) fn outcome(place: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
+    let root = place.join(RUN);
+    let (mut found, mut folders) = (BTreeMap::new(), vec![root.clone()]);
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(&folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if !["manifest.json", "lock"].contains(&path.file_name().unwrap().to_str().unwrap()) {
+                let name = path.strip_prefix(&root).unwrap().to_path_buf();
+                let content = if name.starts_with("checkpoints") { vec![] } else { std::fs::read(&path).unwrap() };
+                found.insert(name, content);
+            }
+        }
+    }
+    found
+}
+
+/// The first file in which a run differs from the one that nothing disturbed.
+pub(crate) fn difference(place: &Path) -> Option<String> {
+    let (found, expected) = (outcome(place), undisturbed());
+    let names = found.keys().chain(expected.keys());
+    names.filter(|name| found.get(*name) != expected.get(*name)).map(|name| name.display().to_string()).next()
+}
+
+/// The status and the messages of a process.
+pub(crate) fn told(output: &Output) -> String {
+    format!("{}: {}", output.status, String::from_utf8_lossy(&output.stderr))
+}
+
+/// Resumes a run, or begins it anew if there is nothing to resume, and compares; returns whether it was resumed.
+pub(crate) fn go_on(place: &Path) -> Result<bool, String> {
+    let resumed = veridem(place, &["resume", RUN]).output().unwrap();
+    let again = match resumed.status.code() {
+        Some(0) => None,
+        // It had finished.
+        Some(2) => None,
+        Some(65 | 66) => Some(veridem(place, &["run", FILE, "--force"]).output().unwrap()),
+        _ => return Err(told(&resumed)),
+    };
+    if let Some(again) = again.as_ref().filter(|again| !again.status.success()) {
+        return Err(format!("{}; begun anew: {}", told(&resumed), told(again)));
+    }
+    match difference(place) {
+        None => Ok(again.is_none()),
+        Some(file) => Err(format!("{file} differs; {}", told(&resumed))),
+    }
+}
