@@ -62,9 +62,9 @@ fn what_cannot_be_read_is_named() {
 
     std::fs::write(place.path().join("latin.yaml"), b"title: \xe4\n").unwrap();
     let unreadable = check("latin.yaml");
-    assert_eq!(unreadable.status.code(), Some(66));
+    assert_eq!(unreadable.status.code(), Some(65));
     let text = String::from_utf8_lossy(&unreadable.stderr).to_string();
-    assert_eq!(text, "latin.yaml: cannot be read: stream did not contain valid UTF-8\n");
+    assert_eq!(text, "latin.yaml: is not a text in UTF-8\n");
 
     let folder = check(".");
     assert_eq!(folder.status.code(), Some(66));

@@ -58,7 +58,7 @@ pub fn facet_share<R: Real>(d: Vec3<R>, d_0: Vec3<R>) -> R {
 /// | `q_0_d` | $\mathbf{Q}_0 \mathbf{d}$ | m (3) | any | change of `d_0` when the centre is displaced by `d` |
 /// | → `slope` | $\nabla s$ | 1/m (3) | | gradient |
 ///
-/// Rounding: at most 4 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///
