@@ -1,5 +1,6 @@
 //! Files that grow by complete lines, and their fingerprints at a checkpoint.
 
+use super::files::{folder_of, sync_folder};
 use crate::error::{AtPath, Error};
 use crc32fast::Hasher;
 use serde::{Deserialize, Serialize};
@@ -67,13 +68,14 @@ pub struct Appending {
 }
 
 impl Appending {
-    /// A new, empty file.
+    /// A new, empty file, whose name survives a power failure.
     ///
     /// # Errors
     ///
     /// If the file cannot be written.
     pub fn create(path: PathBuf) -> Result<Self, Error> {
         let file = File::create(&path).at(&path)?;
+        sync_folder(folder_of(&path))?;
         Ok(Self { path, file, length: 0, hasher: Hasher::new() })
     }
 

@@ -1,6 +1,6 @@
 //! Complete states on disk: a heading, a checksum, and the state.
 
-use super::files::{sha256, with_suffix, write_atomically};
+use super::files::{sha256, sync_folder, with_suffix, write_atomically};
 use super::{Manifest, read};
 use crate::error::{AtPath, Error, Problem};
 use serde::de::DeserializeOwned;
@@ -152,10 +152,9 @@ impl Checkpoints {
     pub fn prune(&self) -> Result<(), Error> {
         let due = self.due()?;
         let stopped = Some(self.path(STOPPED)).filter(|path| path.exists());
-        due[..due.len().saturating_sub(2)]
-            .iter()
-            .chain(&stopped)
-            .try_for_each(|path| std::fs::remove_file(path).at(path))
+        let passed: Vec<&PathBuf> = due[..due.len().saturating_sub(2)].iter().chain(&stopped).collect();
+        passed.iter().try_for_each(|path| std::fs::remove_file(path).at(path))?;
+        if passed.is_empty() { Ok(()) } else { sync_folder(&self.folder) }
     }
 
     /// Saves the state in which a run is stopped.

@@ -67,10 +67,14 @@ impl Claim {
                 lock
             }
         };
-        let left = match Place::of(&folder)? {
-            Place::Run(earlier) => clear(&folder, *earlier)?,
-            _ => Vec::new(),
-        };
+        let mut graphs = Vec::new();
+        if let Place::Run(mut earlier) = Place::of(&folder)? {
+            // Whenever the removal ends half way, no run is there that seems to be finished.
+            earlier.status = Status::Stopped;
+            earlier.write(&folder)?;
+            graphs.clone_from(&earlier.graphs);
+        }
+        let left = clear(&folder, &graphs)?;
         // The manifest comes first: by it a run folder is known.
         manifest.write(&folder)?;
         write_atomically(&folder.case(), case.as_bytes())?;
@@ -127,11 +131,8 @@ impl Place {
     }
 }
 
-/// Removes the files of an earlier run; returns the others. Whenever this ends half way, no run is there that seems to be finished.
-fn clear(folder: &RunFolder, mut earlier: Manifest) -> Result<Vec<PathBuf>, Error> {
-    earlier.status = Status::Stopped;
-    earlier.write(folder)?;
-    let graphs = earlier.graphs.clone();
+/// Removes the files of an earlier run with these graphs, but its manifest; returns the others.
+fn clear(folder: &RunFolder, graphs: &[String]) -> Result<Vec<PathBuf>, Error> {
     let figure = |name: &OsStr| name.to_str().is_some_and(|name| is_picture(name) || graphs.iter().any(|g| g == name));
     let mut left = Vec::new();
     // Checkpoints come first: none survives the record that it speaks of.

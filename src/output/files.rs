@@ -66,7 +66,7 @@ pub fn sync_folder(folder: &Path) -> Result<(), Error> {
 }
 
 /// The folder that a file or folder is in.
-fn folder_of(path: &Path) -> &Path {
+pub(super) fn folder_of(path: &Path) -> &Path {
     match path.parent() {
         Some(parent) if parent.as_os_str().is_empty() => Path::new("."),
         Some(parent) => parent,

@@ -121,6 +121,10 @@ impl<S: Study> Runnable for S {
         tell: &mut dyn FnMut(Message),
     ) -> Result<Vec<Finding>, Error> {
         folder.complete()?;
+        if !folder.resolved().exists() {
+            // It was killed before it had written all that precedes the first step.
+            write_atomically(&folder.resolved(), job.resolved.as_bytes())?;
+        }
         if folder.checkpoints().is_empty()? {
             unchanged(&job.reads, &manifest)?;
             let initial = match self.initial(interrupt) {

@@ -147,15 +147,16 @@ impl Disk {
         let mut toss = |sides: u32| chance.as_mut().map_or(0, |chance| chance.next_u32() % sides);
         match &self.nodes[place] {
             Node::File { now, synced } => {
+                // What was synced is safe as far as it has not been written over.
+                let safe = synced.iter().zip(now).take_while(|(a, b)| a == b).count();
                 let content = match toss(4) {
                     0 => synced.clone(),
                     1 => now.clone(),
                     // The new length without the new content, or a part of it.
                     2 => synced.iter().copied().chain(std::iter::repeat(0)).take(now.len()).collect(),
-                    _ => now[..toss(1 << 30) as usize % (now.len() + 1)].to_vec(),
+                    _ => now[..safe + toss(1 << 30) as usize % (now.len() - safe + 1)].to_vec(),
                 };
-                // What was synced and not changed since then is safe.
-                std::fs::write(path, if now == synced { synced } else { &content }).unwrap();
+                std::fs::write(path, content).unwrap();
             }
             Node::Folder { now, synced } => {
                 std::fs::create_dir_all(path).unwrap();

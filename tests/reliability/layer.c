@@ -145,21 +145,8 @@ static int opened(int folder, const char *path, int flags, mode_t mode) {
     return fd;
 }
 
-#define OPEN(name)                                                          \
-    int name(const char *path, int flags, ...) {                            \
-        va_list values;                                                     \
-        va_start(values, flags);                                            \
-        mode_t mode = flags & O_CREAT ? va_arg(values, int) : 0;            \
-        va_end(values);                                                     \
-        pthread_mutex_lock(&lock);                                          \
-        begin();                                                            \
-        int fd = opened(AT_FDCWD, path, flags, mode);                       \
-        LEAVE(fd);                                                          \
-    }
-OPEN(open)
-OPEN(open64)
-#define OPENAT(name)                                                        \
-    int name(int folder, const char *path, int flags, ...) {                \
+#define OPEN(name, folder, ...)                                             \
+    int name(__VA_ARGS__, int flags, ...) {                                 \
         va_list values;                                                     \
         va_start(values, flags);                                            \
         mode_t mode = flags & O_CREAT ? va_arg(values, int) : 0;            \
@@ -169,8 +156,10 @@ OPEN(open64)
         int fd = opened(folder, path, flags, mode);                         \
         LEAVE(fd);                                                          \
     }
-OPENAT(openat)
-OPENAT(openat64)
+OPEN(open, AT_FDCWD, const char *path)
+OPEN(open64, AT_FDCWD, const char *path)
+OPEN(openat, folder, int folder, const char *path)
+OPEN(openat64, folder, int folder, const char *path)
 
 static long handle(int fd) { return fd >= 0 && fd < 65536 ? handle_of[fd] : 0; }
 

@@ -42,7 +42,6 @@ fn first_safe_checkpoint(journal: &[String]) -> usize {
 }
 
 #[test]
-#[ignore = "does not hold yet in every trial: run it with --ignored"]
 fn a_power_cut_at_any_call_loses_nothing_that_was_checkpointed() {
     let place = desk();
     let before = Disk::of(place.path());
@@ -57,7 +56,7 @@ fn a_power_cut_at_any_call_loses_nothing_that_was_checkpointed() {
         disk.after_power_cut(unsynced, left.path());
         let failed = |what: String| Some(format!("after {calls} of {} calls, {unsynced:?}: {what}", journal.len()));
         match go_on(left.path()) {
-            Ok(false) if calls >= safe => failed("the checkpoint was not used".into()),
+            Ok(Some(refusal)) if calls >= safe => failed(format!("the checkpoint was not used: {refusal}")),
             Ok(_) => None,
             Err(what) => failed(what),
         }
@@ -72,7 +71,6 @@ fn a_power_cut_at_any_call_loses_nothing_that_was_checkpointed() {
 }
 
 #[test]
-#[ignore = "does not hold yet in every trial: run it with --ignored"]
 fn a_power_cut_while_a_run_is_resumed_loses_nothing() {
     let failures = (0..trials(20)).into_par_iter().filter_map(|trial| {
         let mut chance = ChaCha8Rng::seed_from_u64(trial);
@@ -100,7 +98,6 @@ fn a_power_cut_while_a_run_is_resumed_loses_nothing() {
 }
 
 #[test]
-#[ignore = "does not hold yet in every trial: run it with --ignored"]
 fn a_kill_before_any_call_loses_nothing_that_was_checkpointed() {
     let calls = calls();
     let every = (calls / trials(60)).max(1);
@@ -116,7 +113,6 @@ fn a_kill_before_any_call_loses_nothing_that_was_checkpointed() {
 }
 
 #[test]
-#[ignore = "does not hold yet in every trial: run it with --ignored"]
 fn a_kill_at_any_moment_loses_nothing_that_was_checkpointed() {
     let place = desk();
     let begun = Instant::now();
@@ -144,8 +140,13 @@ fn calls() -> u64 {
     last.parse().unwrap()
 }
 
+/// Whether a message begins with the path of a file or folder that could be there.
+fn names_a_path(place: &Path, message: &str) -> bool {
+    let (path, _) = message.split_once(": ").unwrap_or_default();
+    !path.is_empty() && place.join(path).parent().is_some_and(Path::exists)
+}
+
 #[test]
-#[ignore = "does not hold yet in every trial: run it with --ignored"]
 fn a_file_call_that_fails_is_reported_and_the_run_goes_on_later() {
     const ENOSPC: i32 = 28;
     const EIO: i32 = 5;
@@ -162,7 +163,7 @@ fn a_file_call_that_fails_is_reported_and_the_run_goes_on_later() {
         let complaint = match failed.status.code() {
             // Not every call matters: a temporary file may be left behind.
             Some(0) => difference(place.path()).map(|file| format!("status 0, but {file} differs")),
-            Some(74) if message.contains(RUN) || message.contains(FILE) || message.contains("run") => None,
+            Some(74) if names_a_path(place.path(), &message) => None,
             _ => Some(told(&failed)),
         };
         let complaint = complaint.or_else(|| go_on(place.path()).err());
@@ -187,9 +188,11 @@ fn damaged(file: &str, damage: impl Fn(&mut Vec<u8>) + Sync) -> Option<String> {
     let resumed = veridem(place.path(), &["resume", RUN]).output().unwrap();
     let message = String::from_utf8_lossy(&resumed.stderr);
     let name = Path::new(file).file_name().unwrap().to_str().unwrap();
+    // A manifest that knows another case cannot be told from a case that has changed.
+    let named = message.contains(name) || name == "manifest.json" && message.contains("case.yaml: has changed");
     match resumed.status.code() {
         Some(0) => difference(place.path()).map(|file| format!("status 0, but {file} differs; {message}")),
-        Some(65) if message.contains(name) => None,
+        Some(65) if named => None,
         _ => Some(told(&resumed)),
     }
 }
@@ -205,7 +208,6 @@ const READ: [&str; 6] = [
 ];
 
 #[test]
-#[ignore = "does not hold yet in every trial: run it with --ignored"]
 fn a_flipped_bit_is_noticed_or_has_no_effect() {
     let all = READ.into_iter().flat_map(|file| (0..trials(12)).map(move |trial| (file, trial)));
     let failures = all.collect::<Vec<_>>().into_par_iter().filter_map(|(file, trial)| {

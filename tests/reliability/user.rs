@@ -84,8 +84,8 @@ pub(crate) fn told(output: &Output) -> String {
     format!("{}: {}", output.status, String::from_utf8_lossy(&output.stderr))
 }
 
-/// Resumes a run, or begins it anew if there is nothing to resume, and compares; returns whether it was resumed.
-pub(crate) fn go_on(place: &Path) -> Result<bool, String> {
+/// Resumes a run, or begins it anew if there is nothing to resume, and compares; returns why it was not resumed.
+pub(crate) fn go_on(place: &Path) -> Result<Option<String>, String> {
     let resumed = veridem(place, &["resume", RUN]).output().unwrap();
     let again = match resumed.status.code() {
         Some(0) => None,
@@ -98,7 +98,7 @@ pub(crate) fn go_on(place: &Path) -> Result<bool, String> {
         return Err(format!("{}; begun anew: {}", told(&resumed), told(again)));
     }
     match difference(place) {
-        None => Ok(again.is_none()),
+        None => Ok(again.map(|_| told(&resumed))),
         Some(file) => Err(format!("{file} differs; {}", told(&resumed))),
     }
 }
