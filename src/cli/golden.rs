@@ -3,7 +3,7 @@
 use super::{OutputMode, print};
 use crate::error::{AtPath, Error};
 use crate::golden::{INDEX, check, documented, index, measure, regenerate, samples};
-use std::fmt::Write;
+use serde_json::json;
 use std::path::PathBuf;
 
 /// Number of random inputs per equation for the measurement of its rounding error.
@@ -34,8 +34,8 @@ pub(super) fn run(arguments: &Arguments, manner: OutputMode) -> Result<(), Error
     let root = &arguments.root;
     let equations = documented().map_err(Error::Verification)?;
     let (golden, index_file) = (root.join("golden"), root.join(INDEX));
-    let mut text = String::new();
-    match arguments.action {
+    // The result for people, if it is more than a message, and for programs.
+    let (text, result) = match arguments.action {
         Action::Check => {
             let mut wrong: Vec<String> =
                 equations.iter().flat_map(|(e, document)| check(&golden, e, document)).collect();
@@ -46,6 +46,7 @@ pub(super) fn run(arguments: &Arguments, manner: OutputMode) -> Result<(), Error
                 return Err(Error::Verification(wrong.join("\n")));
             }
             manner.say(format!("the golden vectors of {} equations hold", equations.len()));
+            (String::new(), json!({ "equations": equations.len() }))
         }
         Action::Regenerate => {
             let mut changes = vec![];
@@ -53,18 +54,22 @@ pub(super) fn run(arguments: &Arguments, manner: OutputMode) -> Result<(), Error
                 changes.extend(regenerate(&golden, equation, document).at(&golden)?);
             }
             std::fs::write(&index_file, index(root, &equations).at(root)?).at(&index_file)?;
-            text.extend(changes.iter().map(|change| format!("{change}\n")));
             manner.say(format!("{} equations regenerated, {} vectors changed", equations.len(), changes.len()));
+            let text = changes.iter().map(|change| format!("{change}\n")).collect();
+            (text, json!({ "equations": equations.len(), "changes": changes }))
         }
         Action::Bounds => {
-            let _ = writeln!(text, "{:24} {:>10} {:>8}", "equation", "measured", "stated");
+            let mut text = format!("{:24} {:>10} {:>8}\n", "equation", "measured", "stated");
+            let mut bounds = Vec::new();
             for (equation, document) in &equations {
                 let inputs = samples(equation, document, SAMPLED);
                 let measured = measure(equation, inputs.iter().map(|sample| sample.numbers.as_slice())).ulps;
                 let stated = document.rounding.map_or("-".into(), |bound| bound.to_string());
-                let _ = writeln!(text, "{:24} {measured:>10.3} {stated:>8}", equation.id);
+                text += &format!("{:24} {measured:>10.3} {stated:>8}\n", equation.id);
+                bounds.push(json!({ "equation": equation.id, "measured": measured, "stated": document.rounding }));
             }
+            (text, json!(bounds))
         }
-    }
-    print(&text)
+    };
+    print(&if manner.json { format!("{result:#}\n") } else { text })
 }

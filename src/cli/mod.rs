@@ -14,7 +14,7 @@ mod run;
 mod schema;
 mod sweep;
 
-use crate::error::Error;
+use crate::error::{Error, message, silence};
 use crate::forces::Instructions;
 use crate::interrupt::outlive_file_limits;
 use crate::papers::Papers;
@@ -84,9 +84,9 @@ pub struct OutputMode {
 
 impl OutputMode {
     /// Prints a message to the user.
-    pub fn say(self, message: impl AsRef<str>) {
+    pub fn say(self, text: impl AsRef<str>) {
         if !self.quiet {
-            complain(message.as_ref());
+            message(text.as_ref());
         }
     }
 }
@@ -113,13 +113,13 @@ fn execute(papers: Papers) -> ExitCode {
     let manner = OutputMode { json: command_line.json, quiet: command_line.quiet };
     std::panic::set_hook(Box::new(move |panic| {
         let what = format!("broken invariant: {panic}");
-        complain(&what);
+        message(&what);
         if manner.json {
             print_error(&json!({ "exit": BROKEN, "what": what }));
         }
     }));
     if manner.quiet {
-        crate::error::silence();
+        silence();
     }
     // The main thread works too: handing every step over to another thread and waiting for it would cost more than a small step.
     let threads = command_line.threads.map_or(0, usize::from);
@@ -147,7 +147,7 @@ fn exit(done: Result<(), Error>, json: bool) -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            complain(&error.to_string());
+            message(&error.to_string());
             if json {
                 print_error(&error.to_json());
             }
@@ -191,12 +191,6 @@ fn print_error(error: &serde_json::Value) {
 
 /// Whether anything was printed.
 static PRINTED: AtomicBool = AtomicBool::new(false);
-
-/// Writes a line to standard error; nobody need read it.
-pub(crate) fn complain(text: &str) {
-    use std::io::Write;
-    let _ = writeln!(std::io::stderr(), "{text}");
-}
 
 /// Writes to standard output; a closed pipe is not an error.
 ///

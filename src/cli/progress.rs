@@ -64,7 +64,7 @@ impl Progress {
         } else if taken > 0.0 && self.written.is_none_or(|at| at.elapsed() >= PAUSE) {
             self.written = Some(Instant::now());
             let left = each * state.steps.saturating_sub(state.step) as f64;
-            super::complain(&format!(
+            crate::error::message(&format!(
                 "{} {}/{}, at most {left:.0} s left, {message}",
                 state.stage, state.step, state.steps
             ));

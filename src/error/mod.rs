@@ -6,7 +6,7 @@ mod halt;
 mod notice;
 
 pub use halt::{Halt, Reason};
-pub use notice::{notice, silence};
+pub use notice::{message, notice, silence};
 
 use serde_json::{Value, json};
 use std::fmt;

@@ -18,6 +18,6 @@ pub use kernel::{Load, evaluate, vectorised};
 pub use layout::{CAPACITY, LANES, bond};
 pub use order::spatial_order;
 pub use pairs::{FarPairs, Pairs};
-pub use surfaces::{Minima, SurfaceTotals, each_touch, surface_forces};
+pub use surfaces::{SurfaceTotals, each_touch, surface_forces};
 pub use totals::Totals;
 pub use transpose::Square;

@@ -75,8 +75,7 @@ pub fn surface_forces<M: PairModel>(
     }
     for (place, p) in own.clone().enumerate() {
         let near = &mut near[number][place];
-        let mut minima = |x, reach, found: &mut Vec<_>| near.distance_minima(surface, x, reach, found);
-        each_touch(model, surface, particles, p, (&mut seen, &mut minima), |at, touch, springs, share| {
+        each_touch(model, surface, particles, p, (near, &mut seen), |at, touch, springs, share| {
             let (id, load) = (particles.id[p], &mut loads[place]);
             *load = *load + totals.enter(model, surface, (id, at, share), touch, springs, dt);
         });
@@ -153,9 +152,6 @@ impl Share {
     }
 }
 
-/// Adds to a list the minima of the distance of a surface from a point within a reach.
-pub type Minima<'a> = &'a mut dyn FnMut(Vec3<f64>, f64, &mut Vec<DistanceMinimum>);
-
 /// Shows every place where a surface acts on a free sphere, with the springs of the contact there if it is not new and its share in the attraction,
 /// the nearest place first; then the contact points that the sphere has left since the last step, out of contact and at rest, whose springs have not
 /// been released yet.
@@ -164,7 +160,7 @@ pub fn each_touch<M: PairModel>(
     surface: &Surface,
     particles: &Particles,
     p: usize,
-    (seen, minima): (&mut Vec<DistanceMinimum>, Minima),
+    (near, seen): (&mut NearTriangles, &mut Vec<DistanceMinimum>),
     mut show: impl FnMut(&DistanceMinimum, &Touch<f64>, Option<M::Memory<f64>>, Share),
 ) {
     if particles.wall[p] > 0 {
@@ -173,7 +169,7 @@ pub fn each_touch<M: PairModel>(
     let Particles { x, v, w, radius, id, .. } = particles;
     seen.clear();
     let just = (1.0 + JUST) * radius[p];
-    minima(x[p], model.surface_range(surface.material, radius[p]).max(just), seen);
+    near.distance_minima(surface, x[p], model.surface_range(surface.material, radius[p]).max(just), seen);
     let mut contacts = surface.contacts.of(id[p]);
     for (k, at) in seen.iter().enumerate() {
         let (gap, v) = (at.distance - radius[p], v[p] - surface.velocity);

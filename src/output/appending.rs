@@ -1,6 +1,6 @@
 //! Files that grow by complete lines, and their fingerprints at a checkpoint.
 
-use super::files::{folder_of, sync_folder};
+use super::files::{folder_of, in_pieces, sync_folder};
 use crate::error::{AtPath, Error};
 use crc32fast::Hasher;
 use serde::{Deserialize, Serialize};
@@ -32,22 +32,15 @@ impl Fingerprint {
 
     /// The running checksum of the beginning of a file, if it is this one.
     fn hash(&self, path: &Path) -> Result<Hasher, Error> {
-        let mut file = match File::open(path) {
+        let file = match File::open(path) {
             Err(cause) if cause.kind() == ErrorKind::NotFound => return Err(Error::input(path, "is missing")),
             file => file.at(path)?.take(self.length),
         };
-        let (mut hasher, mut found, mut buffer) = (Hasher::new(), 0, vec![0; 1 << 16]);
-        loop {
-            match file.read(&mut buffer) {
-                Ok(0) => break,
-                Ok(n) => {
-                    hasher.update(&buffer[..n]);
-                    found += n as u64;
-                }
-                Err(cause) if cause.kind() == ErrorKind::Interrupted => {}
-                Err(cause) => return Err(Error::Io(path.into(), cause)),
-            }
-        }
+        let (mut hasher, mut found) = (Hasher::new(), 0);
+        in_pieces(file, path, |piece| {
+            hasher.update(piece);
+            found += piece.len() as u64;
+        })?;
         if found < self.length {
             return Err(Error::input(path, format!("has {found} bytes, but had {} at the checkpoint", self.length)));
         }

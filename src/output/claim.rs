@@ -2,7 +2,7 @@
 
 use super::folder::{CHECKPOINTS, FIGURES, FRAMES};
 use super::lock::LOCK;
-use super::{Lock, Manifest, RunFolder, SURFACES, Status, sha256, sync_folder, write_atomically};
+use super::{Lock, Manifest, RunFolder, Status, frame_number, sha256, sync_folder, write_atomically};
 use crate::error::{AtPath, Error};
 use std::ffi::OsStr;
 use std::io::ErrorKind;
@@ -139,7 +139,7 @@ fn clear(folder: &RunFolder, graphs: &[String]) -> Result<Vec<PathBuf>, Error> {
     for name in [CHECKPOINTS, FRAMES, FIGURES] {
         let made: &dyn Fn(&OsStr) -> bool = match name {
             CHECKPOINTS => &is_checkpoint,
-            FRAMES => &is_frame,
+            FRAMES => &|name| frame_number(name).is_some(),
             _ => &figure,
         };
         let path = folder.root().join(name);
@@ -198,11 +198,6 @@ fn is_checkpoint(name: &OsStr) -> bool {
     number.is_some_and(|number| number == "stopped" || is_number(number, 12))
 }
 
-fn is_frame(name: &OsStr) -> bool {
-    let parts = name.to_str().and_then(|name| name.split_once('.'));
-    parts.is_some_and(|(number, ending)| is_number(number, 6) && ["xyz", SURFACES].contains(&ending))
-}
-
 /// Whether a picture of a stage has this name: `shearing begin.svg`, `pulling 2 after 1 of 4 parts.svg`.
 fn is_picture(name: &str) -> bool {
     let words: Vec<&str> = name.strip_suffix(".svg").unwrap_or_default().split(' ').collect();
@@ -238,7 +233,7 @@ mod tests {
         for name in ["begin.svg", "end", "mine.svg", "shearing after x of 3 parts.svg", "shearing begin.png"] {
             assert!(!is_picture(name), "{name}");
         }
-        let frame = |name: &str| is_frame(OsStr::new(name));
+        let frame = |name: &str| frame_number(OsStr::new(name)).is_some();
         assert!(frame("000012.xyz") && frame("000012.obj") && frame("1000000.xyz"));
         assert!(!frame("12.xyz") && !frame("000012.xyz.gz") && !frame("best.xyz"));
         let folder = RunFolder::at(Path::new("run/x"));

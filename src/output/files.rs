@@ -97,12 +97,18 @@ pub fn with_suffix(path: PathBuf, extension: &str) -> PathBuf {
 ///
 /// If the file cannot be read.
 pub fn sha256_file(path: &Path) -> Result<String, Error> {
-    let mut file = File::open(path).at(path)?;
-    let (mut hash, mut buffer) = (Sha256::new(), vec![0; 1 << 16]);
+    let mut hash = Sha256::new();
+    in_pieces(File::open(path).at(path)?, path, |piece| hash.update(piece))?;
+    Ok(hexadecimal(hash))
+}
+
+/// Shows a file piece by piece.
+pub(super) fn in_pieces(mut file: impl Read, path: &Path, mut show: impl FnMut(&[u8])) -> Result<(), Error> {
+    let mut buffer = vec![0; 1 << 16];
     loop {
         match file.read(&mut buffer) {
-            Ok(0) => return Ok(hexadecimal(hash)),
-            Ok(n) => hash.update(&buffer[..n]),
+            Ok(0) => return Ok(()),
+            Ok(n) => show(&buffer[..n]),
             Err(cause) if cause.kind() == ErrorKind::Interrupted => {}
             Err(cause) => return Err(Error::Io(path.into(), cause)),
         }

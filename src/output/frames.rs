@@ -2,11 +2,20 @@
 
 use crate::spec::Vec3;
 use crate::system::{Domain, Shape, Surface, System};
+use std::ffi::OsStr;
 use std::fmt::Write;
 
 /// The name of a frame in its folder.
 pub fn frame_name(number: u64) -> String {
     format!("{number:06}.xyz")
+}
+
+/// The number of the frame to which a file of this name belongs, as its particles or its surfaces.
+pub fn frame_number(name: &OsStr) -> Option<u64> {
+    let (stem, ending) = name.to_str()?.split_once('.')?;
+    let number = stem.parse().ok()?;
+    let is_frame = ["xyz", SURFACES].contains(&ending) && frame_name(number) == format!("{stem}.xyz");
+    is_frame.then_some(number)
 }
 
 /// All particles in the order of their ids, folded into the box, with seven digits. Their species is `X`, which stands for no element; the

@@ -19,7 +19,7 @@ pub use claim::{Claim, Place};
 pub use columns::Column;
 pub use files::{create_folder, sha256, sha256_file, sync_folder, with_suffix, write_atomically};
 pub use folder::RunFolder;
-pub use frames::{SURFACES, extended_xyz, frame_name, wavefront};
+pub use frames::{SURFACES, extended_xyz, frame_name, frame_number, wavefront};
 pub use lock::Lock;
 use manifest::command_line;
 pub use manifest::{Manifest, Status};

@@ -2,7 +2,8 @@
 
 use crate::error::{AtPath, Error};
 use crate::output::{
-    Appending, Cell, Fingerprint, RunFolder, SURFACES, extended_xyz, frame_name, row, wavefront, write_atomically,
+    Appending, Cell, Fingerprint, RunFolder, SURFACES, extended_xyz, frame_name, frame_number, row, wavefront,
+    write_atomically,
 };
 use crate::system::System;
 use serde::{Deserialize, Serialize};
@@ -100,9 +101,7 @@ impl Record {
 fn remove_frames_after(folder: &RunFolder, count: usize) -> Result<(), Error> {
     for entry in std::fs::read_dir(folder.frames()).at(&folder.frames())? {
         let path = entry.at(&folder.frames())?.path();
-        let number = path.file_stem().and_then(|stem| stem.to_str()?.parse().ok());
-        let is_frame = |number| [frame_path(folder, number), frame_path(folder, number).with_extension(SURFACES)];
-        if number.is_some_and(|number: usize| number >= count && is_frame(number).contains(&path)) {
+        if path.file_name().and_then(frame_number).is_some_and(|number| number >= count as u64) {
             std::fs::remove_file(&path).at(&path)?;
         }
     }

@@ -2,7 +2,8 @@
 
 use super::{Simulation, SurfaceAccount};
 use crate::error::{Halt, Reason};
-use crate::forces::{Minima, SurfaceTotals, each_touch, surface_forces};
+use crate::forces::{SurfaceTotals, each_touch, surface_forces};
+use crate::geometry::triangles::NearTriangles;
 use crate::spec::mechanics::work::work;
 use crate::spec::{Flat, PairModel, Vec3};
 use rayon::prelude::*;
@@ -51,8 +52,7 @@ impl<M: PairModel> Simulation<M> {
         let mut seen = Vec::new();
         for surface in &self.system.surfaces {
             for p in 0..self.system.particles.len() {
-                let mut minima = |x, reach, found: &mut Vec<_>| surface.distance_minima(x, reach, found);
-                let finder = (&mut seen, &mut minima as Minima);
+                let finder = (&mut NearTriangles::default(), &mut seen);
                 each_touch(&self.model, surface, &self.system.particles, p, finder, |_, touch, springs, share| {
                     let springs = springs.unwrap_or(Flat::from_fn(|_| 0.0));
                     let stored = self.model.surface_stored(surface.material, touch, &springs, share.value);

@@ -69,7 +69,7 @@ impl InitialEnergy {
         sums
     }
 
-    /// Refuses an aggregate whose springs hold more than so many times what it can take.
+    /// Refuses an aggregate whose springs store more than a given multiple of the energy that it can absorb.
     ///
     /// # Errors
     ///
