@@ -35,7 +35,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     });
     let outcome = Driver::new(&plan, &Interrupt::default()).run(&mut observer)?;
     for finding in &outcome.findings {
-        println!("{}: {} {}", finding.name, finding.value, finding.unit);
+        println!("{}: {}", finding.name, finding.sentence());
     }
     Ok(())
 }

@@ -48,7 +48,7 @@ fn a_sweep_runs_every_combination_once_and_sums_up() {
     assert!(text(&first.stderr).starts_with("4 runs, 4 of them new: about "), "{}", text(&first.stderr));
     let rows: Vec<Vec<String>> =
         text(&first.stdout).lines().map(|l| l.split(',').map(str::to_string).collect()).collect();
-    assert_eq!(rows[0][..4], ["sample.hcp.diameter", "model.wear.poisson_ratio", "status", "Young's modulus [MPa]"]);
+    assert_eq!(rows[0][..4], ["sample.hcp.diameter", "model.wear.poisson_ratio", "status", "Young's modulus [GPa]"]);
     assert!(!text(&first.stderr).contains("before"), "nothing was there: {}", text(&first.stderr));
     let points: Vec<&[String]> = rows[1..].iter().map(|row| &row[..3]).collect();
     let point = |d, nu| [d, nu, "finished"];
@@ -70,10 +70,8 @@ fn a_sweep_runs_every_combination_once_and_sums_up() {
     assert_eq!(json.as_array().unwrap().len(), 4);
     assert_eq!(json[0]["run"], "swept/diameter=0.6d_c,poisson_ratio=0");
     assert_eq!((&json[0]["keys"]["sample.hcp.diameter"], &json[0]["status"]), (&"0.6 d_c".into(), &"finished".into()));
-    assert_eq!(
-        (&*rows[1][3], &json[0]["results"][0]["name"]),
-        (json[0]["results"][0]["value"].as_str().unwrap(), &"Young's modulus".into())
-    );
+    let modulus = &json[0]["results"]["Young's modulus"];
+    assert_eq!((rows[1][3].parse().ok(), modulus["unit"].as_str()), (modulus["value"].as_f64(), Some("GPa")));
 }
 
 #[test]
@@ -331,7 +329,7 @@ fn json_goes_to_standard_output_and_messages_to_standard_error() {
         .output()
         .unwrap();
     let json: serde_json::Value = serde_json::from_slice(&run.stdout).unwrap();
-    assert_eq!(json["results"][0]["name"], "Young's modulus");
+    assert_eq!(json["results"]["Young's modulus"]["unit"], "GPa");
     assert!(text(&run.stderr).ends_with("finished: run/patch-hcp/report.html\n"));
     let manifest: serde_json::Value =
         serde_json::from_slice(&std::fs::read(place.path().join("run/patch-hcp/manifest.json")).unwrap()).unwrap();

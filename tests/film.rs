@@ -22,8 +22,7 @@ fn case(name: &str) -> String {
 fn finding(run: &Path, name: &str) -> f64 {
     let results: serde_yaml::Value =
         serde_yaml::from_str(&std::fs::read_to_string(run.join("results.yaml")).unwrap()).unwrap();
-    let found = results.as_sequence().unwrap().iter().find(|finding| finding["name"] == name).cloned();
-    found.unwrap_or_else(|| panic!("no {name}"))["value"].as_str().unwrap().parse().unwrap()
+    results.get(name).unwrap_or_else(|| panic!("no {name}"))["value"].as_f64().unwrap()
 }
 
 /// Two columns of a stage, where both have a number.
@@ -44,17 +43,19 @@ fn the_tip_comes_down_to_its_setpoint_turns_and_pulls_and_the_events_are_those_t
     let (down, up) = (curve("approach"), curve("retraction"));
     let (lowest, setpoint) = (down[down.len() - 1][0], down[down.len() - 1][1]);
     assert!(setpoint >= 40.0 && down[..down.len() - 1].iter().all(|point| point[1] < 40.0));
-    assert_eq!(finding(&run, "force at the end of the approach"), setpoint);
+    // Results have four digits, in nN.
+    let rounded = |force: f64| format!("{:.3e}", 1e-3 * force).parse::<f64>().unwrap();
+    assert_eq!(finding(&run, "force at the end of the approach"), rounded(setpoint));
     // Half of the turn is a way down by a quarter of speed times duration, 5 nm; then the tip is as fast as it was.
     let deepest = up.iter().map(|point| point[0]).fold(0.0, f64::min);
     assert!((deepest - (lowest - 5.0)).abs() < 0.1, "{deepest} {lowest}");
     let rise = up[up.len() - 1][0] - up[up.len() - 2][0];
     assert!((rise - 5.0 * 0.5).abs() < 1e-9, "{rise}");
     let largest = finding(&run, "largest pulling force on the tip");
-    assert!(largest > 0.0 && up.iter().any(|point| point[1] == -largest));
+    assert!(largest > 0.0 && up.iter().any(|point| rounded(-point[1]) == largest));
     let spectrum = Spectrum::read(&RunFolder::open(&run).unwrap()).unwrap();
     assert_eq!((spectrum.approach.len(), spectrum.retraction.len()), (down.len(), up.len()));
-    assert_eq!(spectrum.largest, largest);
+    assert_eq!(rounded(spectrum.largest), largest);
     assert!(spectrum.events.iter().all(|event| (deepest..=up[up.len() - 1][0]).contains(&event.0)));
     let detachments = spectrum.events.iter().filter(|event| event.1.starts_with("detachment of")).count();
     assert_eq!(detachments as f64, finding(&run, "detachments during retraction"));

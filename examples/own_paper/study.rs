@@ -129,8 +129,8 @@ impl Study for Plan {
         }
         let expected = restitution(self.law.damping_ratio);
         Ok(vec![
-            Finding::number("restitution", self.bounce(simulation.system()), "", Some(expected)),
-            Finding::number("largest overlap", -watch.least, "nm", None),
+            Finding::number("restitution", self.bounce(simulation.system()), "").target(expected),
+            Finding::number("largest overlap", -watch.least, "nm"),
         ])
     }
 }

@@ -114,13 +114,34 @@ pub fn rounded(value: f64) -> String {
     decimal(format!("{value:.5e}").parse().expect("a formatted number is a number"))
 }
 
+/// A number with this many significant digits, for people.
+pub fn significant(value: f64, digits: usize) -> String {
+    let scientific = format!("{value:.0$e}", digits - 1);
+    let size = value.abs();
+    if size == 0.0 || !value.is_finite() {
+        return format!("{value}");
+    }
+    if !(1e-4..1e7).contains(&size) {
+        return scientific;
+    }
+    let (_, exponent) = scientific.split_once('e').expect("scientific notation");
+    let before: i32 = exponent.parse().expect("scientific notation");
+    let decimals = (digits as i32 - 1 - before).max(0) as usize;
+    format!("{:.decimals$}", scientific.parse::<f64>().expect("scientific notation"))
+}
+
+/// An engine value in a unit.
+pub fn from_engine(value: f64, unit_text: &str) -> f64 {
+    let power = if unit_text.is_empty() { 0 } else { unit(unit_text).expect("units named in the source exist").1 };
+    if value.is_finite() { shifted(&format!("{value:e}"), -power) } else { value }
+}
+
 /// An engine value in `unit` with six significant digits, for people.
 pub fn in_unit(value: f64, unit_text: &str) -> String {
     if !value.is_finite() {
         return format!("{value} {unit_text}");
     }
-    let (_, power) = unit(unit_text).expect("units named in the source exist");
-    format!("{} {unit_text}", rounded(shifted(&format!("{value:e}"), -power)))
+    format!("{} {unit_text}", rounded(from_engine(value, unit_text)))
 }
 
 #[cfg(test)]

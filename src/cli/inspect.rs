@@ -39,7 +39,8 @@ fn summarise(root: &Path, papers: Papers, manner: OutputMode) -> Result<(), Erro
     if manner.json {
         let state: serde_json::Map<String, serde_json::Value> =
             state.into_iter().map(|(column, cell)| (column.clone(), json!(cell))).collect();
-        let summary = json!({ "title": title, "manifest": manifest, "state": state, "results": findings });
+        let summary =
+            json!({ "title": title, "manifest": manifest, "state": state, "results": Finding::results(&findings) });
         return print(&format!("{summary:#}\n"));
     }
     let mut text = format!(

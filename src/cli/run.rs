@@ -75,7 +75,7 @@ fn is_a_name(name: &OsStr) -> bool {
 pub(super) fn conclude(folder: &RunFolder, findings: &[Finding], manner: OutputMode) -> Result<(), Error> {
     manner.say(format!("finished: {}", folder.report().display()));
     if manner.json {
-        let result = serde_json::json!({ "run": folder.root(), "results": findings });
+        let result = serde_json::json!({ "run": folder.root(), "results": Finding::results(findings) });
         return print(&format!("{result:#}\n"));
     }
     print(&table(findings))
@@ -84,10 +84,10 @@ pub(super) fn conclude(folder: &RunFolder, findings: &[Finding], manner: OutputM
 /// Findings as lines for people.
 pub(super) fn table(findings: &[Finding]) -> String {
     let width = findings.iter().map(|finding| finding.name.chars().count()).max().unwrap_or(0);
-    let line = |Finding { name, value, unit, target }: &Finding| {
-        let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
-        let target = if target.is_empty() { String::new() } else { format!("  (target {target}{unit})") };
-        format!("{name:width$}  {value}{unit}{target}\n")
+    let line = |finding: &Finding| {
+        let unit = if finding.unit.is_empty() { String::new() } else { format!(" {}", finding.unit) };
+        let target = finding.target.map_or(String::new(), |_| format!("  (target {}{unit})", finding.target_text()));
+        format!("{:width$}  {}{target}\n", finding.name, finding.sentence())
     };
     findings.iter().map(line).collect()
 }

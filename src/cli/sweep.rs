@@ -8,7 +8,7 @@ use super::{OutputMode, print};
 use crate::case::unmarked;
 use crate::error::Error;
 use crate::interrupt::Interrupt;
-use crate::output::{Lock, create_folder};
+use crate::output::{Finding, Lock, create_folder};
 use crate::papers::Papers;
 use crate::run::sweep::{Point, carry_out, distinct};
 use crate::run::{Message, Reader};
@@ -183,7 +183,7 @@ fn json(
             axes.iter().zip(&point.values).map(|(axis, value)| (axis.key.clone(), value.clone().into())).collect();
         let error = failures.iter().find(|(name, _)| *name == point.name).map(|(_, error)| error.to_json());
         Ok(serde_json::json!({
-            "run": out.join(&point.name), "keys": keys, "status": row.status, "reason": row.reason, "error": error, "results": findings
+            "run": out.join(&point.name), "keys": keys, "status": row.status, "reason": row.reason, "error": error, "results": Finding::results(&findings)
         }))
     };
     let runs: Vec<serde_json::Value> = points.iter().map(object).collect::<Result<_, Error>>()?;

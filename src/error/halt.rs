@@ -21,6 +21,11 @@ pub enum Reason {
         /// Id of the sphere.
         particle: u32,
     },
+    /// A quantity that was to be written is not a finite number.
+    NotANumber {
+        /// Its name.
+        quantity: String,
+    },
     /// The overlap of two spheres exceeds the limit.
     Overlap {
         /// Ids of the spheres.
@@ -81,6 +86,7 @@ impl fmt::Display for Halt {
             Reason::NotFinite { particle } => {
                 write!(f, "the position or velocity of particle {particle} is not finite")
             }
+            Reason::NotANumber { quantity } => write!(f, "`{quantity}` is not a finite number"),
             Reason::Overlap { pair: (i, j), ratio, limit } => {
                 write!(f, "particles {i} and {j} overlap by {ratio:.3} of the sum of their radii (limit {limit})")
             }

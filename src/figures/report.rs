@@ -18,7 +18,7 @@ const MOST_MARKS: usize = 200;
 pub fn report(title: &str, graphs: &[Graph], folder: &RunFolder, findings: &[Finding]) -> Result<(), Error> {
     let mut page = Report::new(title);
     let rows: Vec<[String; 4]> =
-        findings.iter().map(|f| [f.name.clone(), f.value.clone(), f.unit.clone(), f.target.clone()]).collect();
+        findings.iter().map(|f| [f.name.clone(), f.text(), f.unit.clone(), f.target_text()]).collect();
     page.table(&["quantity", "value", "unit", "target"], &rows);
     let (series, events) = (Series::read(folder)?, Event::all(folder)?);
     let done = series.stages();

@@ -16,18 +16,26 @@ pub struct ForceCurve {
     reading: f64,
     rate: f64,
     points: Vec<(f64, f64)>,
+    /// The largest force, unfiltered, if any was positive.
+    largest: Option<f64>,
 }
 
 impl ForceCurve {
     /// A cantilever at rest, of the natural angular frequency `omega_0`.
     pub fn new(omega_0: f64) -> Self {
-        Self { omega_0, force: 0.0, reading: 0.0, rate: 0.0, points: Vec::new() }
+        Self { omega_0, force: 0.0, reading: 0.0, rate: 0.0, points: Vec::new(), largest: None }
     }
 
     /// The force after a time step.
     pub fn follow(&mut self, force: f64, dt: f64) {
         (self.reading, self.rate) = filter_step(self.omega_0, dt, self.reading, self.rate, self.force, force);
         self.force = force;
+        self.largest = self.largest.into_iter().chain([force]).filter(|&force| force > 0.0).reduce(f64::max);
+    }
+
+    /// The largest force in any step, unfiltered; none if there was no positive one.
+    pub fn largest(&self) -> Option<f64> {
+        self.largest
     }
 
     /// The present reading of the cantilever.

@@ -211,7 +211,11 @@ impl<'a, S: Study> Driver<'a, S> {
     ) -> Result<System, Error> {
         sink.end(&mut stage, run)?;
         let RunningStage { number, simulation, watch, .. } = stage;
-        run.findings.extend(self.study.findings(number, &watch, &simulation)?);
+        let findings = self.study.findings(number, &watch, &simulation)?;
+        if let Some(finding) = findings.iter().find(|finding| !finding.is_finite()) {
+            return Err(simulation.not_a_number(&finding.name).into());
+        }
+        run.findings.extend(findings);
         self.study.end(number, simulation)
     }
 }

@@ -320,7 +320,7 @@ impl Job {
             std::panic::resume_unwind(broken)
         });
         let result = run.and_then(|Outcome { findings, system }| {
-            let results = serde_yaml::to_string(&findings).expect("findings are plain data");
+            let results = serde_yaml::to_string(&Finding::results(&findings)).expect("findings are plain data");
             write_atomically(&folder.results(), results.as_bytes())?;
             #[cfg(feature = "cli")]
             crate::figures::report(&self.title, self.graphs, folder, &findings)?;

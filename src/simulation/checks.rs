@@ -69,6 +69,11 @@ impl<M: PairModel> Simulation<M> {
         Err(self.halt(Reason::NotFinite { particle: lost.map_or(0, |p| particles.id[p]) }))
     }
 
+    /// The halt of a quantity that is not finite.
+    pub fn not_a_number(&self, quantity: impl Into<String>) -> Halt {
+        self.halt(Reason::NotANumber { quantity: quantity.into() })
+    }
+
     /// The pair that overlaps most.
     pub fn largest_overlap(&self) -> Option<((u32, u32), f64)> {
         let id = &self.system.particles.id;

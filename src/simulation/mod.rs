@@ -101,6 +101,11 @@ impl<M: PairModel> Simulation<M> {
         &self.system
     }
 
+    /// Time since the stage began, ns: steps are counted from there.
+    pub fn elapsed(&self) -> f64 {
+        self.system.step as f64 * self.settings.dt
+    }
+
     /// Updates the positions of all members of bodies.
     pub fn place_members(&mut self) {
         self.system.place_members(self.listed.moving);

@@ -130,7 +130,7 @@ pub(super) fn row(axes: &[Axis], point: &Point, out: &Path, reason: String) -> R
         "" => finding.name.clone(),
         unit => format!("{} [{unit}]", finding.name),
     };
-    let results = findings.iter().map(|finding| (header(finding), finding.value.clone())).collect();
+    let results = findings.iter().map(|finding| (header(finding), finding.text())).collect();
     let keys = axes.iter().zip(&point.values).map(|(axis, value)| (axis.key.clone(), value.clone())).collect();
     Ok((Row { run: point.name.clone(), keys, status, reason, results }, findings))
 }

@@ -1,6 +1,7 @@
 //! The measurements of the stages of soot, and their findings.
 
 use super::case::SootStage;
+use crate::case::units::in_unit;
 use crate::geometry::Sphere;
 use crate::geometry::{SphereExtent, gyration_radius};
 use crate::initial::aggregate::NEIGHBOURLY;
@@ -68,6 +69,9 @@ pub fn shape(system: &System) -> Shape {
     [coordination_number(&spheres), convexity(&spheres).value, gyration_radius(&spheres, SphereExtent::Centres)]
 }
 
+/// Interval between the points of a force curve, ns.
+const RECORDED: f64 = 0.1;
+
 /// The initial state of a stage, and the force curve of an indentation.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Watch {
@@ -89,7 +93,11 @@ impl Watch {
     /// Observes every step.
     pub fn follow(&mut self, simulation: &Simulation<Soot<impl Reading>>) {
         if let (Some(curve), Some(tip)) = (&mut self.curve, surface(simulation.system(), TIP)) {
-            curve.follow(-tip.force.total().0[2], simulation.settings().dt);
+            let dt = simulation.settings().dt;
+            curve.follow(-tip.force.total().0[2], dt);
+            if simulation.system().step.is_multiple_of(((RECORDED / dt).round() as u64).max(1)) {
+                curve.look(tip.way.0[2]);
+            }
         }
     }
 
@@ -111,7 +119,6 @@ impl Watch {
             }
             None => cells.extend(vec![Cell::Nothing; 4]),
         }
-        self.record(simulation);
         match (surface(system, TIP), &self.curve) {
             (Some(tip), Some(curve)) => {
                 cells.extend([Cell::Number(tip.way.0[2]), Cell::Count(spheres_on(&system.particles, tip))]);
@@ -134,17 +141,10 @@ impl Watch {
         self.kinetic
     }
 
-    /// Records the current point of the force curve.
-    pub fn record(&mut self, simulation: &Simulation<Soot<impl Reading>>) {
-        if let (Some(curve), Some(tip)) = (&mut self.curve, surface(simulation.system(), TIP)) {
-            curve.look(tip.way.0[2]);
-        }
-    }
-
     /// The findings of the stage.
     pub fn findings(&self, stage: &SootStage, simulation: &Simulation<Soot<impl Reading>>) -> Vec<Finding> {
         let system = simulation.system();
-        let number = |name: &str, value: f64, unit: &str| Finding::number(name, value, unit, None);
+        let number = |name: &str, value: f64, unit: &str| Finding::number(name, value, unit);
         let mut findings = match stage {
             SootStage::Deposition(_) => {
                 let Deposit { spheres, kinetic, dissipated, rests } = self.deposit(simulation);
@@ -154,38 +154,39 @@ impl Watch {
                     (true, 1) => "rests on one sphere",
                     (true, _) => "adheres",
                 };
-                let sentence = format!(
-                    "the aggregate {verdict}; {:.2} % of its kinetic energy remains",
-                    100.0 * kinetic / self.kinetic
-                );
+                let left = (self.kinetic > 0.0).then(|| 100.0 * kinetic / self.kinetic);
+                let left = left.map_or(String::new(), |left| format!("; {left:.2} % of its kinetic energy remains"));
                 vec![
-                    Finding::words("end", sentence),
-                    number("spheres on the substrate", spheres as f64, ""),
-                    number("initial kinetic energy", self.kinetic, "zJ"),
-                    number("final kinetic energy", kinetic, "zJ"),
-                    number("energy dissipated", dissipated, "zJ"),
+                    Finding::words("end", format!("the aggregate {verdict}{left}")),
+                    Finding::count("spheres on the substrate", spheres),
+                    number("initial kinetic energy", self.kinetic, "aJ"),
+                    number("final kinetic energy", kinetic, "aJ"),
+                    number("energy dissipated", dissipated, "aJ"),
                 ]
             }
             SootStage::Indentation(_) => {
                 let curve = self.curve.as_ref().expect("an indentation has a force curve");
-                let (peaks, highest) = (curve.peaks().len(), curve.highest());
+                let highest = Some(curve.highest()).filter(|&highest| highest > 0.0);
                 let end = match curve.rupture() {
                     Some(displacement) => {
                         format!("is free, or has torn off a fragment, {displacement:.0} nm above its initial position")
                     }
+                    None if highest.is_none() => "was not pulled after its reversal".into(),
                     None => "is still attached to the aggregate".into(),
                 };
+                let strongest = |force: Option<f64>| force.map_or("none".into(), |force| in_unit(force, "nN"));
                 let sentence = format!(
-                    "the tip {end}; the largest pulling force, filtered by the cantilever, was {:.2} nN",
-                    1e-3 * highest
+                    "the tip {end}; its largest pulling force: {}, filtered by the cantilever and after the reversal: {}",
+                    strongest(curve.largest()),
+                    strongest(highest),
                 );
-                let mut found = vec![
+                vec![
                     Finding::words("end", sentence),
-                    number("peaks of the force curve", peaks as f64, ""),
-                    number("highest peak", highest, "pN"),
-                ];
-                found.extend(curve.rupture().map(|height| number("rupture height", height, "nm")));
-                found
+                    Finding::reached("largest pulling force", curve.largest(), "nN", "the tip was never pulled"),
+                    Finding::count("peaks of the force curve", curve.peaks().len() as u64),
+                    Finding::reached("highest peak", highest, "nN", "the tip was not pulled after its reversal"),
+                    Finding::reached("rupture height", curve.rupture(), "nm", format!("the tip {end}")),
+                ]
             }
             SootStage::Restructuring(_) => {
                 let (first, last) = (self.shape, shape(system));
@@ -197,7 +198,7 @@ impl Watch {
                 vec![Finding::words("end", sentence)]
             }
         };
-        findings.push(number("necks", system.necks.len() as f64, ""));
+        findings.push(Finding::count("necks", system.necks.len() as u64));
         for (when, [coordination, convexity, gyration]) in [("initial", self.shape), ("final", shape(system))] {
             findings.extend([
                 number(&format!("{when} coordination number"), coordination, ""),

@@ -35,7 +35,7 @@ impl Pull {
                 if simulation.system().step.is_multiple_of(rows) {
                     plan.look(watch, simulation);
                     pull.curve.push((watch.pulled(simulation), watch.mean_pull()));
-                    pull.largest = watch.largest_pull();
+                    pull.largest = watch.largest_pull().unwrap_or(0.0);
                 }
             }
             ControlFlow::Continue(())

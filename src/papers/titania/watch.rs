@@ -1,6 +1,7 @@
 //! The measurements of the stages: sliding, rolling and detachment of contacts, and the forces that cause them.
 
 use super::stage::StageAct;
+use crate::case::units::in_unit;
 use crate::output::{Cell, Finding};
 use crate::simulation::{Pair, Simulation};
 use crate::spec::Vec3;
@@ -50,6 +51,9 @@ pub(super) mod columns {
 /// Index of the pulling spring of a chain; spring 0 holds the other end.
 const DRAWN: usize = 1;
 
+/// Time over which the force of the pulling spring is averaged, ns.
+const AVERAGE: f64 = 0.05;
+
 /// Largest deviation from the equilibrium distance at which a released pair counts as settled, nm.
 const SETTLED: f64 = 5e-3;
 
@@ -65,10 +69,14 @@ pub struct Watch {
     pull: (f64, u64),
     /// Its mean between the last two rows.
     mean_pull: f64,
-    largest_pull: f64,
+    /// The same force, summed since the last mean was taken, and the last mean.
+    window: (f64, u64),
+    mean: f64,
+    /// The largest of these means after the initial oscillation of the pulled particles.
+    largest_pull: Option<f64>,
     /// Sums of the measured rolling resistance and of its value by the law, and the number of summands.
     resistance: (f64, f64, u64),
-    /// Smallest distance of a released pair, and the last time at which it was not settled.
+    /// Smallest distance of a released pair, and the time, since the release, of the last step in which it was not settled.
     swing: (f64, f64),
 }
 
@@ -98,7 +106,7 @@ impl Watch {
     pub fn begin(simulation: &Simulation<Titania>) -> Self {
         let mut bonds: Vec<_> = simulation.pairs().map(|pair| (ids(simulation, &pair), Vec3::zero())).collect();
         bonds.sort_unstable_by_key(|bond| bond.0);
-        Self { bonds, swing: (f64::INFINITY, simulation.system().time), ..Self::default() }
+        Self { bonds, swing: (f64::INFINITY, 0.0), ..Self::default() }
     }
 
     /// Observes a step and returns its events.
@@ -139,7 +147,7 @@ impl Watch {
             if bonds.binary_search_by_key(&ids, |bond| bond.0).is_err() {
                 events.push(format!("detachment of {} and {}", ids.0, ids.1));
                 let pulled = self.pulled(simulation);
-                self.detachments.push(Detachment { ids, pulled, force: self.mean_pull });
+                self.detachments.push(Detachment { ids, pulled, force: self.mean });
             }
         }
         self.bonds = bonds;
@@ -154,7 +162,7 @@ impl Watch {
                 let d = distance(simulation);
                 self.swing.0 = self.swing.0.min(d);
                 if (d - 0.5 * (first + second)).abs() > SETTLED {
-                    self.swing.1 = system.time;
+                    self.swing.1 = simulation.elapsed();
                 }
             }
             StageAct::Drag { rolls: true, .. } => {
@@ -166,8 +174,18 @@ impl Watch {
                 }
             }
             StageAct::Pull { .. } => {
-                self.pull.0 += system.steerings[DRAWN].force.0[0];
-                self.pull.1 += 1;
+                let spring = &system.steerings[DRAWN];
+                let force = spring.force.0[0];
+                self.pull = (self.pull.0 + force, self.pull.1 + 1);
+                self.window = (self.window.0 + force, self.window.1 + 1);
+                let every = ((AVERAGE / simulation.settings().dt).round() as u64).max(1);
+                if system.step.is_multiple_of(every) {
+                    self.mean = self.window.0 / self.window.1 as f64;
+                    self.window = (0.0, 0);
+                    if spring.age > spring.swing(&system.particles) {
+                        self.largest_pull = Some(self.largest_pull.map_or(self.mean, |most| most.max(self.mean)));
+                    }
+                }
             }
             _ => {}
         }
@@ -178,8 +196,8 @@ impl Watch {
         self.mean_pull
     }
 
-    /// The largest of these means after the initial oscillation of the pulled particles, pN.
-    pub fn largest_pull(&self) -> f64 {
+    /// The largest mean force over 50 ps after the initial oscillation of the pulled particles, pN.
+    pub fn largest_pull(&self) -> Option<f64> {
         self.largest_pull
     }
 
@@ -198,9 +216,6 @@ impl Watch {
         if let Some(spring) = system.steerings.get(DRAWN) {
             if self.pull.1 > 0 {
                 self.mean_pull = self.pull.0 / self.pull.1 as f64;
-                if spring.age > spring.swing(&system.particles) {
-                    self.largest_pull = self.largest_pull.max(self.mean_pull);
-                }
                 self.pull = (0.0, 0);
             }
             let numbers = [self.pulled(simulation), spring.travel.0[0], self.mean_pull];
@@ -218,54 +233,67 @@ impl Watch {
     /// The findings of the stage.
     pub fn findings(&self, act: &StageAct, simulation: &Simulation<Titania>) -> Vec<Finding> {
         let law = simulation.model();
-        let slips = self.slips.len() as f64;
+        let now = simulation.elapsed();
         match act {
             StageAct::Approach { diameters: [first, second], .. } => {
-                let begin = simulation.system().time - simulation.system().step as f64 * simulation.settings().dt;
-                let rest = 0.5 * (first + second);
+                let settled = (self.swing.1 < now).then_some(self.swing.1);
                 vec![
-                    Finding::number("final distance", distance(simulation), "nm", Some(rest)),
-                    Finding::number("smallest distance", self.swing.0, "nm", None),
-                    Finding::number("time to settle within 5 pm", self.swing.1 - begin, "ns", None),
+                    Finding::number("final distance", distance(simulation), "nm").target(0.5 * (first + second)),
+                    Finding::number("smallest distance", self.swing.0, "nm"),
+                    Finding::reached("time to settle within 5 pm", settled, "ns", within(now, "ns")),
                 ]
             }
             StageAct::Drag { rolls: false, .. } => {
-                let mean = |of: fn(&Slip) -> f64| self.slips.iter().map(of).sum::<f64>() / slips;
-                let mut found = vec![Finding::number("slips", slips, "", None)];
-                if let [first, .., last] = self.slips[..] {
-                    let period = (last.moved - first.moved) / (slips - 1.0);
-                    found.push(Finding::number("stick-slip period", period, "nm", Some(law.lambda_t)));
+                let slips = self.slips.len();
+                let mean = |of: fn(&Slip) -> f64| self.slips.iter().map(of).sum::<f64>() / slips as f64;
+                let moved = simulation.system().walls.get(1).map_or(0.0, |wall| wall.travel.0[0]);
+                let period = match self.slips[..] {
+                    [first, .., last] => Some((last.moved - first.moved) / (slips - 1) as f64),
+                    _ => None,
+                };
+                let few = |needed: &str| format!("no {needed} {}", within(moved, "nm").trim_start_matches("not "));
+                let friction = (slips > 0).then(|| mean(|slip| slip.friction));
+                let mut peak = Finding::reached("peak friction", friction, "nN", few("slip"));
+                if slips > 0 {
+                    peak = peak.target(mean(|slip| slip.strength));
                 }
-                if !self.slips.is_empty() {
-                    let strength = Some(mean(|slip| slip.strength));
-                    found.push(Finding::number("peak friction", mean(|slip| slip.friction), "pN", strength));
-                }
-                found
+                vec![
+                    Finding::count("slips", slips as u64),
+                    Finding::reached("stick-slip period", period, "nm", few("second slip")).target(law.lambda_t),
+                    peak,
+                ]
             }
             StageAct::Drag { rolls: true, .. } => {
                 let (resistance, strength, n) = self.resistance;
-                let n = n as f64;
-                vec![Finding::number("rolling resistance", resistance / n, "pN", Some(strength / n))]
+                let mean = |sum: f64| (n > 0).then(|| sum / n as f64);
+                let found =
+                    Finding::reached("rolling resistance", mean(resistance), "nN", "the particle left the slab");
+                vec![mean(strength).map_or(found.clone(), |strength| found.target(strength))]
             }
             StageAct::Pull { .. } => {
-                let count = |name: &str, n: usize| Finding::number(name, n as f64, "", None);
+                let early = "the initial oscillation has not ended";
                 let mut found = vec![
-                    count("slidings", self.slips.len()),
-                    count("rollings", self.rollings as usize),
-                    count("detachments", self.detachments.len()),
-                    Finding::number("largest pulling force", self.largest_pull, "pN", None),
+                    Finding::count("slidings", self.slips.len() as u64),
+                    Finding::count("rollings", self.rollings),
+                    Finding::count("detachments", self.detachments.len() as u64),
+                    Finding::reached("largest pulling force", self.largest_pull, "nN", early),
                 ];
-                for Detachment { ids: (i, j), pulled, force } in &self.detachments {
-                    let name = format!(
-                        "pulling force at the detachment of {i} and {j}, after a displacement of {pulled:.2} nm"
-                    );
-                    found.push(Finding::number(&name, *force, "pN", None));
+                for (number, Detachment { ids: (i, j), pulled, force }) in self.detachments.iter().enumerate() {
+                    let named = |what: &str| format!("detachment {}: {what}", number + 1);
+                    found.push(Finding::words(named("particles"), format!("{i} and {j}")));
+                    found.push(Finding::number(named("displacement"), *pulled, "nm"));
+                    found.push(Finding::number(named("pulling force"), *force, "nN"));
                 }
                 found
             }
             StageAct::Press { .. } | StageAct::Relax { .. } => Vec::new(),
         }
     }
+}
+
+/// Why nothing was reached.
+fn within(extent: f64, unit: &str) -> String {
+    format!("not within {}", in_unit(extent, unit))
 }
 
 /// Centre distance of two particles.

@@ -160,7 +160,12 @@ impl Study for Plan {
     }
 
     fn watch(&self, stage: usize, simulation: &Simulation<Wear>) -> Watch {
-        Watch::begin(&self.stages[stage], &self.case, simulation)
+        Watch::begin(&self.stages[stage], simulation)
+    }
+
+    fn follow(&self, _: usize, watch: &mut Watch, simulation: &Simulation<Wear>) -> Vec<String> {
+        watch.follow(simulation);
+        Vec::new()
     }
 
     fn look(&self, watch: &mut Watch, simulation: &Simulation<Wear>) -> Vec<Cell> {

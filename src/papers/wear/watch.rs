@@ -2,12 +2,14 @@
 
 use super::case::Case;
 use super::derived::material;
-use super::fate::{Fate, WINDOW, Witness};
+use super::fate::{Fate, Row, WINDOW, Witness};
 use super::protocol::{Setup, Stage};
-use crate::observe::patch::Gauge;
+use crate::case::units::{in_unit, rounded};
+use crate::observe::patch::{Elasticity, Gauge};
 use crate::observe::{Link, links, packing, upper_wall};
 use crate::output::{Cell, Finding};
 use crate::simulation::Simulation;
+use crate::spec::Vec3;
 use crate::spec::wear::Wear;
 use serde::{Deserialize, Serialize};
 
@@ -22,6 +24,12 @@ pub enum Watch {
     Junction(Sheared),
 }
 
+/// Intervals, in steps, at which a test between two walls is measured and at which it is asked for its end, whatever is written.
+const MEASURED: u64 = 20;
+const JUDGED: u64 = 100;
+/// A peak has been passed once the stress has fallen below this fraction of it.
+const PASSED: f64 = 0.9;
+
 /// A test between two walls: strain and stress, and the peak stress.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Test {
@@ -29,7 +37,11 @@ pub struct Test {
     gauge: Gauge,
     /// Strain and stress at the peak.
     peak: [f64; 2],
+    /// Whether the stress has fallen since.
+    passed: bool,
     failed: bool,
+    /// Strain at the last measurement.
+    strain: f64,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -47,9 +59,10 @@ pub struct Sheared {
     start: [f64; 3],
     /// Sliding distance at which the next window closes, nm.
     next: f64,
-    window: f64,
-    friction: f64,
-    rows: u64,
+    /// Friction force, summed over all steps, and their number.
+    friction: (f64, u64),
+    /// Number of windows that have been written.
+    written: usize,
 }
 
 /// The columns of all observers; a stage fills its own.
@@ -107,7 +120,7 @@ use columns::{JUNCTION, RELAXATION, TEST};
 
 impl Watch {
     /// Starts observing a stage.
-    pub fn begin(stage: &Stage, case: &Case, simulation: &Simulation<Wear>) -> Self {
+    pub fn begin(stage: &Stage, simulation: &Simulation<Wear>) -> Self {
         let system = simulation.system();
         match &stage.setup {
             Setup::None => Self::Relaxation,
@@ -118,20 +131,26 @@ impl Watch {
                     _ => Kind::Shear,
                 };
                 let gauge = Gauge::new(system, &links(simulation), *thickness);
-                Self::Test(Test { kind, gauge, peak: [0.0; 2], failed: false })
+                Self::Test(Test { kind, gauge, peak: [0.0; 2], passed: false, failed: false, strain: 0.0 })
             }
-            Setup::Junction(junction) => {
-                let window = WINDOW.max(junction.velocity.abs() * case.output.series.value(simulation.settings().dt));
-                Self::Junction(Sheared {
-                    witness: Witness::new(system, junction.height),
-                    height: junction.height,
-                    start: upper_wall(system).0,
-                    next: window,
-                    window,
-                    friction: 0.0,
-                    rows: 0,
-                })
-            }
+            Setup::Junction(junction) => Self::Junction(Sheared {
+                witness: Witness::new(system, junction.height),
+                height: junction.height,
+                start: upper_wall(system).0,
+                next: WINDOW,
+                friction: (0.0, 0),
+                written: 0,
+            }),
+        }
+    }
+
+    /// Observes a step.
+    pub fn follow(&mut self, simulation: &Simulation<Wear>) {
+        match self {
+            Self::Relaxation => {}
+            Self::Test(test) if simulation.system().step.is_multiple_of(MEASURED) => test.follow(simulation),
+            Self::Test(_) => {}
+            Self::Junction(sheared) => sheared.follow(simulation),
         }
     }
 
@@ -159,107 +178,130 @@ impl Watch {
         match self {
             Self::Relaxation => {
                 let name = format!("volume fraction after {}", stage.name);
-                vec![Finding::number(&name, packing::volume_fraction(simulation.system()), "", None)]
+                vec![Finding::number(name, packing::volume_fraction(simulation.system()), "")]
             }
             Self::Test(test) => test.findings(case, simulation),
-            Self::Junction(sheared) => sheared.findings(),
+            Self::Junction(sheared) => sheared.findings(simulation),
         }
     }
 }
 
 impl Test {
-    fn look(&mut self, simulation: &Simulation<Wear>, links: &[Link]) -> Vec<Cell> {
+    /// The strain and the stress of the test, and all cells but the peak.
+    fn read(&self, simulation: &Simulation<Wear>, links: &[Link]) -> ([f64; 2], [f64; 5]) {
         let reading = self.gauge.read(simulation.system(), links);
         let (normal, shear) = (reading.stress[1].0[1], reading.stress[0].0[1]);
-        let (strain, stress) = match self.kind {
-            Kind::Shear => (reading.strain.0[0], shear),
-            _ => (reading.strain.0[1], normal),
-        };
+        let [sheared, stretched, _] = reading.strain.0;
+        let own = if self.kind == Kind::Shear { [sheared, shear] } else { [stretched, normal] };
+        (own, [stretched, sheared, normal, reading.stress[0].0[0], shear])
+    }
+
+    fn follow(&mut self, simulation: &Simulation<Wear>) {
+        let ([strain, stress], _) = self.read(simulation, &links(simulation));
+        self.strain = strain;
         if stress > self.peak[1] {
-            self.peak = [strain, stress];
+            (self.peak, self.passed) = ([strain, stress], false);
+        }
+        self.passed |= stress < PASSED * self.peak[1];
+        if !simulation.system().step.is_multiple_of(JUDGED) {
+            return;
         }
         // Failure: the strain exceeds the strain at the peak by half, and the stress is below half the peak.
         self.failed = self.kind != Kind::Compression
             && strain > 0.01
             && strain > 1.5 * self.peak[0]
             && stress < 0.5 * self.peak[1];
-        let lateral = reading.stress[0].0[0];
-        [reading.strain.0[1], reading.strain.0[0], normal, lateral, shear, self.peak[1]].map(Cell::Number).into()
+    }
+
+    fn look(&self, simulation: &Simulation<Wear>, links: &[Link]) -> Vec<Cell> {
+        let ([_, stress], cells) = self.read(simulation, links);
+        cells.into_iter().chain([stress.max(self.peak[1])]).map(Cell::Number).collect()
     }
 
     fn findings(&self, case: &Case, simulation: &Simulation<Wear>) -> Vec<Finding> {
         let material = material(case);
         match self.kind {
             Kind::Compression => {
-                let Some(elasticity) = self.gauge.elasticity(simulation.system(), &links(simulation)) else {
-                    return vec![Finding::words("elasticity", "not measured: the sample did not keep its shape")];
+                let elasticity = self.gauge.elasticity(simulation.system(), &links(simulation));
+                let of = |name: &str, value: fn(&Elasticity) -> f64, unit: &str| {
+                    Finding::reached(name, elasticity.as_ref().map(value), unit, "the sample did not keep its shape")
                 };
                 vec![
-                    Finding::number(
-                        "Young's modulus",
-                        elasticity.young_modulus,
-                        "MPa",
-                        Some(material.young_modulus.value),
-                    ),
-                    Finding::number("Poisson's ratio", elasticity.poisson_ratio, "", Some(material.poisson_ratio)),
-                    Finding::number("stiffness C11", elasticity.c_11, "MPa", None),
-                    Finding::number("stiffness C12", elasticity.c_12, "MPa", None),
+                    of("Young's modulus", |e| e.young_modulus, "GPa").target(material.young_modulus.value),
+                    of("Poisson's ratio", |e| e.poisson_ratio, "").target(material.poisson_ratio),
+                    of("stiffness C11", |e| e.c_11, "GPa"),
+                    of("stiffness C12", |e| e.c_12, "GPa"),
                 ]
             }
-            Kind::Tension => {
-                let target = Some(material.tensile_strength.value);
-                vec![Finding::number("tensile strength", self.peak[1], "MPa", target), self.strain("tension")]
-            }
-            Kind::Shear => {
-                let target = Some(material.shear_strength.value);
-                vec![Finding::number("shear strength", self.peak[1], "MPa", target), self.strain("shear")]
-            }
+            Kind::Tension => self.strength("tensile strength", "tension", material.tensile_strength.value),
+            Kind::Shear => self.strength("shear strength", "shear", material.shear_strength.value),
         }
     }
 
-    fn strain(&self, name: &str) -> Finding {
-        Finding::number(&format!("strain at the peak of {name}"), self.peak[0], "", None)
+    /// The peak of the stress, which is the strength only once the stress has fallen.
+    fn strength(&self, name: &str, test: &str, target: f64) -> Vec<Finding> {
+        let [strain, stress] = self.peak;
+        let peak = |value: f64| self.passed.then_some(value);
+        let rising = format!("not reached by a strain of {}", rounded(self.strain));
+        vec![
+            Finding::reached(name, peak(stress), "GPa", &*rising).target(target),
+            Finding::reached(format!("strain at the peak of {test}"), peak(strain), "", &*rising),
+            Finding::number(format!("largest stress in {test}"), stress, "GPa"),
+        ]
     }
 }
 
 impl Sheared {
+    fn follow(&mut self, simulation: &Simulation<Wear>) {
+        let system = simulation.system();
+        self.friction = (self.friction.0 - system.walls[1].force.0[0], self.friction.1 + 1);
+        if (upper_wall(system).0[0] - self.start[0]).abs() >= self.next {
+            self.next += WINDOW;
+            self.witness.look(system, &links(simulation));
+        }
+    }
+
+    /// The cells; those of the third body in the first row after a window has closed.
     fn look(&mut self, simulation: &Simulation<Wear>) -> Vec<Cell> {
         let system = simulation.system();
         let now = upper_wall(system).0;
         let (slid, separation) = (now[0] - self.start[0], self.height + now[1] - self.start[1]);
         let wall = system.walls[1].force.0;
-        self.friction -= wall[0];
-        self.rows += 1;
         let mut cells: Vec<Cell> = [slid, separation, -wall[0], wall[1]].map(Cell::Number).into();
-        if slid.abs() >= self.next {
-            self.next += self.window;
-            let row = self.witness.look(system, &links(simulation));
+        let closed = self.witness.rows.len();
+        if let Some(row) = self.witness.rows.last().filter(|_| closed > self.written) {
             cells.extend([Cell::Count(row.third_size as u64), Cell::Count(row.third_from_junction as u64)]);
             cells.extend([row.third_mass, row.third_height, row.turns, row.rigidity].map(Cell::Number));
             cells.extend([row.links_to_bottom, row.links_to_top, row.links_direct].map(|n| Cell::Count(n as u64)));
+            self.written = closed;
         }
         cells.resize(JUNCTION.len(), Cell::Nothing);
         cells
     }
 
-    fn findings(&self) -> Vec<Finding> {
+    fn findings(&self, simulation: &Simulation<Wear>) -> Vec<Finding> {
         let fate = match self.witness.fate() {
             Fate::Flattened => "squeezed flat",
             Fate::Rolls => "detached and rolling",
             Fate::Cut => "cut",
             Fate::Attached => "still attached",
         };
-        let mut findings = vec![Finding::words("fate of the junction", fate)];
-        if let Some(row) = self.witness.rows.last() {
-            findings.extend([
-                Finding::number("sliding distance", row.slid, "nm", None),
-                Finding::number("distance between the bodies", row.separation, "nm", None),
-                Finding::number("mean friction force", self.friction / self.rows as f64, "pN", None),
-                Finding::number("particles in the third body", row.third_size as f64, "", None),
-                Finding::number("turns of the third body", row.turns, "", None),
-                Finding::number("rigidity of the third body's motion", row.rigidity, "", None),
-            ]);
-        }
-        findings
+        let short = format!("slid by less than {}", in_unit(WINDOW, "nm"));
+        let last = self.witness.rows.last();
+        let of =
+            |name: &str, value: fn(&Row) -> f64, unit: &str| Finding::reached(name, last.map(value), unit, &*short);
+        let [slid, risen, _] = (upper_wall(simulation.system()) - Vec3(self.start)).0;
+        let (friction, steps) = self.friction;
+        vec![
+            Finding::words("fate of the junction", last.map_or(&*short, |_| fate)),
+            Finding::number("sliding distance", slid, "nm"),
+            Finding::number("distance between the bodies", self.height + risen, "nm"),
+            Finding::number("mean friction force", friction / steps as f64, "nN"),
+            last.map_or(of("particles in the third body", |_| 0.0, ""), |row| {
+                Finding::count("particles in the third body", row.third_size as u64)
+            }),
+            of("turns of the third body", |row| row.turns, ""),
+            of("rigidity of the third body's motion", |row| row.rigidity, ""),
+        ]
     }
 }

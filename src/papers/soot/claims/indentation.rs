@@ -111,7 +111,7 @@ impl Sink<Plan<Along>> for Observer {
         Ok(())
     }
 
-    /// Records points of the force curve at intervals, and ends the deposition when the aggregate is at rest.
+    /// Ends the deposition when the aggregate is at rest.
     fn step(
         &mut self,
         stage: &mut RunningStage<'_, Plan<Along>>,
@@ -119,11 +119,9 @@ impl Sink<Plan<Along>> for Observer {
         _: &Step,
     ) -> Result<ControlFlow<()>, Error> {
         let every = (LOOK / stage.simulation.settings().dt).round() as u64;
-        if stage.simulation.system().step.is_multiple_of(every) {
-            stage.watch.record(&stage.simulation);
-            if stage.number == 0 && stage.watch.deposit(&stage.simulation).rests {
-                return Ok(ControlFlow::Break(()));
-            }
+        let asked = stage.number == 0 && stage.simulation.system().step.is_multiple_of(every);
+        if asked && stage.watch.deposit(&stage.simulation).rests {
+            return Ok(ControlFlow::Break(()));
         }
         Ok(ControlFlow::Continue(()))
     }

@@ -207,7 +207,7 @@ impl<M: Law> Study for Plan<M> {
     fn progress(&self, stage: usize, watch: &Watch, simulation: &Simulation<M>) -> Progress {
         let done = match self.stages[stage] {
             FilmStage::Relaxation => false,
-            FilmStage::Approach => watch.force() >= self.test.setpoint.value,
+            FilmStage::Approach => watch.presses_with(self.test.setpoint.value),
             FilmStage::Retraction => watch.parted_by(AFTER),
         };
         let last = self.steps(stage, simulation.settings().dt);
@@ -260,27 +260,27 @@ impl<M: Law> Study for Plan<M> {
         if self.stages[stage] == FilmStage::Relaxation {
             let structure = self.structure(simulation.system());
             found.extend([
-                Finding::number("porosity of the relaxed film", structure.porosity, "", Some(0.98)),
-                Finding::number("thickness of the relaxed film", structure.thickness, "nm", None),
+                Finding::number("porosity of the relaxed film", structure.porosity, "").target(0.98),
+                Finding::number("thickness of the relaxed film", structure.thickness, "nm"),
                 Finding::number(
                     "mean number of contacts between an aggregate and others",
                     structure.contacts_between,
                     "",
-                    None,
                 ),
-                Finding::number("mean coordination number within an aggregate", structure.contacts_within, "", None),
+                Finding::number("mean coordination number within an aggregate", structure.contacts_within, ""),
             ]);
-            let listed = |values: &[f64], scale: f64| {
-                values.iter().map(|value| format!("{:.1}", scale * value)).collect::<Vec<_>>().join(", ")
-            };
-            let layer = structure.thickness / structure.profile.len() as f64;
-            found.extend([
-                Finding::words("pore diameter, 10th, 50th and 90th percentile [nm]", listed(&structure.pores, 1.0)),
-                Finding::words(
-                    &format!("density profile: solid fraction of layers of {layer:.0} nm, from the bottom [%]"),
-                    listed(&structure.profile, 100.0),
-                ),
-            ]);
+            let pores = ["10th", "50th", "90th"].into_iter().zip(structure.pores);
+            found.extend(
+                pores.map(|(rank, pore)| Finding::number(format!("pore diameter, {rank} percentile"), pore, "nm")),
+            );
+            let layers = structure.profile.len();
+            found.extend(structure.profile.iter().enumerate().map(|(layer, &solid)| {
+                Finding::number(
+                    format!("solid fraction of layer {} of {layers}, from the bottom", layer + 1),
+                    solid,
+                    "",
+                )
+            }));
         }
         Ok(found)
     }

@@ -36,7 +36,9 @@ pub const WAY: &str = "displacement of the tip from the setpoint to the rupture"
 impl Spectrum {
     /// Displacement of the tip at the last peak of the pulling force, nm.
     pub fn peak(&self) -> f64 {
-        self.retraction.iter().rev().find(|point| self.last == Some(-point.1)).map_or(0.0, |point| point.0)
+        let from = |point: &(f64, f64), last: f64| (point.1 + last).abs();
+        let nearest = |last| self.retraction.iter().min_by(|a, b| from(a, last).total_cmp(&from(b, last)));
+        self.last.and_then(nearest).map_or(0.0, |point| point.0)
     }
 
     /// Reads a finished run, the rows of whose series must be as close as the averaging time of the force.
@@ -47,18 +49,17 @@ impl Spectrum {
     pub fn read(folder: &RunFolder) -> Result<Self, Error> {
         let (series, findings) = (Series::read(folder)?, Finding::of_run(folder)?);
         let up = FilmStage::Retraction.name();
-        let moved = series.curve(up, TIME, MOVED);
+        let (moved, retraction) = (series.curve(up, TIME, MOVED), series.curve(up, MOVED, FORCE));
         let going_up = Event::all(folder)?.into_iter().filter(|event| event.stage == up);
-        let found =
-            |name| findings.iter().find(|finding| finding.name == name).and_then(|found| found.value.parse().ok());
+        let found = |name| findings.iter().find(|finding| finding.name == name).and_then(Finding::value);
         Ok(Self {
             approach: series.curve(FilmStage::Approach.name(), MOVED, FORCE),
-            retraction: series.curve(up, MOVED, FORCE),
+            largest: retraction.iter().map(|point| -point.1).fold(0.0, f64::max),
+            retraction,
             events: going_up
                 .filter_map(|Event { time_ns, event, .. }| Some((between(&moved, time_ns)?, event)))
                 .collect(),
-            largest: found(LARGEST).unwrap_or(0.0),
-            last: found(LAST),
+            last: found(LAST).map(|peak| 1e3 * peak),
             rupture: found(WAY),
         })
     }

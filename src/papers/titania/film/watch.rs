@@ -24,6 +24,8 @@ pub(super) const COLUMNS: [Column; 8] = [
 
 /// Interval at which all contacts are examined, ns.
 const LOOK: f64 = 0.05;
+/// Why a stage has no mean force.
+const SHORT: &str = "shorter than the averaging time";
 /// Pulling force below which the tip counts as free, pN.
 const NOTHING: f64 = 50.0;
 
@@ -93,9 +95,14 @@ impl Watch {
         self.rupture.zip(self.curve.last()).is_some_and(|(rupture, now)| now.0 >= rupture + way)
     }
 
-    /// The latest mean force on the tip, pN.
-    pub fn force(&self) -> f64 {
-        self.curve.last().map_or(0.0, |point| point.1)
+    /// The latest mean force on the tip, pN; none before the first.
+    fn mean_force(&self) -> Option<f64> {
+        self.curve.last().map(|point| point.1)
+    }
+
+    /// Whether the tip has reached a force, pN.
+    pub fn presses_with(&self, setpoint: f64) -> bool {
+        self.mean_force().is_some_and(|force| force >= setpoint)
     }
 
     /// The cells of the columns.
@@ -122,14 +129,14 @@ impl Watch {
             FilmStage::Approach => vec![
                 Finding::words(
                     "end of the approach",
-                    if self.force() < setpoint {
-                        "at the largest depth, below the setpoint"
-                    } else {
+                    if self.presses_with(setpoint) {
                         "at the setpoint"
+                    } else {
+                        "at the largest depth, below the setpoint"
                     },
                 ),
-                Finding::number("force at the end of the approach", self.force(), "pN", Some(setpoint)),
-                Finding::number("depth of the approach", -self.curve.last().map_or(0.0, |point| point.0), "nm", None),
+                Finding::reached("force at the end of the approach", self.mean_force(), "nN", SHORT).target(setpoint),
+                Finding::reached("depth of the approach", self.curve.last().map(|point| -point.0), "nm", SHORT),
             ],
             FilmStage::Retraction => self.peaks(),
         };
@@ -139,29 +146,30 @@ impl Watch {
             Bonding::Necks => ("broken necks", broken),
         };
         let counts = [("slidings", slidings), third, ("detachments", detachments)];
-        found.extend(counts.map(|(what, n)| Finding::number(&named(what), n as f64, "", None)));
+        found.extend(counts.map(|(what, n)| Finding::count(named(what), n)));
         found
     }
 
-    /// The largest pulling force on the tip, and its last peak before the tip is free, pN.
-    fn largest_and_last_pull(&self) -> (f64, Option<f64>) {
+    /// The largest pulling force on the tip, if it was ever pulled, and the last peak before the tip was free, pN.
+    fn largest_and_last_pull(&self) -> (Option<f64>, Option<f64>) {
         let pull = |k: usize| -self.curve[k].1;
         let pulled = (0..self.curve.len()).rev().find(|&k| pull(k) > NOTHING);
         // Back from there the pull rises to its last peak.
         let last = pulled.map(|last| pull((1..=last).rev().find(|&k| pull(k) > pull(k - 1)).unwrap_or(0)));
-        ((0..self.curve.len()).map(pull).fold(0.0, f64::max), last)
+        let largest = (0..self.curve.len()).map(pull).filter(|&pull| pull > 0.0).reduce(f64::max);
+        (largest, last.filter(|_| self.rupture.is_some()))
     }
 
     /// The largest pulling force, the last peak, and the rupture distance.
     fn peaks(&self) -> Vec<Finding> {
         let (largest, last) = self.largest_and_last_pull();
-        let mut found = vec![Finding::number(LARGEST, largest, "pN", None)];
-        found.extend(last.map(|last| Finding::number(LAST, last, "pN", None)));
-        found.push(match self.rupture {
-            Some(height) => Finding::number(WAY, height - self.from, "nm", None),
-            None => Finding::words("rupture of the film", "not within the retraction"),
-        });
-        found.push(Finding::number("bodies left on the tip", self.on_tip as f64, "", None));
-        found
+        let attached = "the film still holds the tip";
+        let last_reason = if self.rupture.is_some() { "the film hardly pulled the tip" } else { attached };
+        vec![
+            Finding::reached(LARGEST, largest, "nN", "the film never pulled the tip"),
+            Finding::reached(LAST, last, "nN", last_reason),
+            Finding::reached(WAY, self.rupture.map(|height| height - self.from), "nm", attached),
+            Finding::count("bodies left on the tip", self.on_tip),
+        ]
     }
 }
