@@ -1,9 +1,13 @@
 //! Is a value that makes no sense refused by key and line, wherever it stands?
 
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
 use serde_yaml::Value;
 use std::panic::catch_unwind;
 use std::path::{Path, PathBuf};
+use std::time::Instant;
 use veridem::error::Error;
+use veridem::interrupt::Interrupt;
 use veridem::papers::PAPERS;
 
 const VALUES: [&str; 14] = [
@@ -60,19 +64,19 @@ fn with(case: &Value, place: &[String], value: Value) -> String {
     serde_yaml::to_string(&changed).unwrap()
 }
 
-/// Tries every value in the place of every number of a case.
-fn each(file: &Path) {
+/// Tries every value in the place of every number of a case; returns the cases that are accepted.
+fn each(file: &Path) -> Vec<(String, String)> {
     let text = std::fs::read_to_string(file).unwrap();
     let mut case: Value = serde_yaml::from_str(&PAPERS.parse(file, &text).unwrap().resolved).unwrap();
     case.as_mapping_mut().unwrap().remove("derived");
-    let mut all = Vec::new();
+    let (mut all, mut accepted) = (Vec::new(), Vec::new());
     places(&case, &[], &mut all);
     for place in all {
         for value in VALUES {
             let (text, what) = (with(&case, &place, serde_yaml::from_str(value).unwrap()), place.join("."));
             let what = format!("{}: {what}: {value}", file.file_name().unwrap().display());
             match catch_unwind(|| PAPERS.parse(file, &text).map(drop)).unwrap_or_else(|_| panic!("{what} panics")) {
-                Ok(()) => {}
+                Ok(()) => accepted.push((what, text)),
                 Err(Error::Input(problems)) => {
                     for problem in problems {
                         assert!(problem.line.is_some() && !problem.key.is_empty(), "{what}: {problem}");
@@ -82,11 +86,31 @@ fn each(file: &Path) {
             }
         }
     }
+    accepted
 }
 
+/// Places the spheres of an accepted case and takes its first steps, during which every number stays finite, or it is refused by a name.
+fn try_out(what: &str, text: &str) {
+    let begun = Instant::now();
+    let plan = || PAPERS.parse(Path::new("case.yaml"), text).and_then(|job| job.plan(&Interrupt::default()));
+    match catch_unwind(plan).unwrap_or_else(|_| panic!("{what} panics")) {
+        Ok(_) | Err(Error::Halted(..)) => {}
+        Err(Error::Input(problems)) => assert!(!problems.is_empty(), "{what}"),
+        Err(error) => panic!("{what}: {error}"),
+    }
+    assert!(begun.elapsed().as_secs() < 120, "{what} takes {:?}", begun.elapsed());
+}
+
+/// Of the accepted cases this many are tried out for each unit of `VERIDEM_TRIALS`.
+const TRIED: usize = 25;
+
 #[test]
-fn a_value_that_makes_no_sense_is_refused_by_key_and_line() {
-    for file in files("cases") {
-        each(&file);
+fn a_value_that_makes_no_sense_is_refused_by_key_and_line_and_the_others_can_be_run() {
+    let accepted: Vec<_> = files("cases").iter().flat_map(|file| each(file)).collect();
+    let trials = std::env::var("VERIDEM_TRIALS").map_or(1, |trials| trials.parse().expect("a number of trials"));
+    let mut rng = ChaCha8Rng::seed_from_u64(1);
+    for _ in 0..TRIED * trials {
+        let (what, text) = &accepted[(rng.next_u64() % accepted.len() as u64) as usize];
+        try_out(what, text);
     }
 }

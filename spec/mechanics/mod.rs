@@ -14,6 +14,7 @@ pub mod box_stress;
 pub mod capacity;
 pub mod contact_kinematics;
 pub mod convex_hull;
+pub mod coordinated_step;
 pub mod diffusion;
 pub mod discretised_lognormal;
 pub mod drag;
@@ -73,6 +74,7 @@ fn equations() -> Vec<Equation> {
         gyration::equations(),
         oscillation::equations(),
         rolling::equations(),
+        coordinated_step::equations(),
         friction_share::equations(),
         thermal::equations(),
     ]

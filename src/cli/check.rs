@@ -1,8 +1,11 @@
 //! `veridem check`: checks a case without running it.
 
+use super::run::Limits;
 use super::{OutputMode, print};
 use crate::error::Error;
 use crate::papers::Papers;
+use crate::run::Job;
+use serde_yaml::Mapping;
 use std::path::PathBuf;
 
 /// The arguments.
@@ -12,15 +15,19 @@ pub(super) struct Arguments {
     case: PathBuf,
 }
 
-/// Checks the case and prints it with its defaults and derived values.
-pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
-    let job = papers.read(&arguments.case)?;
-    job.examine()?;
-    let resolved = job.resolved;
+/// The key of the plan beside the sections of the case.
+const PLAN: &str = "plan";
+
+/// Checks the case and prints it with its defaults and derived values, and the plan of its run.
+pub(super) fn run(arguments: &Arguments, papers: Papers, excess: bool, manner: OutputMode) -> Result<(), Error> {
+    let interrupt = Limits::default().interrupt()?;
+    let job = Job { excess, ..papers.read(&arguments.case)? };
+    let plan = job.plan(&interrupt)?;
+    let mut checked: Mapping = serde_yaml::from_str(&job.resolved).expect("a resolved case is a mapping");
+    checked.insert(PLAN.into(), plan.into());
     if manner.json {
-        let value: serde_json::Value = serde_yaml::from_str(&resolved).expect("a resolved case is plain data");
-        print(&format!("{value:#}\n"))
+        print(&format!("{:#}\n", serde_json::to_value(&checked).expect("a mapping with keys that are words")))
     } else {
-        print(&resolved)
+        print(&serde_yaml::to_string(&checked).expect("a mapping is plain data"))
     }
 }

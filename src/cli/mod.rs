@@ -39,6 +39,9 @@ pub struct CommandLine {
     /// Vector instructions, for checks: results do not depend on them
     #[arg(long, global = true, value_name = "SET", hide = true)]
     instructions: Option<String>,
+    /// Accept cases that ask for more steps, output or memory than is usual, and more threads
+    #[arg(long, global = true)]
+    yes: bool,
     #[command(subcommand)]
     command: Command,
 }
@@ -101,6 +104,9 @@ pub fn main(papers: Papers) -> ExitCode {
     std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| execute(papers))).unwrap_or(ExitCode::from(BROKEN))
 }
 
+/// Number of threads beyond which they are started only on request.
+const MANY_THREADS: usize = 1024;
+
 /// The exit status after a panic.
 const BROKEN: u8 = 70;
 
@@ -123,15 +129,19 @@ fn execute(papers: Papers) -> ExitCode {
     }
     // The main thread works too: handing every step over to another thread and waiting for it would cost more than a small step.
     let threads = command_line.threads.map_or(0, usize::from);
+    if threads > MANY_THREADS && !command_line.yes {
+        let what = format!("--threads: found {threads}, expected at most {MANY_THREADS}; with --yes more are accepted");
+        return exit(Err(Error::Usage(what)), manner.json);
+    }
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).use_current_thread();
     pool.build_global().expect("the thread pool is set up once, before it is used");
     outlive_file_limits().ok();
     let done = choose_instructions(command_line.instructions.as_deref()).and_then(|()| match command_line.command {
-        Command::Run(arguments) => run::run(&arguments, papers, manner),
+        Command::Run(arguments) => run::run(&arguments, papers, command_line.yes, manner),
         Command::Resume(arguments) => resume::run(&arguments, papers, manner),
-        Command::Check(arguments) => check::run(&arguments, papers, manner),
+        Command::Check(arguments) => check::run(&arguments, papers, command_line.yes, manner),
         Command::Reproduce(arguments) => reproduce::run(&arguments, papers, manner),
-        Command::Sweep(arguments) => sweep::run(&arguments, papers, manner),
+        Command::Sweep(arguments) => sweep::run(&arguments, papers, command_line.yes, manner),
         Command::Import(arguments) => import::run(&arguments, manner),
         Command::Inspect(arguments) => inspect::run(&arguments, papers, manner),
         Command::Eq(arguments) => eq::run(&arguments, manner),

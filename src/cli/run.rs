@@ -6,6 +6,7 @@ use crate::error::Error;
 use crate::interrupt::Interrupt;
 use crate::output::{Finding, RunFolder};
 use crate::papers::Papers;
+use crate::run::Job;
 use std::ffi::{OsStr, OsString};
 use std::path::{Component, Path, PathBuf};
 use std::time::Duration;
@@ -29,7 +30,7 @@ pub(super) struct Arguments {
 }
 
 /// Limits at which a run is stopped before its end.
-#[derive(clap::Args)]
+#[derive(clap::Args, Default)]
 pub(super) struct Limits {
     /// Stop after this many seconds; the run can be resumed
     #[arg(long, value_name = "SECONDS")]
@@ -49,14 +50,14 @@ impl Limits {
 }
 
 /// Runs the case.
-pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
+pub(super) fn run(arguments: &Arguments, papers: Papers, excess: bool, manner: OutputMode) -> Result<(), Error> {
     let interrupt = arguments.limits.interrupt()?;
     let name = arguments.name.as_deref().or(arguments.case.file_stem()).unwrap_or_default();
     if !is_a_name(name) {
         return Err(Error::Usage(format!("--name: found `{}`, expected a single file name", name.display())));
     }
     let root = arguments.out.join(name);
-    let job = papers.read(&arguments.case)?;
+    let job = Job { excess, ..papers.read(&arguments.case)? };
     let mut progress = Progress::new(manner);
     let ended = job.launch(&root, arguments.force, &interrupt, &mut |message| progress.tell(message));
     progress.finish();

@@ -10,6 +10,7 @@ use crate::error::Error;
 use crate::interrupt::Interrupt;
 use crate::output::{Finding, Lock, create_folder};
 use crate::papers::Papers;
+use crate::run::Job;
 use crate::run::sweep::{Point, carry_out, distinct};
 use crate::run::{Message, Reader};
 use axis::{Axis, axes};
@@ -44,8 +45,8 @@ const TRIAL: Duration = Duration::from_secs(3);
 const PAUSE: Duration = Duration::from_secs(1);
 
 /// Runs every combination that has not finished yet and writes the summary.
-pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
-    let read = |file: &Path, text: &str| papers.parse(file, text);
+pub(super) fn run(arguments: &Arguments, papers: Papers, excess: bool, manner: OutputMode) -> Result<(), Error> {
+    let read = |file: &Path, text: &str| Ok(Job { excess, ..papers.parse(file, text)? });
     let text = papers.read(&arguments.case)?.text;
     let axes = axes(&arguments.keys)?;
     let points = points(&arguments.case, &text, &axes, &read)?;
@@ -73,7 +74,8 @@ pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> 
     bar.set_style(style.expect("the template is well formed"));
     let anew = |point: &Point| arguments.force && tried != Some(&point.name);
     let state = Mutex::new((summary, Instant::now(), Vec::new()));
-    carry_out(&points, &out, &interrupt, &read, &anew, &|point, outcome| {
+    let note = |point: &Point, text: String| bar.suspend(|| manner.say(format!("{}: {text}", point.name)));
+    carry_out(&points, &out, &interrupt, &read, &anew, &note, &|point, outcome| {
         let (told, reason) = match &outcome {
             // The trial may have finished the run.
             Ok(done) if *done || tried == Some(&point.name) => ("finished".into(), String::new()),

@@ -11,6 +11,53 @@ pub struct Halt {
     pub time: f64,
     /// The reason.
     pub reason: Reason,
+    /// A sphere for which the time step may have been too long.
+    pub unstable: Option<Stability>,
+}
+
+/// The stability of a sphere with all its contacts and necks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stability {
+    /// The time step, ns.
+    pub dt: f64,
+    /// Id of the sphere.
+    pub particle: u32,
+    /// Number of its contacts.
+    pub contacts: usize,
+    /// Number of its necks.
+    pub necks: usize,
+    /// Time step below which it is stable with all of them, ns.
+    pub limit: f64,
+}
+
+impl Stability {
+    /// Whether the time step is below the limit.
+    pub fn holds(&self) -> bool {
+        self.dt < self.limit
+    }
+}
+
+/// A number with five significant digits.
+fn short(number: f64) -> f64 {
+    format!("{number:.4e}").parse().expect("a formatted number is a number")
+}
+
+fn in_fs(time: f64) -> String {
+    format!("{} fs", short(1e6 * time))
+}
+
+impl fmt::Display for Stability {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let counted = |number: usize, one: &str| format!("{number} {one}{}", if number == 1 { "" } else { "s" });
+        let held = match (self.contacts, self.necks) {
+            (0, necks) => counted(necks, "neck"),
+            (contacts, 0) => counted(contacts, "contact"),
+            (contacts, necks) => format!("{} and {}", counted(necks, "neck"), counted(contacts, "contact")),
+        };
+        let below = if self.holds() { "is below" } else { "may be too long: it is not below" };
+        let (dt, limit, particle) = (in_fs(self.dt), in_fs(self.limit), self.particle);
+        write!(f, "the time step {dt} {below} {limit}, where particle {particle} with {held} is stable")
+    }
 }
 
 /// The reason of a halt.
@@ -81,7 +128,7 @@ pub enum Reason {
 
 impl fmt::Display for Halt {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "step {} (t = {} ns): ", self.step, self.time)?;
+        write!(f, "step {} (t = {} ns): ", self.step, short(self.time))?;
         match &self.reason {
             Reason::NotFinite { particle } => {
                 write!(f, "the position or velocity of particle {particle} is not finite")
@@ -94,7 +141,8 @@ impl fmt::Display for Halt {
                 write!(f, "particle {particle} overlaps a surface by {ratio:.3} of its radius (limit {limit})")
             }
             Reason::TimeStep { dt, limit, particle } => {
-                write!(f, "time step {dt} ns is not below the stability limit {limit} ns of particle {particle}")
+                let (dt, limit) = (in_fs(*dt), in_fs(*limit));
+                write!(f, "time step {dt} is not below the stability limit {limit} of particle {particle}")
             }
             Reason::Setting { name, value, expected } => {
                 write!(f, "the setting `{name}` is {value}, expected {expected}")
@@ -104,7 +152,8 @@ impl fmt::Display for Halt {
                 write!(f, "particles {i} and {j} are joined by a neck but belong to the same rigid body or wall")
             }
             Reason::TooManyNeighbours { particle } => write!(f, "particle {particle} has too many neighbours"),
-        }
+        }?;
+        self.unstable.map_or(Ok(()), |stability| write!(f, "; {stability}"))
     }
 }
 

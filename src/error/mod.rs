@@ -5,7 +5,7 @@
 mod halt;
 mod notice;
 
-pub use halt::{Halt, Reason};
+pub use halt::{Halt, Reason, Stability};
 pub use notice::{message, notice, silence};
 
 use serde_json::{Value, json};

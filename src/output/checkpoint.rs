@@ -61,6 +61,11 @@ fn body(path: &Path, what: SavedKind) -> Result<Vec<u8>, Error> {
     Ok(body.to_vec())
 }
 
+/// The size of a saved state, in bytes.
+pub fn encoded_size<T: Serialize>(state: &T) -> usize {
+    postcard::to_allocvec(state).expect("a state is plain data").len()
+}
+
 /// The SHA-256 of a state: every number of it, bit by bit.
 pub fn state_hash<T: Serialize>(state: &T) -> String {
     sha256(&postcard::to_allocvec(state).expect("a state is plain data"))

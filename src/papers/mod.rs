@@ -122,6 +122,7 @@ impl<P: Paper> AnyPaper for P {
             saves: P::saves(&case),
             graphs: P::GRAPHS,
             instructions: None,
+            excess: false,
             study: P::study(case),
         })
     }

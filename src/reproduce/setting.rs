@@ -43,7 +43,8 @@ impl Setting<'_> {
         create_folder(&self.runs)?;
         let _lock = Lock::take(&self.runs)?;
         let (begin, state) = (Instant::now(), Mutex::new((0, 0, None)));
-        carry_out(points, &self.runs, self.interrupt, self.read, &|_| false, &|_, outcome| {
+        let note = |point: &Point, text: String| (self.tell)(format!("{}: {text}", point.name));
+        carry_out(points, &self.runs, self.interrupt, self.read, &|_| false, &note, &|_, outcome| {
             let (done, new, failure) = &mut *state.lock().expect("no worker panics");
             match outcome {
                 Ok(was_left) => {

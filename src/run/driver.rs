@@ -135,7 +135,7 @@ impl<'a, S: Study> Driver<'a, S> {
         Ok(Outcome { findings: run.findings, system })
     }
 
-    /// Sets a stage up.
+    /// Begins a stage.
     fn begin(
         &mut self,
         number: usize,
@@ -152,15 +152,20 @@ impl<'a, S: Study> Driver<'a, S> {
         } else {
             before
         };
-        let mut system = self.study.set_up(number, from)?;
+        let mut stage = self.set_up(number, System { time: clock, ..from })?;
+        sink.begin(&mut stage, run)?;
+        Ok(stage)
+    }
+
+    /// Sets a stage up from this state and its time.
+    pub(super) fn set_up(&self, number: usize, from: System) -> Result<RunningStage<'a, S>, Error> {
         // Steps are counted per stage; time continues through all stages, whatever state they start from.
-        (system.step, system.time) = (0, clock);
+        let clock = from.time;
+        let system = System { step: 0, time: clock, ..self.study.set_up(number, from)? };
         let settings = self.settings(number, &system);
         let simulation = Simulation::new(self.study.model(number), system, settings)?;
         let watch = self.study.watch(number, &simulation);
-        let mut stage = self.stage(number, simulation, watch);
-        sink.begin(&mut stage, run)?;
-        Ok(stage)
+        Ok(self.stage(number, simulation, watch))
     }
 
     /// Steps to the end of a stage.
@@ -196,8 +201,9 @@ impl<'a, S: Study> Driver<'a, S> {
     }
 
     /// One step, and the interventions between two steps.
-    fn step(&self, stage: &mut RunningStage<'a, S>) -> Result<Vec<String>, Halt> {
-        stage.simulation.step()?;
+    pub(super) fn step(&self, stage: &mut RunningStage<'a, S>) -> Result<Vec<String>, Halt> {
+        let done = stage.simulation.step();
+        done.map_err(|halt| stage.simulation.explained(halt))?;
         let mut events = self.study.intervene(stage.number, &mut stage.simulation)?;
         events.extend(self.study.follow(stage.number, &mut stage.watch, &stage.simulation));
         Ok(events)

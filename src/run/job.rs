@@ -1,6 +1,7 @@
 //! A job: a checked case, ready to be run into its run folder.
 
 use super::places::{free, is_there, outside, savable, unchanged};
+use super::plan::{affordable, moderate, plan};
 use super::recorder::{Recorder, State};
 use super::{Driver, Message, Outcome, Study};
 use crate::case::{Output, located};
@@ -13,6 +14,7 @@ use crate::output::{
 };
 use crate::simulation::{Settings, Simulation};
 use crate::system::System;
+use serde_yaml::Mapping;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -41,18 +43,20 @@ pub struct Job {
     pub graphs: &'static [Graph],
     /// The vector instructions of its simulations, if not the widest: for checks, as results do not depend on them.
     pub instructions: Option<Instructions>,
+    /// Whether it may ask for more steps, output or memory than is usual.
+    pub excess: bool,
     /// Its stages.
     pub study: Box<dyn Runnable>,
 }
 
 /// A study of any kind.
 pub trait Runnable {
-    /// Checks the files that it needs, without computing anything.
+    /// The plan of a job: its steps, its output and its cost, for people and programs. Makes its initial state and takes some steps.
     ///
     /// # Errors
     ///
-    /// If a file it needs is missing or wrong.
-    fn examine(&self) -> Result<(), Error>;
+    /// If the spheres cannot be placed, the simulation halts, or the job asks for more than is usual.
+    fn plan(&self, job: &Job, interrupt: &Interrupt) -> Result<Mapping, Error>;
     /// Runs a job in a new folder at `root`, replacing it if requested; `tell` receives its messages.
     ///
     /// # Errors
@@ -82,8 +86,8 @@ pub trait Runnable {
 }
 
 impl<S: Study> Runnable for S {
-    fn examine(&self) -> Result<(), Error> {
-        Study::examine(self)
+    fn plan(&self, job: &Job, interrupt: &Interrupt) -> Result<Mapping, Error> {
+        plan(self, job, interrupt)
     }
 
     fn start(
@@ -94,6 +98,7 @@ impl<S: Study> Runnable for S {
         interrupt: &Interrupt,
         tell: &mut dyn FnMut(Message),
     ) -> Result<(RunFolder, Vec<Finding>), Error> {
+        affordable(self, job)?;
         let claim = Claim::new(root, replace)?;
         let inputs = job.inputs()?;
         // Errors in the input are found before anything is written.
@@ -107,6 +112,7 @@ impl<S: Study> Runnable for S {
             }
             initial => initial.map_err(|error| located(error, &job.file, &job.text))?,
         };
+        moderate(&Driver::new(self, interrupt), self, &initial, job)?;
         let (folder, _lock, manifest) = job.begin(claim, inputs, tell)?;
         let findings = from_the_beginning(self, job, &folder, manifest, initial, interrupt, tell)?;
         Ok((folder, findings))
@@ -242,7 +248,7 @@ impl Job {
     /// # Errors
     ///
     /// As [`launch`](Self::launch) and [`resume`](Self::resume), and if the folder holds something else.
-    pub fn complete(&self, root: &Path, interrupt: &Interrupt) -> Result<bool, Error> {
+    pub fn complete(&self, root: &Path, interrupt: &Interrupt, tell: &mut dyn FnMut(Message)) -> Result<bool, Error> {
         let folder = RunFolder::at(root);
         let replace = match Place::of(&folder)? {
             Place::Free => false,
@@ -259,23 +265,23 @@ impl Job {
                     return Ok(false);
                 }
                 if !folder.checkpoints().is_empty()? {
-                    return self.resume(&folder, interrupt, &mut |_| {}).map(|_| true);
+                    return self.resume(&folder, interrupt, tell).map(|_| true);
                 }
                 true
             }
         };
         // A run that was killed before its first checkpoint starts again.
-        self.launch(root, replace, interrupt, &mut |_| {}).map(|_| true)
+        self.launch(root, replace, interrupt, tell).map(|_| true)
     }
 
-    /// Checks everything without running.
+    /// The plan of the job: its steps, its output and its cost.
     ///
     /// # Errors
     ///
-    /// If a file is missing or wrong, or the sample cannot be made.
-    pub fn examine(&self) -> Result<(), Error> {
+    /// If a file is missing or wrong, and as [`Runnable::plan`].
+    pub fn plan(&self, interrupt: &Interrupt) -> Result<Mapping, Error> {
         self.needs(&Path::new("run").join(self.file.file_stem().unwrap_or_default()))?;
-        self.study.examine().map_err(|error| located(error, &self.file, &self.text))
+        self.study.plan(self, interrupt).map_err(|error| located(error, &self.file, &self.text))
     }
 
     /// Checks that the input files exist, and that the files to be saved can be.

@@ -3,6 +3,7 @@
 mod driver;
 mod job;
 mod places;
+mod plan;
 mod record;
 mod recorder;
 mod row;

@@ -1,8 +1,9 @@
 //! The sink that is a run folder: rows, frames, pictures, events and checkpoints.
 
+use super::plan::Intervals;
 use super::record::{Record, Recorded};
 use super::{RunState, RunningStage, Sink, Step, Study, columns};
-use crate::case::{InSteps, Output};
+use crate::case::Output;
 use crate::error::{Error, Halt};
 use crate::figures::picture;
 use crate::output::{Origin, RunFolder, extended_xyz, write_atomically};
@@ -49,15 +50,6 @@ pub struct RunProgress<'a> {
     pub overlap: f64,
 }
 
-/// Output intervals of a stage, in steps: rows, frames, checkpoints and pictures.
-#[derive(Clone, Copy)]
-struct Intervals {
-    series: u64,
-    frames: u64,
-    checkpoints: u64,
-    part: u64,
-}
-
 /// Records a run in its folder.
 pub(super) struct Recorder<'a> {
     folder: &'a RunFolder,
@@ -93,14 +85,6 @@ impl<'a> Recorder<'a> {
         Ok(Self { folder, origin, output, record: Record::resume(folder, recorded)?, tell, seen: (0.0, 0.0) })
     }
 
-    fn intervals<S: Study>(&self, stage: &RunningStage<'_, S>) -> Intervals {
-        let dt = stage.simulation.settings().dt;
-        let every = |interval: &InSteps| ((interval.value(dt) / dt).round() as u64).max(1);
-        let Output { series, frames, checkpoints } = self.output;
-        let part = (stage.last_step() / stage.study.parts(stage.number)).max(1);
-        Intervals { series: every(series), frames: every(frames), checkpoints: every(checkpoints), part }
-    }
-
     fn event<S: Study>(&mut self, stage: &RunningStage<'_, S>, event: &str) -> Result<(), Error> {
         self.record.event(&stage.name, stage.simulation.system(), event)
     }
@@ -112,9 +96,15 @@ impl<'a> Recorder<'a> {
 
     /// Measures, and appends a row to the series.
     fn row<S: Study>(&mut self, stage: &mut RunningStage<'_, S>) -> Result<(), Error> {
-        let row = stage.measure();
+        let row = stage.measure().map_err(|halt| self.halt(stage, halt))?;
         self.seen = (row.residual, row.overlap);
         self.record.row(&row.cells)
+    }
+
+    /// Writes the next frame.
+    fn frame<S: Study>(&mut self, stage: &mut RunningStage<'_, S>) -> Result<(), Error> {
+        stage.simulation.check_frame().map_err(|halt| self.halt(stage, halt))?;
+        self.record.frame(&stage.name, stage.simulation.system())
     }
 
     fn show<S: Study>(&mut self, stage: &RunningStage<'_, S>) {
@@ -143,7 +133,7 @@ impl<'a> Recorder<'a> {
 impl<S: Study> Sink<S> for Recorder<'_> {
     fn begin(&mut self, stage: &mut RunningStage<'_, S>, _: &RunState) -> Result<(), Error> {
         self.event(stage, "begin")?;
-        self.record.frame(&stage.name, stage.simulation.system())?;
+        self.frame(stage)?;
         self.picture(stage, "begin")?;
         self.row(stage)?;
         self.show(stage);
@@ -154,7 +144,9 @@ impl<S: Study> Sink<S> for Recorder<'_> {
         for event in step.events {
             self.event(stage, event)?;
         }
-        let Intervals { series, frames, checkpoints, part } = self.intervals(stage);
+        let Intervals { series, frames, checkpoints } = Intervals::of(self.output, stage.simulation.settings().dt);
+        let parts = stage.study.parts(stage.number);
+        let part = (stage.last_step() / parts).max(1);
         let (taken, last) = (stage.simulation.system().step, step.last);
         if last || [series, frames, part].iter().any(|&interval| taken.is_multiple_of(interval)) {
             stage.simulation.place_members();
@@ -164,10 +156,9 @@ impl<S: Study> Sink<S> for Recorder<'_> {
             self.show(stage);
         }
         if last || taken.is_multiple_of(frames) {
-            self.record.frame(&stage.name, stage.simulation.system())?;
+            self.frame(stage)?;
         }
         if taken.is_multiple_of(part) && !last {
-            let parts = stage.study.parts(stage.number);
             self.picture(stage, &format!("after {} of {parts} parts", taken / part))?;
         }
         if taken.is_multiple_of(checkpoints) && !last {

@@ -1,6 +1,7 @@
 //! The columns that every row of the series has, whatever the stage.
 
 use super::{RunningStage, Study};
+use crate::error::Halt;
 use crate::output::columns::{
     DISCRETE_RESIDUAL, KINETIC, LARGEST_OVERLAP, LOST_TO_BREAKING, LOST_TO_DRAG, PHYSICAL_RESIDUAL, RELATIVE_RESIDUAL,
     SIDES, STAGE, STEP, STRESS, TIME, WORK_OF_BOX, WORK_OF_LOADS, WORK_OF_WALLS, lost, stored,
@@ -42,7 +43,11 @@ pub struct Row {
 
 impl<S: Study> RunningStage<'_, S> {
     /// Measures.
-    pub fn measure(&mut self) -> Row {
+    ///
+    /// # Errors
+    ///
+    /// The first quantity that is not finite.
+    pub fn measure(&mut self) -> Result<Row, Halt> {
         let simulation = &self.simulation;
         let (system, ledger) = (simulation.system(), simulation.ledger());
         let residual = ledger.physical_residual() / ledger.turnover().max(f64::MIN_POSITIVE);
@@ -64,6 +69,10 @@ impl<S: Study> RunningStage<'_, S> {
         let mut cells = vec![Cell::Name(self.name.clone()), Cell::Count(system.step)];
         cells.extend(numbers.map(Cell::Number));
         cells.extend(self.study.look(&mut self.watch, simulation));
-        Row { cells, residual, overlap }
+        let wrong = cells.iter().position(|cell| matches!(cell, Cell::Number(number) if !number.is_finite()));
+        match wrong {
+            Some(place) => Err(simulation.not_a_number(&columns(self.study)[place])),
+            None => Ok(Row { cells, residual, overlap }),
+        }
     }
 }

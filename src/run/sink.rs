@@ -87,16 +87,16 @@ pub struct Memory {
 }
 
 impl Memory {
-    fn look<S: Study>(&mut self, stage: &mut RunningStage<'_, S>) {
+    fn look<S: Study>(&mut self, stage: &mut RunningStage<'_, S>) -> Result<(), Error> {
         stage.simulation.place_members();
-        self.rows.push(stage.measure().cells);
+        self.rows.push(stage.measure()?.cells);
+        Ok(())
     }
 }
 
 impl<S: Study> Sink<S> for Memory {
     fn begin(&mut self, stage: &mut RunningStage<'_, S>, _: &RunState) -> Result<(), Error> {
-        self.look(stage);
-        Ok(())
+        self.look(stage)
     }
     fn step(&mut self, stage: &mut RunningStage<'_, S>, _: &RunState, step: &Step) -> Result<ControlFlow<()>, Error> {
         let system = stage.simulation.system();
@@ -104,7 +104,7 @@ impl<S: Study> Sink<S> for Memory {
         let event = |text: &String| (stage.name.clone(), system.time, text.clone());
         self.events.extend(step.events.iter().map(event));
         if due || step.last {
-            self.look(stage);
+            self.look(stage)?;
         }
         Ok(ControlFlow::Continue(()))
     }

@@ -37,13 +37,9 @@ pub trait Study {
         let name = |at| if before(at) == 0 { stages[at].into() } else { format!("{} {}", stages[at], before(at) + 1) };
         (0..stages.len()).map(name).collect()
     }
-    /// Checks the files that it needs, without computing anything.
-    ///
-    /// # Errors
-    ///
-    /// If a file it needs is missing or wrong.
-    fn examine(&self) -> Result<(), Error> {
-        Ok(())
+    /// Approximate number of spheres, before they are placed; zero if it is small or not known.
+    fn expected_spheres(&self) -> f64 {
+        0.0
     }
     /// The files read by the stages after this one.
     fn reads_after(&self, _stage: usize) -> Vec<PathBuf> {

@@ -1,7 +1,7 @@
 //! Sweeps: many runs in parallel, each in its own folder.
 
-use super::Reader;
 use super::places::absolute;
+use super::{Message, Reader};
 use crate::error::Error;
 use crate::interrupt::Interrupt;
 use rayon::ThreadPoolBuilder;
@@ -194,14 +194,15 @@ fn enter<'a>(case: &'a mut Value, path: &[Part]) -> Result<&'a mut Value, String
     Ok(place)
 }
 
-/// Starts or resumes all runs that have not finished, one on each core; those of `anew` replace what is in their folder. `ended` receives
-/// whether there was anything left to do. After an interruption no further run is started.
+/// Starts or resumes all runs that have not finished, one on each core; those of `anew` replace what is in their folder. `note` receives
+/// remarks about their folders, `ended` whether there was anything left to do. After an interruption no further run is started.
 pub fn carry_out(
     points: &[Point],
     out: &Path,
     interrupt: &Interrupt,
     read: Reader,
     anew: &(dyn Fn(&Point) -> bool + Sync),
+    note: &(dyn Fn(&Point, String) + Sync),
     ended: &(dyn Fn(&Point, Result<bool, Error>) + Sync),
 ) {
     let next = AtomicUsize::new(0);
@@ -214,10 +215,15 @@ pub fn carry_out(
                 {
                     let run = || {
                         let (root, job) = (out.join(&point.name), read(&point.file, &point.text)?);
+                        let mut tell = |message: Message| {
+                            if let Message::Note(text) = message {
+                                note(point, text);
+                            }
+                        };
                         if anew(point) {
-                            return job.launch(&root, true, interrupt, &mut |_| {}).map(|_| true);
+                            return job.launch(&root, true, interrupt, &mut tell).map(|_| true);
                         }
-                        job.complete(&root, interrupt)
+                        job.complete(&root, interrupt, &mut tell)
                     };
                     ended(point, core.install(run));
                 }

@@ -1,13 +1,46 @@
 //! The checks of every step.
 
 use super::{Settings, Simulation};
-use crate::error::{Halt, Reason};
+use crate::error::{Halt, Reason, Stability};
+use crate::spec::mechanics::coordinated_step::coordinated_time_step;
 use crate::spec::{PairModel, Vec3};
+use crate::system::{Particles, System};
 use std::collections::BTreeSet;
+
+/// Gap up to which spheres touch, as a fraction of the sum of their radii.
+const TOUCHING: f64 = 1e-6;
 
 impl<M: PairModel> Simulation<M> {
     pub(super) fn halt(&self, reason: Reason) -> Halt {
-        Halt { step: self.system.step, time: self.system.time, reason }
+        Halt { step: self.system.step, time: self.system.time, reason, unstable: None }
+    }
+
+    /// The halt with the sphere for which the time step may have been too long.
+    pub fn explained(&self, halt: Halt) -> Halt {
+        Halt { unstable: self.stability().filter(|stability| !stability.holds()), ..halt }
+    }
+
+    /// The stability of the free sphere that, with all its contacts and necks, limits the time step most; none without contacts.
+    pub fn stability(&self) -> Option<Stability> {
+        let particles = &self.system.particles;
+        let mut held = vec![(0, 0); particles.len()];
+        for (i, j, contact, _) in self.contacts() {
+            let neck = self.system.necks.binary_search(&(particles.id[i], particles.id[j])).is_ok();
+            let touches = contact.gap <= TOUCHING * (contact.r_i + contact.r_j);
+            for p in [i, j] {
+                held[p].0 += usize::from(touches && !neck);
+                held[p].1 += usize::from(neck);
+            }
+        }
+        let largest = particles.radius.iter().copied().fold(0.0, f64::max);
+        let free = (0..particles.len()).filter(|&p| particles.wall[p] == 0 && held[p] != (0, 0));
+        let stability = free.map(|p| {
+            let (contacts, necks) = held[p];
+            let pair = self.model.critical_time_step_among(particles.radius[p], particles.mass[p], largest);
+            let limit = coordinated_time_step(pair, (contacts + necks) as f64);
+            Stability { dt: self.settings.dt, particle: particles.id[p], contacts, necks, limit }
+        });
+        stability.reduce(|least, other| if other.limit < least.limit { other } else { least })
     }
 
     /// The least stability limit of a free sphere in contact with an equal or with the largest one, ns, and the sphere that sets it.
@@ -67,6 +100,26 @@ impl<M: PairModel> Simulation<M> {
             lost = particles.body.iter().position(|&number| number as usize == body + 1);
         }
         Err(self.halt(Reason::NotFinite { particle: lost.map_or(0, |p| particles.id[p]) }))
+    }
+
+    /// Checks everything that a frame holds.
+    ///
+    /// # Errors
+    ///
+    /// The first quantity that is not finite, or too large for the single precision of a frame.
+    pub fn check_frame(&self) -> Result<(), Halt> {
+        let bad = |u: &Vec3<f64>| u.0.iter().any(|&x| !(x as f32).is_finite());
+        let System { particles: Particles { x, v, w, radius, mass, id, .. }, domain, walls, surfaces, .. } =
+            &self.system;
+        let sphere = |p: &usize| [x[*p], v[*p], w[*p], Vec3([radius[*p], mass[*p], 0.0])].iter().any(bad);
+        if let Some(p) = (0..x.len()).find(sphere) {
+            return Err(self.halt(Reason::NotFinite { particle: id[p] }));
+        }
+        let of_walls = walls.iter().enumerate().map(|(k, wall)| (format!("velocity of wall {}", k + 1), wall.velocity));
+        let of_surfaces = surfaces.iter().map(|surface| (format!("position of the {}", surface.name), surface.way));
+        let of_box = [("sides of the box".into(), Vec3(domain.sides))];
+        let wrong = of_box.into_iter().chain(of_walls).chain(of_surfaces).find(|(_, vector)| bad(vector));
+        wrong.map_or(Ok(()), |(quantity, _)| Err(self.not_a_number(quantity)))
     }
 
     /// The halt of a quantity that is not finite.

@@ -37,6 +37,8 @@ pub struct Simulation<M: PairModel> {
     model: M,
     settings: Settings,
     system: System,
+    /// Time at which its steps were counted from zero, ns.
+    begun: f64,
     blocks: Vec<Block<M>>,
     /// The locations of the loads on the members of bodies.
     load_table: LoadTable,
@@ -83,6 +85,7 @@ impl<M: PairModel> Simulation<M> {
             stress: [0.0; 3],
             ledger: Ledger::default(),
             held: VerletState::default(),
+            begun: system.time - system.step as f64 * settings.dt,
             system,
         };
         simulation.check_settings()?;
@@ -151,6 +154,12 @@ impl<M: PairModel> Simulation<M> {
         }
     }
 
+    /// Counts a step. Time is a product, in which rounding errors do not add up.
+    fn tick(&mut self) {
+        self.system.step += 1;
+        self.system.time = self.begun + self.elapsed();
+    }
+
     /// Evaluates all pairs and advances their springs by `dt`.
     fn evaluate(&mut self, dt: f64) -> Result<Totals<M::Losses<f64>>, Halt> {
         self.share();
@@ -200,8 +209,7 @@ impl<M: PairModel> Simulation<M> {
         }
         self.momentum_flux = moved.momentum_flux;
         self.ledger.enter(&totals, &wall_work, &moved, box_work, dt);
-        self.system.step += 1;
-        self.system.time += dt;
+        self.tick();
         self.check_finite(moved.kinetic + wall_work.kinetic)?;
         if self.stale(&moved) {
             self.list_anew()?;

@@ -15,6 +15,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Snapshot {
     system: System,
+    begun: f64,
     listed: Listed,
     /// Springs of all pairs, in the order of the list.
     memory: Vec<f64>,
@@ -53,7 +54,10 @@ impl Snapshot {
             && places.len() == spheres
             && system.necks.iter().all(|(i, j)| known(i) && known(j) && i != j)
             && p.radius.iter().chain(&p.mass).chain(&system.domain.sides).chain(&listed.sides).all(|&x| x > 0.0)
-            && vectors.chain([system.time]).chain(p.radius.iter().chain(&p.mass).copied()).all(f64::is_finite)
+            && vectors
+                .chain([system.time, self.begun])
+                .chain(p.radius.iter().chain(&p.mass).copied())
+                .all(f64::is_finite)
             && system.domain.sides.iter().chain(&listed.sides).all(|x| x.is_finite())
     }
 }
@@ -74,6 +78,7 @@ impl<M: PairModel> Simulation<M> {
             far: (!self.far_due())
                 .then(|| self.blocks.iter().flat_map(|block| block.far.held_loads(block.len())).collect()),
             system,
+            begun: self.begun,
             listed: self.listed.clone(),
             box_rate: self.box_rate,
             momentum_flux: self.momentum_flux,
@@ -89,7 +94,7 @@ impl<M: PairModel> Simulation<M> {
     ///
     /// If the time step is too large.
     pub fn resume(model: M, settings: Settings, snapshot: Snapshot) -> Result<Self, Halt> {
-        let Snapshot { system, listed, memory, far, box_rate, momentum_flux, stress, ledger, held } = snapshot;
+        let Snapshot { system, begun, listed, memory, far, box_rate, momentum_flux, stress, ledger, held } = snapshot;
         let (blocks, load_table, on_walls, reach, far_known) =
             (Vec::new(), LoadTable::default(), Vec::new(), 0.0, false);
         let mut simulation = Self {
@@ -108,6 +113,7 @@ impl<M: PairModel> Simulation<M> {
             ledger,
             held,
             system,
+            begun,
         };
         simulation.relist(&Springs::default())?;
         let mut numbers = memory.into_iter();

@@ -61,8 +61,7 @@ impl<M: PairModel> Simulation<M> {
         }
         self.stress = box_stress(Vec3(totals.virial), Vec3(moved.momentum_flux), self.system.domain.volume()).0;
         self.momentum_flux = moved.momentum_flux;
-        self.system.step += 1;
-        self.system.time += dt;
+        self.tick();
         self.check_finite(moved.kinetic)
     }
 

@@ -161,8 +161,8 @@ impl<S: Reading> Study for Plan<S> {
         self.stages.iter().map(SootStage::name).collect()
     }
 
-    fn examine(&self) -> Result<(), Error> {
-        self.initial(&Interrupt::default()).map(drop)
+    fn expected_spheres(&self) -> f64 {
+        self.sample.spheres as f64
     }
 
     fn reads_after(&self, stage: usize) -> Vec<PathBuf> {

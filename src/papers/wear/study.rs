@@ -1,7 +1,7 @@
 //! The stages of a case of the wear paper, and their initial particles.
 
 use super::case::{Amorphous, Case, Experiment, Sample};
-use super::derived::{Scales, material};
+use super::derived::{Scales, material, spheres};
 use super::protocol::{Setup, Stage};
 use super::stages;
 use super::watch::{self, Watch};
@@ -77,6 +77,10 @@ impl Study for Plan {
 
     fn starts_from_sample(&self, stage: usize) -> bool {
         stage >= self.preparation
+    }
+
+    fn expected_spheres(&self) -> f64 {
+        spheres(&self.case)
     }
 
     fn initial(&self, interrupt: &Interrupt) -> Result<System, Error> {

@@ -151,6 +151,10 @@ impl<M: Law> Study for Plan<M> {
         self.stages.iter().map(|stage| stage.name()).collect()
     }
 
+    fn expected_spheres(&self) -> f64 {
+        self.film.particles as f64
+    }
+
     fn initial(&self, interrupt: &Interrupt) -> Result<System, Error> {
         if let Some(path) = &self.film.load {
             let Relaxed { origin, system } = load_state(path, SavedKind::Sample)?;
