@@ -12,7 +12,7 @@ pub struct Halt {
     /// The reason.
     pub reason: Reason,
     /// A sphere for which the time step may have been too long.
-    pub unstable: Option<Stability>,
+    pub unstable: Option<Box<Stability>>,
 }
 
 /// The stability of a sphere with all its contacts and necks.
@@ -153,7 +153,7 @@ impl fmt::Display for Halt {
             }
             Reason::TooManyNeighbours { particle } => write!(f, "particle {particle} has too many neighbours"),
         }?;
-        self.unstable.map_or(Ok(()), |stability| write!(f, "; {stability}"))
+        self.unstable.as_ref().map_or(Ok(()), |stability| write!(f, "; {stability}"))
     }
 }
 

@@ -17,7 +17,7 @@ impl<M: PairModel> Simulation<M> {
 
     /// The halt with the sphere for which the time step may have been too long.
     pub fn explained(&self, halt: Halt) -> Halt {
-        Halt { unstable: self.stability().filter(|stability| !stability.holds()), ..halt }
+        Halt { unstable: self.stability().filter(|stability| !stability.holds()).map(Box::new), ..halt }
     }
 
     /// The stability of the free sphere that, with all its contacts and necks, limits the time step most; none without contacts.
