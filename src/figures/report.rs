@@ -5,7 +5,6 @@ use super::{Axis, Curve, Graph, Mark, Plot, Report};
 use crate::error::{AtPath, Error};
 use crate::output::columns::{self, AT_SURFACES, TIME};
 use crate::output::{Column, Event, Finding, RunFolder, Series, between, with_suffix, write_atomically};
-use std::collections::BTreeMap;
 
 /// Largest number of marked events of a kind; more would hide the curve.
 const MOST_MARKS: usize = 200;
@@ -39,7 +38,7 @@ pub fn report(title: &str, graphs: &[Graph], folder: &RunFolder, findings: &[Fin
     }
     let (x, y) = (Axis::linear(&TIME.to_string()), Axis::linear("change of energy [aJ]"));
     draw(folder, &mut page, ENERGIES, Plot { title: ENERGIES.into(), x, y, curves: energies(&series) })?;
-    for (name, svg) in pictures(folder, graphs)? {
+    for (name, svg) in pictures(folder, graphs, &done)? {
         page.figure(&svg, &name);
     }
     write_atomically(&folder.report(), page.finish().as_bytes())
@@ -55,17 +54,31 @@ fn draw(folder: &RunFolder, page: &mut Report, name: &str, plot: Plot) -> Result
     Ok(())
 }
 
-/// Snapshots taken during the run, in the order of their names.
-fn pictures(folder: &RunFolder, graphs: &[Graph]) -> Result<BTreeMap<String, String>, Error> {
-    let mut found = BTreeMap::new();
+/// Snapshots taken during the run, in the order of time.
+fn pictures(folder: &RunFolder, graphs: &[Graph], stages: &[&str]) -> Result<Vec<(String, String)>, Error> {
+    let mut found = Vec::new();
     for entry in std::fs::read_dir(folder.figures()).at(&folder.figures())? {
         let path = entry.at(&folder.figures())?.path();
         let name = path.file_stem().unwrap_or_default().to_string_lossy().to_string();
         if graph_names(graphs).all(|graph| graph != name) {
-            found.insert(name, std::fs::read_to_string(&path).at(&path)?);
+            found.push((name, std::fs::read_to_string(&path).at(&path)?));
         }
     }
+    found.sort_by_cached_key(|(name, _)| (moment(name, stages), name.clone()));
     Ok(found)
+}
+
+/// The place of a picture in time: its stage, and the part of the stage after which it was taken.
+fn moment(name: &str, stages: &[&str]) -> Option<(usize, usize)> {
+    let parts = stages.iter().enumerate().filter_map(|(number, stage)| {
+        let part = match name.strip_prefix(stage)?.strip_prefix(' ')? {
+            "begin" => 0,
+            "end" => usize::MAX,
+            part => part.strip_prefix("after ")?.split(' ').next()?.parse().ok()?,
+        };
+        Some((number, part))
+    });
+    parts.last()
 }
 
 /// Whether the name of a stage is `kind`, with or without a number.
@@ -116,6 +129,22 @@ fn lost(series: &Series) -> Vec<(f64, f64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn pictures_follow_each_other_in_time() {
+        let stages = ["relaxation", "pulling", "pulling 2"];
+        let in_time = [
+            "relaxation begin",
+            "relaxation end",
+            "pulling begin",
+            "pulling after 2 of 12 parts",
+            "pulling after 10 of 12 parts",
+            "pulling end",
+            "pulling 2 begin",
+        ];
+        assert!(in_time.is_sorted_by_key(|name| moment(name, &stages).expect("a picture of a stage")));
+        assert_eq!(moment("mine", &stages), None);
+    }
 
     #[test]
     fn what_is_lost_adds_up_over_stages_and_each_keeps_its_own_curves() {
