@@ -19,15 +19,15 @@ pub fn chapter() -> Evidence {
     let [e, sigma_n, sigma_t, gamma] = silica;
     let g = shear_modulus(e, 0.17);
     let exact = [
-        Claim::number("d_min", "Eq. 19, Table 4", "30", minimum_diameter(1.5, 0.2), "", 9.0),
-        Claim::number("d_c", "Eq. 18, Table 4", "150", critical_diameter(1.5, 1.0, 0.2), "", 9.0),
-        Claim::number("d_min", "Eq. 19, silica", "0.37", minimum_diameter(gamma, sigma_n) * 1e9, "nm", 2.0),
-        Claim::number("d_c", "Eq. 18, silica", "1.7", critical_diameter(gamma, e, sigma_n) * 1e9, "nm", 1.0),
-        Claim::number("d*", "Eq. 22, silica", "18", critical_length(gamma, g, sigma_t) * 1e9, "nm", 0.0),
-        Claim::number("wave velocity", "Section 4, silica", "5760", wave_velocity(e, 2200.0), "m/s", 0.0),
+        Claim::number("Eq. 19, Table 4", "d_min", "30", minimum_diameter(1.5, 0.2), "", 9.0),
+        Claim::number("Eq. 18, Table 4", "d_c", "150", critical_diameter(1.5, 1.0, 0.2), "", 9.0),
+        Claim::number("Eq. 19, silica", "d_min", "0.37", minimum_diameter(gamma, sigma_n) * 1e9, "nm", 2.0),
+        Claim::number("Eq. 18, silica", "d_c", "1.7", critical_diameter(gamma, e, sigma_n) * 1e9, "nm", 1.0),
+        Claim::number("Eq. 22, silica", "d*", "18", critical_length(gamma, g, sigma_t) * 1e9, "nm", 0.0),
+        Claim::number("Section 4, silica", "wave velocity", "5760", wave_velocity(e, 2200.0), "m/s", 0.0),
         Claim::new(
-            "nu <= 1/4",
-            "the tangential stiffness vanishes at nu = 1/4 and is negative above",
+            "Eq. 16",
+            "nu is at most 1/4: there the tangential stiffness vanishes, above it is negative",
             "limit 1/4",
             format!(
                 "A_T(0.25) = {:e}, A_T(0.26) < 0: {}",
@@ -67,6 +67,12 @@ pub fn chapter() -> Evidence {
 mod tests {
     use super::*;
     use crate::reproduce::Verdict;
+
+    #[test]
+    fn every_claim_names_its_place_in_the_paper() {
+        let named = |claim: &Claim| ["Eq. ", "Section ", "Table "].iter().any(|place| claim.id.starts_with(place));
+        assert!(chapter().claims.iter().all(named));
+    }
 
     #[test]
     fn every_length_and_limit_of_the_paper_follows_from_its_equations() {
