@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 use sysinfo::{MemoryRefreshKind, ProcessesToUpdate, RefreshKind};
 
 /// Time for placing the spheres, after which a plan does without them.
-const PLACING: Duration = Duration::from_secs(20);
+const PLACING: Duration = Duration::from_secs(120);
 /// Time during which steps are measured.
 const MEASURING: Duration = Duration::from_millis(300);
 
