@@ -77,12 +77,12 @@ fn without_dashpots_the_account_closes_to_first_order_and_to_second_where_veloci
 fn both_lead_to_the_same_positions_from_velocities_half_a_step_apart() {
     let along = |v: f64| pair([v, 0.0, 0.0], [0.0; 3]);
     let steps = 2_000;
-    let end = |system, integrator, steps| {
-        let simulation = run(undamped(), system, with(integrator, DT), steps);
+    let end = |system, settings, steps| {
+        let simulation = run(undamped(), system, settings, steps);
         let system = simulation.system();
         [0, 1].map(|id| system.particles.x[system.place(id)])
     };
-    let first = end(along(20.0), Integrator::VelocityVerlet, 1);
+    let first = end(along(20.0), verlet(), 1);
     let at_first = along(20.0);
     // The velocity in the middle of the first step, and what is as far on the other side of the first.
     let before: [Vec3<f64>; 2] = std::array::from_fn(|k| {
@@ -91,10 +91,31 @@ fn both_lead_to_the_same_positions_from_velocities_half_a_step_apart() {
     });
     let mut half_a_step_before = at_first.clone();
     half_a_step_before.particles.v = before.into();
-    let (synchronous, late) =
-        (end(at_first, Integrator::VelocityVerlet, steps), end(half_a_step_before, Integrator::HalfStep, steps));
-    for (a, b) in synchronous.into_iter().zip(late) {
+    let half_step = with(Integrator::HalfStep, DT);
+    let synchronous = end(at_first.clone(), verlet(), steps);
+    let late = end(half_a_step_before, half_step, steps);
+    let started = end(at_first, half_step.synchronous_start(), steps);
+    for (a, b) in synchronous.into_iter().zip(late).chain(synchronous.into_iter().zip(started)) {
         assert!((a - b).norm() < 1e-8, "{a:?} {b:?}");
+    }
+}
+
+#[test]
+fn a_state_handed_from_one_integrator_to_another_goes_on_as_if_it_had_not_been() {
+    let whole = |settings: [Settings; 2]| {
+        let [first, second] = settings.map(Settings::synchronous_start);
+        let system = run(undamped(), pair([20.0, 0.0, 0.0], [0.0; 3]), first, 1_000).into_system_with_springs();
+        let simulation = Simulation::new(undamped(), System { step: 0, ..system }, second).expect("a stable step");
+        let mut simulation = simulation;
+        advance(&mut simulation, 1_000).expect("a stable step");
+        let system = simulation.system();
+        system.particles.x[system.place(0)]
+    };
+    let (half_step, synchronous) = (with(Integrator::HalfStep, DT), verlet());
+    let alone = whole([synchronous; 2]);
+    for settings in [[half_step; 2], [half_step, synchronous], [synchronous, half_step]] {
+        let found = whole(settings);
+        assert!((found - alone).norm() < 1e-6, "{settings:?}: {found:?} {alone:?}");
     }
 }
 

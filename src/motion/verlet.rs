@@ -3,18 +3,26 @@
 use super::{MotionTotals, inertia};
 use crate::spec::Vec3;
 use crate::spec::mechanics::kinetic_energy::kinetic_energy;
-use crate::spec::mechanics::verlet::{verlet_begin, verlet_end};
+use crate::spec::mechanics::verlet::{half_step_start, verlet_begin, verlet_end};
 use crate::system::Particles;
 
 /// The time integration: velocities staggered by half a step, or synchronous with the positions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Integrator {
-    /// Half a step behind them: [`half_step`](crate::spec::mechanics::verlet::half_step), the symplectic Euler method with its velocities so understood. The
-    /// velocities at the start are taken for those half a step before.
+    /// Half a step behind them: [`half_step`](crate::spec::mechanics::verlet::half_step), the symplectic Euler method with its velocities so understood.
     #[default]
     HalfStep,
     /// At the same time: velocity Verlet. For free spheres and surfaces, without global damping, in a box of fixed sides.
     VelocityVerlet,
+}
+
+/// Takes the velocities back by a time, ns, with the loads at the positions.
+pub fn delay(particles: &mut Particles, loads: &[[f64; 6]], time: f64) {
+    for p in 0..particles.len() {
+        let (force, torque) = split(&loads[p]);
+        let (_, v, w, m, i) = state(particles, p);
+        (particles.v[p], particles.w[p]) = half_step_start(v, w, force, torque, m, i, 2.0 * time);
+    }
 }
 
 /// Moves spheres to their next positions, with the loads where they were and the velocities there; leaves the velocities in the middle of the step.

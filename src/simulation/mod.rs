@@ -91,6 +91,10 @@ impl<M: PairModel> Simulation<M> {
         simulation.check_settings()?;
         simulation.check_necks()?;
         simulation.list_neighbours(&springs)?;
+        let late = simulation.lag() - simulation.system.lag;
+        if settings.synchronous_start && late != 0.0 {
+            simulation.delay(late)?;
+        }
         simulation.open_ledger();
         if settings.integrator == Integrator::VelocityVerlet {
             simulation.hold()?;
@@ -117,6 +121,7 @@ impl<M: PairModel> Simulation<M> {
     /// Ends the simulation and returns the state.
     pub fn into_system(mut self) -> System {
         self.place_members();
+        self.system.lag = self.lag();
         self.system
     }
 
@@ -151,6 +156,14 @@ impl<M: PairModel> Simulation<M> {
         match self.settings.integrator {
             Integrator::HalfStep => self.step_half(),
             Integrator::VelocityVerlet => self.step_verlet(),
+        }
+    }
+
+    /// Time by which the velocities are behind its positions, ns.
+    fn lag(&self) -> f64 {
+        match self.settings.integrator {
+            Integrator::HalfStep => 0.5 * self.settings.dt,
+            Integrator::VelocityVerlet => 0.0,
         }
     }
 

@@ -11,6 +11,9 @@ pub struct Settings {
     pub dt: f64,
     /// The time integration.
     pub integrator: Integrator,
+    /// Whether the velocities at the start have the lag of the system, none if they are given; otherwise they are taken for those that the
+    /// integrator needs. For free spheres and surfaces.
+    pub synchronous_start: bool,
     /// Coefficient `c` of the global damping force `-c v` on every free sphere.
     pub damping: f64,
     /// The skin of the neighbour list.
@@ -32,6 +35,7 @@ impl Settings {
         Self {
             dt,
             integrator: Integrator::HalfStep,
+            synchronous_start: false,
             damping: 0.0,
             skin: 0.0,
             max_overlap: f64::INFINITY,
@@ -44,6 +48,11 @@ impl Settings {
     /// Another integrator.
     pub fn integrator(self, integrator: Integrator) -> Self {
         Self { integrator, ..self }
+    }
+
+    /// Velocities at the start that are those at its time.
+    pub fn synchronous_start(self) -> Self {
+        Self { synchronous_start: true, ..self }
     }
 
     /// A global damping coefficient, ag/ns.

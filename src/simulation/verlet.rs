@@ -71,7 +71,7 @@ impl<M: PairModel> Simulation<M> {
         let plain = self.settings.damping == 0.0 && self.settings.relax_box.is_none();
         assert!(
             free && plain,
-            "velocity Verlet moves free spheres that nothing but their partners and surfaces act on"
+            "forces at the start are known for free spheres that nothing but their partners and surfaces act on"
         );
         let springs: Vec<_> = self.blocks.iter().map(|block| block.pairs.memory.clone()).collect();
         let totals = self.evaluate(0.0)?;
@@ -85,6 +85,14 @@ impl<M: PairModel> Simulation<M> {
             self.system.surfaces[s].force = force.reversed();
         }
         self.hold_loads(&totals, power);
+        Ok(())
+    }
+
+    /// Takes the velocities of the initial state back by a time, ns.
+    pub(super) fn delay(&mut self, time: f64) -> Result<(), Halt> {
+        self.hold()?;
+        let loads = std::mem::take(&mut self.held).loads;
+        verlet::delay(&mut self.system.particles, &loads, time);
         Ok(())
     }
 

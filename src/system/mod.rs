@@ -115,6 +115,8 @@ pub struct System {
     pub necks: Vec<(u32, u32)>,
     /// Initial contact history of the next simulation; empty while a simulation is running.
     pub springs: Springs,
+    /// Time by which the velocities of the spheres are behind their positions, ns; zero for velocities that are given.
+    pub lag: f64,
     /// Simulated time, ns.
     pub time: f64,
     /// Steps taken.
@@ -133,6 +135,7 @@ impl System {
             steerings: Vec::new(),
             necks: Vec::new(),
             springs: Springs::default(),
+            lag: 0.0,
             time: 0.0,
             step: 0,
         }

@@ -65,6 +65,7 @@ fn deposit(test: &Deposition, solid: Option<Mesh>, radius: f64, system: &mut Sys
     particles.x.iter_mut().for_each(|x| *x = *x + lowered);
     particles.v.fill(Vec3([0.0, 0.0, -test.velocity.value]));
     particles.w.fill(Vec3::zero());
+    system.lag = 0.0;
     let shape = match solid {
         None => Shape::Plane { point: Vec3::zero(), normal: Vec3([0.0, 0.0, 1.0]) },
         Some(mesh) => {

@@ -209,6 +209,7 @@ impl<S: Reading> Study for Plan<S> {
         let test = &self.stages[stage];
         Settings {
             integrator: test.integrator().engine(),
+            synchronous_start: true,
             far_every: test.attraction_every(),
             skin: SKIN * median_radius(&system.particles),
             max_overlap: self.max_overlap,
