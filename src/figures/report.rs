@@ -70,15 +70,14 @@ fn pictures(folder: &RunFolder, graphs: &[Graph], stages: &[&str]) -> Result<Vec
 
 /// The place of a picture in time: its stage, and the part of the stage after which it was taken.
 fn moment(name: &str, stages: &[&str]) -> Option<(usize, usize)> {
-    let parts = stages.iter().enumerate().filter_map(|(number, stage)| {
+    stages.iter().enumerate().find_map(|(number, stage)| {
         let part = match name.strip_prefix(stage)?.strip_prefix(' ')? {
             "begin" => 0,
             "end" => usize::MAX,
             part => part.strip_prefix("after ")?.split(' ').next()?.parse().ok()?,
         };
         Some((number, part))
-    });
-    parts.last()
+    })
 }
 
 /// Whether the name of a stage is `kind`, with or without a number.
