@@ -10,5 +10,5 @@ pub mod springs;
 pub mod units;
 
 pub use outline::{Outline, Words};
-pub use read::{located, parse, read_text, unmarked};
+pub use read::{document, located, parse, read_text, unmarked};
 pub use schema::{Case, InSteps, Limits, Output, keys};

@@ -2,7 +2,7 @@
 
 use super::Case;
 use super::check::{Found, either};
-use super::read::{problem, unmarked, wrong};
+use super::read::{document, problem, wrong};
 use super::section::{Field, KeyName, missing, one_of, one_of_these, only_key};
 use crate::error::Error;
 use serde::de::{DeserializeSeed, Deserializer, IgnoredAny, MapAccess, Visitor};
@@ -38,7 +38,7 @@ impl Outline {
     ///
     /// Wrong YAML, an unknown or missing section, by line and key.
     pub fn read(file: &Path, text: &str, words: &Words) -> Result<Self, Error> {
-        let read = Whole(words).deserialize(serde_yaml::Deserializer::from_str(unmarked(text)));
+        let read = Whole(words).deserialize(serde_yaml::Deserializer::from_str(document(file, text)?));
         read.map_err(|error| Error::Input(vec![problem(file, &error)]))
     }
 

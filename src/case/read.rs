@@ -29,7 +29,7 @@ pub fn parse<M: Part, S: Part, E: Part>(
     problems: impl Fn(&Case<M, S, E>, &mut Found),
 ) -> Result<Case<M, S, E>, Error> {
     let mut case: Case<M, S, E> =
-        serde_yaml::from_str(unmarked(text)).map_err(|error| Error::Input(vec![problem(file, &error)]))?;
+        serde_yaml::from_str(document(file, text)?).map_err(|error| Error::Input(vec![problem(file, &error)]))?;
     complete(&mut case);
     let mut found = Found::new();
     problems(&case, &mut found);
@@ -48,9 +48,53 @@ pub fn unmarked(text: &str) -> &str {
     text.strip_prefix('\u{feff}').unwrap_or(text)
 }
 
+/// Deepest nesting of brackets: the time of the YAML reader grows with the product of length and depth.
+const DEPTH: usize = 1000;
+
+/// The text without its byte order mark, for the YAML reader.
+///
+/// # Errors
+///
+/// If its brackets are nested too deeply.
+pub fn document<'a>(file: &Path, text: &'a str) -> Result<&'a str, Error> {
+    let text = unmarked(text);
+    let (mut depth, mut quoted) = (0_usize, false);
+    for (line, number) in text.lines().zip(1..) {
+        let mut remark = false;
+        for character in line.chars() {
+            match character {
+                '[' | '{' => depth += 1,
+                // What may belong to a text or a comment closes nothing: the depth is never underestimated.
+                ']' | '}' if !quoted && !remark => depth = depth.saturating_sub(1),
+                '"' | '\'' => quoted = true,
+                '#' => remark = true,
+                _ => {}
+            }
+            if depth > DEPTH {
+                let what = format!("found brackets within {DEPTH} others, expected fewer");
+                return Err(Error::Input(vec![Problem {
+                    file: file.into(),
+                    line: Some(number),
+                    key: String::new(),
+                    what,
+                }]));
+            }
+        }
+    }
+    Ok(text)
+}
+
+/// Most problems that are reported of a file: each is found again in its text.
+const REPORTED: usize = 20;
+
 /// Adds file and line to the problems of keys.
 pub fn located(error: Error, file: &Path, text: &str) -> Error {
     let Error::Input(mut problems) = error else { return error };
+    if let Some(more) = problems.len().checked_sub(REPORTED).filter(|&more| more > 0) {
+        problems.truncate(REPORTED);
+        let what = format!("has {more} more problems");
+        problems.push(Problem { file: file.into(), line: None, key: String::new(), what });
+    }
     for problem in problems.iter_mut().filter(|problem| problem.file.as_os_str().is_empty()) {
         (problem.file, problem.line) = (file.into(), line_of(text, &problem.key));
     }

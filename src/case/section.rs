@@ -3,8 +3,8 @@
 //! From one declaration come the Rust structure, the reader that knows its keys, and the listing of `veridem schema`.
 
 use super::quantity::{Kind, Quantity, Scale, Scaled, in_range};
-use super::units::decimal;
-use serde::de::{Deserialize, DeserializeOwned, DeserializeSeed, Deserializer, Error, MapAccess, Visitor};
+use super::units::{decimal, number_and_unit, shifted};
+use serde::de::{Deserialize, DeserializeOwned, DeserializeSeed, Deserializer, Error, MapAccess, Unexpected, Visitor};
 use std::fmt;
 use std::path::PathBuf;
 
@@ -66,7 +66,7 @@ impl Field for f64 {
         "a number".into()
     }
     fn read<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_f64(PlainNumber)
+        deserializer.deserialize_any(PlainNumber)
     }
 }
 
@@ -86,6 +86,13 @@ impl Visitor<'_> for PlainNumber {
     }
     fn visit_i64<E: Error>(self, number: i64) -> Result<f64, E> {
         self.visit_f64(number as f64)
+    }
+    /// The reader takes a number beyond the range of `f64` for a text.
+    fn visit_str<E: Error>(self, text: &str) -> Result<f64, E> {
+        match number_and_unit(text) {
+            Some((number, "")) if shifted(number, 0).is_infinite() => in_range(f64::INFINITY, text).map_err(E::custom),
+            _ => Err(E::invalid_type(Unexpected::Str(text), &self)),
+        }
     }
 }
 

@@ -86,20 +86,28 @@ pub fn unit(text: &str) -> Option<(Dimension, i32)> {
     (factors > 0 && sign > 0).then_some((Dimension(total), power))
 }
 
-/// Splits `14 nm` into its number, as written, and the rest.
+/// Splits `14 nm` into its number, as written, and the rest. The number may be out of the range of `f64`.
 pub fn number_and_unit(text: &str) -> Option<(&str, &str)> {
     let text = text.trim();
-    text.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)).then_some(())?;
-    let ends = text.char_indices().map(|(at, _)| at).chain([text.len()]);
-    let end = ends.rev().find(|&end| text[..end].parse::<f64>().is_ok_and(f64::is_finite))?;
+    let after_sign = |at: usize| at + usize::from(text[at..].starts_with(['+', '-']));
+    let after_digits = |at: usize| at + text[at..].bytes().take_while(u8::is_ascii_digit).count();
+    let mut end = after_digits(after_sign(0));
+    if text[end..].starts_with('.') {
+        end = after_digits(end + 1);
+    }
+    text[..end].contains(|c: char| c.is_ascii_digit()).then_some(())?;
+    if text[end..].starts_with(['e', 'E']) {
+        let exponent = after_sign(end + 1);
+        end = Some(after_digits(exponent)).filter(|&last| last > exponent).unwrap_or(end);
+    }
     Some((&text[..end], text[end..].trim()))
 }
 
-/// A decimal number times a power of ten, rounded once.
+/// A decimal number times a power of ten, rounded once; infinite beyond the range of `f64`.
 pub fn shifted(decimal: &str, power: i32) -> f64 {
     let (mantissa, exponent) = decimal.split_once(['e', 'E']).unwrap_or((decimal, "0"));
-    // An exponent that overflows belongs to the number zero.
-    let exponent = exponent.parse().unwrap_or(i32::MIN);
+    let beyond = if exponent.starts_with('-') { i32::MIN } else { i32::MAX };
+    let exponent = exponent.parse().unwrap_or(beyond);
     format!("{mantissa}e{}", exponent.saturating_add(power)).parse().expect("the number has been parsed before")
 }
 
@@ -167,8 +175,27 @@ mod tests {
     }
 
     #[test]
-    fn exponents_beyond_every_number_leave_zero() {
+    fn a_number_ends_where_its_last_digit_stands_however_large_it_is() {
+        for (text, parts) in [
+            ("14 nm", ("14", "nm")),
+            ("1e400 nm", ("1e400", "nm")),
+            ("-.5e-3e", ("-.5e-3", "e")),
+            ("1energy", ("1", "energy")),
+            ("3.", ("3.", "")),
+        ] {
+            assert_eq!(number_and_unit(text), Some(parts));
+        }
+        for text in ["", "nm", "e5", "+", "-inf nm", "inf", "nan"] {
+            assert_eq!(number_and_unit(text), None, "{text}");
+        }
+        assert_eq!(shifted("1e400", 0), f64::INFINITY);
+        assert_eq!(shifted("1", 400), f64::INFINITY);
+    }
+
+    #[test]
+    fn exponents_beyond_every_number_leave_zero_or_infinity() {
         assert_eq!(shifted("1e-99999999999", 9), 0.0);
+        assert_eq!(shifted("1e99999999999", -9), f64::INFINITY);
         assert_eq!(shifted("0e99999999999", 9), 0.0);
     }
 

@@ -4,7 +4,7 @@
 
 mod ascii;
 
-use crate::error::{Error, Problem, notice};
+use crate::error::{Error, Problem, notice, read_file};
 use crate::initial::foreign;
 use crate::spec::Vec3;
 use crate::system::Mesh;
@@ -24,10 +24,18 @@ const FACET: usize = 50;
 ///
 /// # Errors
 ///
-/// If the file cannot be read, or its triangles form no surface.
+/// If the file cannot be read, and all that [`parse_stl`] finds.
 pub fn read_stl(path: &Path, unit: f64) -> Result<Mesh, Error> {
-    let bytes = std::fs::read(path).map_err(|cause| Error::NoInput(path.into(), cause))?;
-    let bytes = bytes.strip_prefix("\u{feff}".as_bytes()).unwrap_or(&bytes);
+    parse_stl(path, &read_file(path)?, unit)
+}
+
+/// The same from the content of a file.
+///
+/// # Errors
+///
+/// The first place that cannot be read, or triangles that form no surface.
+pub fn parse_stl(path: &Path, bytes: &[u8], unit: f64) -> Result<Mesh, Error> {
+    let bytes = bytes.strip_prefix("\u{feff}".as_bytes()).unwrap_or(bytes);
     if let Some(known) = foreign::recognised(bytes) {
         return Err(Error::input(path, format!("found {known}, expected an STL file, ASCII or binary")));
     }

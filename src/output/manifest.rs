@@ -1,9 +1,10 @@
 //! The provenance of a run: sufficient to reproduce it.
 
 use super::{RunFolder, sha256_file, write_atomically};
-use crate::error::Error;
+use crate::error::{Error, Problem};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+use std::path::Path;
 
 /// The status of a run.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -80,8 +81,20 @@ impl Manifest {
     /// If the manifest is missing or damaged.
     pub fn read(folder: &RunFolder) -> Result<Self, Error> {
         let path = folder.manifest();
-        let bytes = super::read(&path)?;
-        serde_json::from_slice(&bytes).map_err(|error| Error::input(&path, error.to_string()))
+        Self::parse(&path, &super::read(&path)?)
+    }
+
+    /// Reads a manifest from the content of its file.
+    ///
+    /// # Errors
+    ///
+    /// If it is damaged.
+    pub fn parse(path: &Path, bytes: &[u8]) -> Result<Self, Error> {
+        let broken = |error: serde_json::Error| {
+            let line = Some(error.line()).filter(|&line| line > 0);
+            Error::Input(vec![Problem { file: path.into(), line, key: String::new(), what: error.to_string() }])
+        };
+        serde_json::from_slice(bytes).map_err(broken)
     }
 
     /// Whether the run was started by this build of the program.

@@ -2,6 +2,7 @@
 
 use super::places::absolute;
 use super::{Message, Reader};
+use crate::case::document;
 use crate::error::Error;
 use crate::interrupt::Interrupt;
 use rayon::ThreadPoolBuilder;
@@ -115,7 +116,8 @@ fn without_lines(error: Error) -> Error {
 /// If the key is unknown, or cannot hold a value.
 pub fn set(case: &mut Value, key: &str, given: &str, read: Reader) -> Result<(), Error> {
     let wrong = |what: &str| Error::Usage(format!("`{key}={given}`: {what}"));
-    let value = serde_yaml::from_str(given).map_err(|error| wrong(&error.to_string()))?;
+    let text = document(Path::new(""), given).map_err(|error| wrong(&error.to_string()))?;
+    let value = serde_yaml::from_str(text).map_err(|error| wrong(&error.to_string()))?;
     let path = path(key).ok_or_else(|| wrong("expected a key such as `sample.hcp.size[1]`"))?;
     if lacks_list(case, &path) {
         // With nothing in its place an unknown key is refused by the reader, and another has its default.

@@ -144,7 +144,11 @@ fn with_unit(quantity: &Quantity, text: &str) -> Result<Vec<f64>, String> {
         }
         Some((dimension, power)) => power - dimension.engine_power(),
     };
-    Ok(decimals.iter().map(|decimal| units::shifted(decimal, power)).collect())
+    let number = |decimal: &String| {
+        let number = units::shifted(decimal, power);
+        if number.is_finite() { Ok(number) } else { Err(wrong(&format!("`{decimal}` is beyond the largest number"))) }
+    };
+    decimals.iter().map(number).collect()
 }
 
 /// Letters and digits only, in lower case.

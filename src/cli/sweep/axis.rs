@@ -1,6 +1,6 @@
 //! The keys of a sweep and their values.
 
-use crate::case::units::decimal;
+use crate::case::units::{decimal, number_and_unit, shifted};
 use crate::error::Error;
 
 /// Largest number of runs of a sweep: far more than anyone waits for, and all cases fit into memory.
@@ -93,7 +93,7 @@ impl<'a> Range<'a> {
         let (range, unit) = value.split_once(' ').unwrap_or((value, ""));
         let (first, rest) = range.split_once("..")?;
         let (last, count) = rest.split_once(':').map_or((rest, None), |(last, count)| (last, Some(count)));
-        let number = |text: &str| text.parse::<f64>().is_ok_and(f64::is_finite);
+        let number = |text| number_and_unit(text).is_some_and(|(_, rest)| rest.is_empty());
         (number(first) && number(last)).then_some(Self { first, last, count, unit: unit.trim() })
     }
 
@@ -112,7 +112,9 @@ impl<'a> Range<'a> {
         };
         let count = count.parse().ok().filter(|count| (2..=MOST).contains(count));
         let count = count.ok_or("expected a count of 2 to 100000 after the colon")?;
-        let number = |text: &str| text.parse::<f64>().map_err(|_| "expected FIRST..LAST:COUNT");
+        let number = |text: &str| {
+            Some(shifted(text, 0)).filter(|number| number.is_finite()).ok_or("a limit is beyond the largest number")
+        };
         let (first, last) = (number(self.first)?, number(self.last)?);
         let value = |k: usize| {
             let part = k as f64 / (count - 1) as f64;

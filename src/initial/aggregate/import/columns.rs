@@ -62,7 +62,8 @@ pub(super) fn xyz(source: &Source) -> Result<Raw, Error> {
     for _ in 0..number {
         let Some((k, line)) = lines.next().filter(|(_, line)| !line.is_empty()) else {
             let what = format!("found {} spheres, expected {number}, the number in the first line", raw.centres.len());
-            return Err(source.at(raw.centres.len() + 3, &what));
+            // A blank line, or the end of the file.
+            return Err(source.at((raw.centres.len() + 3).min(source.text.lines().count() + 1), &what));
         };
         let words: Vec<&str> = line.split_whitespace().collect();
         match named {

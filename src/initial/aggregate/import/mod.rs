@@ -7,11 +7,11 @@ mod report;
 mod vtk;
 
 pub use report::Report;
-pub use vtk::read_necks;
+pub use vtk::{parse_necks, read_necks};
 
 use crate::case::section::words;
 use crate::case::unmarked;
-use crate::error::{Error, Problem};
+use crate::error::{Error, Problem, read_file};
 use crate::geometry::Sphere;
 use crate::initial::aggregate::components;
 use crate::initial::foreign;
@@ -88,26 +88,25 @@ struct Raw {
 ///
 /// If the file cannot be read, and all that [`parse`] finds.
 pub fn read(file: &Path, options: &Options) -> Result<Imported, Error> {
-    parse(file, &text_of(file)?, options)
+    parse(file, &read_file(file)?, options)
 }
 
 /// The text of a file without the mark of its encoding. What is no UTF-8, as an accent in a comment may be, is replaced.
-fn text_of(file: &Path) -> Result<String, Error> {
-    let bytes = std::fs::read(file).map_err(|cause| Error::NoInput(file.into(), cause))?;
-    if let Some(known) = foreign::recognised(&bytes) {
+fn text_of(file: &Path, bytes: &[u8]) -> Result<String, Error> {
+    if let Some(known) = foreign::recognised(bytes) {
         return Err(Error::input(file, format!("found {known}")));
     }
-    let text = String::from_utf8_lossy(&bytes);
+    let text = String::from_utf8_lossy(bytes);
     Ok(unmarked(&text).into())
 }
 
-/// Reads an aggregate from the text of a file.
+/// Reads an aggregate from the content of a file.
 ///
 /// # Errors
 ///
 /// The first line that cannot be read, or spheres that overlap, coincide or are disconnected.
-pub fn parse(file: &Path, text: &str, options: &Options) -> Result<Imported, Error> {
-    let source = Source { file, text };
+pub fn parse(file: &Path, content: impl AsRef<[u8]>, options: &Options) -> Result<Imported, Error> {
+    let source = Source { file, text: &text_of(file, content.as_ref())? };
     let format = match options.format {
         Some(format) => format,
         None => detect(&source)?,
@@ -301,8 +300,13 @@ impl<'a> Source<'a> {
     /// A finite number.
     fn number(&self, line: usize, word: &str) -> Result<f64, Error> {
         // Fortran may write exponents with a D.
-        let value = word.replace(['d', 'D'], "e").parse().ok().filter(|value: &f64| value.is_finite());
-        value.ok_or_else(|| self.at(line, &format!("found `{word}`, expected a number")))
+        match word.replace(['d', 'D'], "e").parse::<f64>() {
+            Ok(value) if value.is_finite() => Ok(value),
+            Ok(_) if word.contains(|c: char| c.is_ascii_digit()) => {
+                Err(self.at(line, &format!("found `{word}`, expected a number of at most {:e}", f64::MAX)))
+            }
+            _ => Err(self.at(line, &format!("found `{word}`, expected a number"))),
+        }
     }
 
     /// The radius of a sphere.

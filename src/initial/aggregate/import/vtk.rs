@@ -1,7 +1,7 @@
 //! The legacy VTK of soot-dem: points in units of the monomer radius, and its files of necks.
 
 use super::{Raw, Source, text_of};
-use crate::error::Error;
+use crate::error::{Error, read_file};
 use crate::geometry::Sphere;
 use crate::initial::aggregate::necks::Neck;
 use crate::spec::soot::eq26_coordination::are_neighbours;
@@ -28,14 +28,23 @@ pub(super) fn read(source: &Source) -> Result<Raw, Error> {
     Ok(raw)
 }
 
-/// The necks of an aggregate of `n` spheres: a field `connections`, which lists the places `i * n + j` of a matrix,
-/// each neck from both ends.
+/// The necks of an aggregate, as [`parse_necks`] finds them in a file.
 ///
 /// # Errors
 ///
 /// If the file cannot be read, or a neck joins no two spheres.
 pub fn read_necks(file: &Path, spheres: &[Sphere]) -> Result<Vec<Neck>, Error> {
-    let text = text_of(file)?;
+    parse_necks(file, &read_file(file)?, spheres)
+}
+
+/// The necks of an aggregate of `n` spheres: a field `connections`, which lists the places `i * n + j` of a matrix,
+/// each neck from both ends.
+///
+/// # Errors
+///
+/// If the field is missing or too short, or a neck joins no two spheres.
+pub fn parse_necks(file: &Path, bytes: &[u8], spheres: &[Sphere]) -> Result<Vec<Neck>, Error> {
+    let text = text_of(file, bytes)?;
     let source = Source { file, text: &text };
     let mut words = section(&source, "connections")?;
     let columns = count(&source, &mut words, "the number of columns")?;
