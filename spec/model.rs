@@ -233,6 +233,8 @@ pub trait PairModel: Sync {
         self.critical_time_step(r, m)
     }
 
+    /// Number of materials of surfaces; none for a model without surfaces.
+    const SURFACES: usize = 0;
     /// Distance of a centre from a surface of this material up to which the surface acts, m; zero for a model without surfaces.
     fn surface_range(&self, _material: usize, _r: f64) -> f64 {
         0.0

@@ -171,6 +171,8 @@ impl<S: Reading> PairModel for Soot<S> {
         if S::ORDER == Order::ActFirst { limit.min(self.neck.lag_limit()) } else { limit }
     }
 
+    const SURFACES: usize = 2;
+
     fn surface_range(&self, material: usize, r: f64) -> f64 {
         let Wall { hamaker, cutoff, .. } = self.walls[material];
         if hamaker > 0.0 { cutoff.max(r) } else { r }

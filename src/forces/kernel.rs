@@ -109,7 +109,9 @@ fn dispatch<M: PairModel>(
     #[expect(unsafe_code, reason = "`Instructions` exist only where the processor has them")]
     match instructions.set() {
         Set::Baseline => {}
+        // SAFETY: the processor has these instructions, or there were no such `Instructions`.
         Set::Avx2 => return unsafe { avx2::rows(model, pairs, spheres_of_block, loads, max_overlap, dt) },
+        // SAFETY: the processor has these instructions, or there were no such `Instructions`.
         Set::Avx512 => return unsafe { avx512::rows(model, pairs, spheres_of_block, loads, max_overlap, dt) },
     }
     baseline::rows(model, pairs, spheres_of_block, loads, max_overlap, dt)
@@ -125,7 +127,9 @@ fn dispatch_far<M: PairModel>(
     #[expect(unsafe_code, reason = "`Instructions` exist only where the processor has them")]
     match instructions.set() {
         Set::Baseline => {}
+        // SAFETY: the processor has these instructions, or there were no such `Instructions`.
         Set::Avx2 => return unsafe { avx2::far(model, pairs, spheres_of_block) },
+        // SAFETY: the processor has these instructions, or there were no such `Instructions`.
         Set::Avx512 => return unsafe { avx512::far(model, pairs, spheres_of_block) },
     }
     baseline::far(model, pairs, spheres_of_block);
@@ -137,7 +141,9 @@ pub fn vectorised<W: Vectorised>(instructions: Instructions, work: W) -> W::Outc
     #[expect(unsafe_code, reason = "`Instructions` exist only where the processor has them")]
     match instructions.set() {
         Set::Baseline => {}
+        // SAFETY: the processor has these instructions, or there were no such `Instructions`.
         Set::Avx2 => return unsafe { avx2::vectorised(work) },
+        // SAFETY: the processor has these instructions, or there were no such `Instructions`.
         Set::Avx512 => return unsafe { avx512::vectorised(work) },
     }
     baseline::vectorised(work)

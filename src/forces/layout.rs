@@ -20,5 +20,5 @@ pub(super) fn no_loads() -> Box<[Load; CAPACITY]> {
 /// The persistent key of a pair of particles, `q` displaced by `image`.
 pub fn bond(particles: &Particles, p: usize, q: usize, image: Image) -> Bond {
     let (a, b) = (particles.id[p], particles.id[q]);
-    if a <= b { (a, b, image) } else { (b, a, image.map(|k| -k)) }
+    if a <= b { (a, b, image) } else { (b, a, image.map(i16::saturating_neg)) }
 }

@@ -187,13 +187,17 @@ mod tests {
         for set in Instructions::available() {
             let columns = match set.set() {
                 Set::Baseline => baseline(rows),
+                // SAFETY: the processor has these instructions, or there were no such `Instructions`.
                 Set::Avx2 => unsafe { avx2(rows) },
+                // SAFETY: the processor has these instructions, or there were no such `Instructions`.
                 Set::Avx512 => unsafe { avx512(rows) },
             };
             let narrow: Rows = rows.map(|row| [row[0], row[1], row[2], row[3]]);
             let (few, again) = match set.set() {
                 Set::Baseline => (narrow::baseline(narrow), back::baseline(narrow::baseline(narrow))),
+                // SAFETY: the processor has these instructions, or there were no such `Instructions`.
                 Set::Avx2 => unsafe { (narrow::avx2(narrow), back::avx2(narrow::avx2(narrow))) },
+                // SAFETY: the processor has these instructions, or there were no such `Instructions`.
                 Set::Avx512 => unsafe { (narrow::avx512(narrow), back::avx512(narrow::avx512(narrow))) },
             };
             for (row, column) in (0..LANES).flat_map(|row| (0..LANES).map(move |column| (row, column))) {

@@ -82,7 +82,7 @@ pub fn neighbours_but(
 }
 
 fn ordered(p: u32, q: u32, image: Image) -> Neighbour {
-    if q < p { Neighbour { p: q, q: p, image: image.map(|k| -k) } } else { Neighbour { p, q, image } }
+    if q < p { Neighbour { p: q, q: p, image: image.map(i16::saturating_neg) } } else { Neighbour { p, q, image } }
 }
 
 /// The spheres of one octave, sorted into equal cells.
@@ -173,10 +173,12 @@ impl<'a> Grid<'a> {
                 for k in first..=if in_a_row { last.min(first) } else { last } {
                     let (k, copy_z) = self.wrapped(2, k);
                     let cells = self.index([i, j, k])..self.index([i, j, if in_a_row { last } else { k }]) + 1;
-                    let copy = [copy_x + home[0], copy_y + home[1], copy_z + home[2]];
+                    // A sphere that was thrown out of the box is in a copy beyond all that are counted, and near nothing.
+                    let copies = [copy_x, copy_y, copy_z];
+                    let copy: Image = std::array::from_fn(|a| copies[a].saturating_add(home[a]));
                     for &(q, home_q) in &self.members[self.start[cells.start] as usize..self.start[cells.end] as usize]
                     {
-                        found(q, std::array::from_fn(|a| copy[a] - home_q[a]));
+                        found(q, std::array::from_fn(|a| copy[a].saturating_sub(home_q[a])));
                     }
                 }
             }

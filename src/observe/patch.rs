@@ -39,6 +39,11 @@ impl Gauge {
         Self { slab, upper: upper_wall(system), before, rest: stress(system, links, slab) }
     }
 
+    /// Number of spheres that it observes.
+    pub fn spheres(&self) -> usize {
+        self.before.len()
+    }
+
     /// Strain of the sample as a whole and mean stress in it.
     pub fn read(&self, system: &System, links: &[Link]) -> Reading {
         let moved = upper_wall(system) - self.upper;

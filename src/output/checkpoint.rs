@@ -3,6 +3,7 @@
 use super::files::{sha256, sync_folder, with_suffix, write_atomically};
 use super::{Manifest, read};
 use crate::error::{AtPath, Error, Problem};
+use crate::system::System;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -11,7 +12,7 @@ use std::path::{Path, PathBuf};
 
 /// The kind of a saved state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum SavedKind {
+enum SavedKind {
     /// A checkpoint, from which a run can be resumed.
     Checkpoint,
     /// An equilibrated sample.
@@ -32,18 +33,36 @@ impl SavedKind {
 /// # Errors
 ///
 /// If the file cannot be written.
-pub fn save_state<T: Serialize>(path: &Path, what: SavedKind, state: &T) -> Result<(), Error> {
+fn save_state<T: Serialize>(path: &Path, what: SavedKind, state: &T) -> Result<(), Error> {
     let body = postcard::to_allocvec(state).expect("a state is plain data");
     let checksum = crc32fast::hash(&body).to_le_bytes();
     write_atomically(path, &[what.heading(), &checksum, &body].concat())
 }
 
-/// Reads a state.
+/// Writes a sample with the parameters that it was made from.
 ///
 /// # Errors
 ///
-/// If the file cannot be read, is damaged, or holds another kind of state.
-pub fn load_state<T: DeserializeOwned>(path: &Path, what: SavedKind) -> Result<T, Error> {
+/// If the file cannot be written.
+pub fn save_sample(path: &Path, origin: &str, system: &System) -> Result<(), Error> {
+    save_state(path, SavedKind::Sample, &(origin, system))
+}
+
+/// Reads a sample that was made from these parameters, among them `parts`.
+///
+/// # Errors
+///
+/// If the file cannot be read, is damaged, or holds another sample or none that a run can have.
+pub fn load_sample(path: &Path, origin: &str, parts: &str) -> Result<System, Error> {
+    let (found, system): (String, System) = load_state(path, SavedKind::Sample)?;
+    if found != origin {
+        return Err(Error::input(path, format!("was made with another {parts}")));
+    }
+    if system.is_sound() { Ok(system) } else { Err(Error::input(path, "holds numbers or lengths that no sample has")) }
+}
+
+/// Reads a state.
+fn load_state<T: DeserializeOwned>(path: &Path, what: SavedKind) -> Result<T, Error> {
     postcard::from_bytes(&body(path, what)?).map_err(|_| Error::input(path, "was written by another version"))
 }
 
@@ -171,16 +190,16 @@ impl Checkpoints {
         save_state(&self.path(STOPPED), SavedKind::Checkpoint, &(origin, state))
     }
 
-    /// The latest readable state that `fits` the record of its run, and the problems of those that were passed over.
+    /// What `accept` makes of the latest state that it accepts, and the problems of those that were passed over.
     ///
     /// # Errors
     ///
     /// If there is none, or one of another run; if a file cannot be read.
-    pub fn latest<T: DeserializeOwned>(
+    pub fn latest<T: DeserializeOwned, U>(
         &self,
         origin: &Origin,
-        mut fits: impl FnMut(&Path, &T) -> Result<(), Error>,
-    ) -> Result<(T, Vec<Problem>), Error> {
+        mut accept: impl FnMut(&Path, T) -> Result<U, Error>,
+    ) -> Result<(U, Vec<Problem>), Error> {
         let candidates = [self.path(STOPPED)].into_iter().filter(|path| path.exists());
         let mut passed_over = Vec::new();
         for path in candidates.chain(self.due()?.into_iter().rev()) {
@@ -201,8 +220,12 @@ impl Checkpoints {
                         format!("belongs to another run: {} differs", others.join(", ")),
                     )));
                 }
-                let state = postcard::from_bytes(state).map_err(|_| unknown(&format!(", {}", of.version)))?;
-                fits(&path, &state).map(|()| Ok(state))
+                let (state, rest) =
+                    postcard::take_from_bytes(state).map_err(|_| unknown(&format!(", {}", of.version)))?;
+                if !rest.is_empty() {
+                    return Err(Error::input(&path, "holds more than the state of a run"));
+                }
+                accept(&path, state).map(Ok)
             });
             match state {
                 // It was put here by hand: the user decides.
@@ -253,9 +276,10 @@ mod tests {
         }
         assert_eq!(checkpoints.due().unwrap().len(), 2);
         let latest = |fits: &dyn Fn(&u64) -> bool| {
-            let fits =
-                |_: &Path, state: &u64| if fits(state) { Ok(()) } else { Err(Error::input(folder.path(), "differs")) };
-            checkpoints.latest::<u64>(&origin, fits).map(|(state, passed_over)| (state, passed_over.len()))
+            let accept = |_: &Path, state: u64| {
+                if fits(&state) { Ok(state) } else { Err(Error::input(folder.path(), "differs")) }
+            };
+            checkpoints.latest(&origin, accept).map(|(state, passed_over)| (state, passed_over.len()))
         };
         assert_eq!(latest(&|_| true).unwrap(), (3000, 0));
         assert_eq!(latest(&|&state| state < 3000).unwrap(), (200, 1));

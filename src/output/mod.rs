@@ -15,7 +15,7 @@ mod series;
 
 pub use crate::error::read_file as read;
 pub use appending::{Appending, Fingerprint};
-pub use checkpoint::{Checkpoints, Origin, SavedKind, encoded_size, load_state, save_state, state_hash};
+pub use checkpoint::{Checkpoints, Origin, encoded_size, load_sample, save_sample, state_hash};
 pub use claim::{Claim, Place};
 pub use columns::Column;
 pub use files::{create_folder, sha256, sha256_file, sync_folder, with_suffix, write_atomically};

@@ -73,6 +73,11 @@ impl<'a, S: Study> Driver<'a, S> {
         Self { instructions, ..self }
     }
 
+    /// The study that it drives.
+    pub fn study(&self) -> &'a S {
+        self.study
+    }
+
     /// How a stage advances its system.
     pub fn settings(&self, number: usize, system: &System) -> Settings {
         let settings = self.study.settings(number, system);

@@ -2,7 +2,8 @@
 
 use super::places::{free, is_there, outside, savable, unchanged};
 use super::plan::{affordable, moderate, plan};
-use super::recorder::{Recorder, State};
+use super::recorder::Recorder;
+use super::saved::{Resumable, State};
 use super::{Driver, Message, Outcome, Study};
 use crate::case::{Output, located};
 use crate::error::{AtPath, Error};
@@ -12,7 +13,6 @@ use crate::interrupt::Interrupt;
 use crate::output::{
     Claim, Finding, Lock, Manifest, Origin, Place, RunFolder, Status, sha256, sha256_file, state_hash, write_atomically,
 };
-use crate::simulation::{Settings, Simulation};
 use crate::system::System;
 use serde_yaml::Mapping;
 use std::collections::BTreeMap;
@@ -142,20 +142,11 @@ impl<S: Study> Runnable for S {
             return from_the_beginning(self, job, folder, manifest, initial, interrupt, tell);
         }
         let mut driver = Driver::new(self, interrupt).using(job.instructions);
-        let mut missing = Vec::new();
-        let stages = self.names().len();
-        let fits = |path: &Path, state: &State<S::Watch>| {
-            let sound = state.stage < stages && [state.dt, state.skin].iter().all(|&x| x > 0.0 && x < f64::INFINITY);
-            if !sound || !state.damping.is_finite() || !state.snapshot.is_sound() {
-                return Err(Error::input(path, "holds numbers or lengths that no run has"));
-            }
-            missing = state.recorded.check(folder)?;
-            Ok(())
-        };
         let origin = Origin::of(&manifest);
-        let (state, passed_over) = folder.checkpoints().latest(&origin, fits)?;
-        let State { stage, dt, damping, skin, snapshot, watch, run, recorded } = state;
-        unchanged(&self.reads_after(stage), &manifest)?;
+        let accepted = |path: &Path, state: State<S::Watch>| state.accepted(path, folder, &driver);
+        let (from, passed_over) = folder.checkpoints().latest(&origin, accepted)?;
+        let Resumable { stage, run, recorded, missing } = from;
+        unchanged(&self.reads_after(stage.number), &manifest)?;
         for problem in passed_over {
             tell(Message::Note(format!("warning: {problem}; an older checkpoint is used")));
         }
@@ -166,12 +157,7 @@ impl<S: Study> Runnable for S {
         let mut sink = Recorder::resume(folder, origin, &job.output, recorded, tell)?;
         manifest.resume();
         manifest.write(folder)?;
-        job.conclude(folder, manifest, || {
-            let settings = Settings { dt, damping, skin, ..driver.settings(stage, snapshot.system()) };
-            let simulation = Simulation::resume(self.model(stage), settings, snapshot)?;
-            let stage = driver.stage(stage, simulation, watch);
-            driver.resume(stage, run, &mut sink)
-        })
+        job.conclude(folder, manifest, || driver.resume(stage, run, &mut sink))
     }
 }
 

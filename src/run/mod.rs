@@ -7,6 +7,7 @@ mod plan;
 mod record;
 mod recorder;
 mod row;
+mod saved;
 mod sink;
 mod study;
 pub mod sweep;

@@ -2,27 +2,14 @@
 
 use super::plan::Intervals;
 use super::record::{Record, Recorded};
+use super::saved::State;
 use super::{RunState, RunningStage, Sink, Step, Study, columns};
 use crate::case::Output;
 use crate::error::{Error, Halt};
 use crate::figures::picture;
 use crate::output::{Origin, RunFolder, extended_xyz, write_atomically};
-use crate::simulation::{Settings, Snapshot};
-use serde::{Deserialize, Serialize};
+use crate::simulation::Settings;
 use std::ops::ControlFlow;
-
-/// The complete state of a run.
-#[derive(Serialize, Deserialize)]
-pub(super) struct State<W> {
-    pub(super) stage: usize,
-    pub(super) dt: f64,
-    pub(super) damping: f64,
-    pub(super) skin: f64,
-    pub(super) snapshot: Snapshot,
-    pub(super) watch: W,
-    pub(super) run: RunState,
-    pub(super) recorded: Recorded,
-}
 
 /// A message of a run to its user.
 #[derive(Clone, Debug)]

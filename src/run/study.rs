@@ -105,6 +105,11 @@ pub trait Study {
     }
     /// Starts observing a stage.
     fn watch(&self, stage: usize, simulation: &Simulation<Self::Model>) -> Self::Watch;
+    /// Whether a stage can be under way with this system, whose numbers and indices are sound, and this observer, as a checkpoint claims: whether
+    /// both have the parts that the stage takes for granted.
+    fn can_hold(&self, _stage: usize, _system: &System, _watch: &Self::Watch) -> bool {
+        true
+    }
     /// Interventions between two steps, such as the breaking of necks; returns the events.
     ///
     /// # Errors

@@ -8,6 +8,7 @@
 use crate::forces::Totals;
 use crate::motion::{MotionTotals, WallWork};
 use crate::spec::Flat;
+use crate::system::bounded;
 use serde::{Deserialize, Serialize};
 
 /// Energies since the start, zJ.
@@ -84,6 +85,30 @@ impl Ledger {
         self.work_box += box_work;
         self.work_pairs += totals.power * dt;
         self.scheme += moved.scheme + walls.scheme;
+    }
+
+    /// Whether all energies are bounded.
+    pub(super) fn is_sound(&self) -> bool {
+        let Self { kinetic, stored, lost_by_pairs, lost_drag, lost_to_breaking, work_walls, work_loads, .. } = self;
+        let Self { late_work, work_box, kinetic_at_start, stored_at_start, work_pairs, surfaces, scheme, .. } = self;
+        let SurfaceAccount { stored: at_surfaces, stored_at_start: at_first, lost, work, work_on_spheres } = surfaces;
+        let energies = [kinetic, lost_drag, lost_to_breaking, work_walls, work_loads, late_work, work_box];
+        let others = [kinetic_at_start, work_pairs, scheme, work, work_on_spheres];
+        let lists = [stored, lost_by_pairs, stored_at_start, at_surfaces, at_first, lost];
+        bounded(energies.into_iter().chain(others).chain(lists.into_iter().flatten()))
+    }
+
+    /// Whether it is that of a model with so many causes of stored and of dissipated energy.
+    pub(super) fn has_lengths(&self, stored: usize, lost: usize) -> bool {
+        let surfaces = &self.surfaces;
+        let has = |list: &[f64], length| list.len() == length;
+        let or_none = |list: &[f64]| list.is_empty() || has(list, stored);
+        or_none(&self.stored)
+            && or_none(&surfaces.stored)
+            && has(&self.stored_at_start, stored)
+            && has(&surfaces.stored_at_start, stored)
+            && has(&self.lost_by_pairs, lost)
+            && has(&surfaces.lost, lost)
     }
 
     /// The total dissipated energy.

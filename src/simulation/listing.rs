@@ -7,7 +7,7 @@ use crate::geometry::{Neighbour, neighbours_but};
 use crate::motion::{LoadTable, MotionTotals};
 use crate::spec::{PairModel, Vec3};
 use crate::system::Springs;
-use crate::system::{Domain, Pose, System};
+use crate::system::{Domain, Pose, System, bounded};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
@@ -20,6 +20,23 @@ pub(super) struct Listed {
     pub poses: Vec<Pose>,
     /// The first particles are moved every step: those by themselves, then the members of bodies that have a partner in range.
     pub moving: usize,
+}
+
+impl Listed {
+    /// Whether it can be what the list of a sound system was built from.
+    pub(super) fn is_sound(&self, system: &System) -> bool {
+        let Self { x, sides, poses, moving } = self;
+        let body = &system.particles.body;
+        let numbers = x.iter().flat_map(|x| &x.0);
+        x.len() == body.len()
+            && poses.len() == system.bodies.len()
+            && *moving <= body.len()
+            && bounded(numbers)
+            && poses.iter().all(Pose::is_sound)
+            && Domain { sides: *sides, ..system.domain }.suits(&system.particles, x)
+            && body[..*moving].is_sorted()
+            && body[*moving..].iter().all(|&body| body > 0)
+    }
 }
 
 impl<M: PairModel> Simulation<M> {
@@ -51,6 +68,9 @@ impl<M: PairModel> Simulation<M> {
     /// Builds the list from what it was built from, which the particles are already in the order of.
     pub(super) fn relist(&mut self, springs: &Springs) -> Result<(), Halt> {
         let pairs = self.search()?;
+        if pairs.iter().any(|pair| pair.p.max(pair.q) as usize >= self.listed.moving) {
+            return Err(self.halt(Reason::Snapshot));
+        }
         self.build_blocks(&pairs, springs)
     }
 

@@ -3,12 +3,11 @@
 //! The state from which the neighbour list was built is stored instead of the list, so a simulation restored from a snapshot has the same list,
 //! the same order of sums, and continues with the same bits.
 
-use super::{Ledger, Listed, Settings, Simulation, VerletState};
-use crate::error::Halt;
+use super::{Integrator, Ledger, Listed, Settings, Simulation, VerletState};
+use crate::error::{Halt, Reason};
 use crate::motion::LoadTable;
 use crate::spec::{Flat, PairModel};
-use crate::system::Springs;
-use crate::system::System;
+use crate::system::{Springs, Surface, System, bounded};
 use serde::{Deserialize, Serialize};
 
 /// The complete state of a simulation, without its model and settings.
@@ -34,31 +33,12 @@ impl Snapshot {
         &self.system
     }
 
-    /// Whether its numbers are finite, its lists of the same length, and its numbers of spheres, bodies and walls those of existing ones.
+    /// Whether its numbers are bounded, its lists have the same lengths, and its indices and ids are those of something.
     pub fn is_sound(&self) -> bool {
-        let Self { system, listed, .. } = self;
-        let (p, spheres) = (&system.particles, system.particles.len());
-        let lengths = [p.v.len(), p.w.len(), p.radius.len(), p.mass.len(), p.wall.len(), p.body.len(), p.arm.len()];
-        let sound = lengths.into_iter().chain([p.id.len(), p.tag.len(), listed.x.len()]).all(|n| n == spheres)
-            && listed.poses.len() == system.bodies.len()
-            && listed.moving <= spheres
-            && p.wall
-                .iter()
-                .chain(system.bodies.iter().map(|body| &body.wall))
-                .all(|&k| k as usize <= system.walls.len())
-            && p.body.iter().all(|&k| k as usize <= system.bodies.len());
-        let places = system.places();
-        let known = |id: &u32| places.contains_key(id);
-        let vectors = [&p.x, &p.v, &p.w, &p.arm, &listed.x].into_iter().flatten().flat_map(|vector| vector.0);
-        sound
-            && places.len() == spheres
-            && system.necks.iter().all(|(i, j)| known(i) && known(j) && i != j)
-            && p.radius.iter().chain(&p.mass).chain(&system.domain.sides).chain(&listed.sides).all(|&x| x > 0.0)
-            && vectors
-                .chain([system.time, self.begun])
-                .chain(p.radius.iter().chain(&p.mass).copied())
-                .all(f64::is_finite)
-            && system.domain.sides.iter().chain(&listed.sides).all(|x| x.is_finite())
+        let Self { system, begun, listed, memory, far, box_rate, momentum_flux, stress, ledger, held } = self;
+        let numbers = memory.iter().chain(far.iter().flatten()).chain(box_rate).chain(momentum_flux).chain(stress);
+        let numbers = numbers.chain([begun]);
+        system.is_sound() && listed.is_sound(system) && ledger.is_sound() && held.is_sound() && bounded(numbers)
     }
 }
 
@@ -88,11 +68,11 @@ impl<M: PairModel> Simulation<M> {
         }
     }
 
-    /// Restores a simulation from a snapshot.
+    /// Restores a simulation from a sound snapshot.
     ///
     /// # Errors
     ///
-    /// If the time step is too large.
+    /// If the settings make no sense, or the snapshot is that of another model or integrator.
     pub fn resume(model: M, settings: Settings, snapshot: Snapshot) -> Result<Self, Halt> {
         let Snapshot { system, begun, listed, memory, far, box_rate, momentum_flux, stress, ledger, held } = snapshot;
         let (blocks, load_table, on_walls, reach, far_known) =
@@ -115,13 +95,15 @@ impl<M: PairModel> Simulation<M> {
             system,
             begun,
         };
+        simulation.check_settings()?;
         simulation.relist(&Springs::default())?;
+        simulation.check_lengths(memory.len(), far.as_ref().map(Vec::len))?;
         let mut numbers = memory.into_iter();
         for block in &mut simulation.blocks {
             for (row, lane) in block.pairs.rows_and_lanes() {
                 let row = &mut block.pairs.memory[row];
                 for k in 0..M::Memory::<f64>::LEN {
-                    row.at_mut(k).0[lane] = numbers.next().unwrap_or(f64::NAN);
+                    row.at_mut(k).0[lane] = numbers.next().expect("the length was checked");
                 }
             }
         }
@@ -134,5 +116,26 @@ impl<M: PairModel> Simulation<M> {
             simulation.far_known = true;
         }
         Ok(simulation)
+    }
+
+    /// Whether a snapshot that was restored is one of this model and integrator, with springs of the pairs and held forces of these lengths.
+    fn check_lengths(&self, springs: usize, far: Option<usize>) -> Result<(), Halt> {
+        let widths = (M::Memory::<f64>::LEN, M::Stored::<f64>::LEN, M::Losses::<f64>::LEN);
+        let pairs: usize = self.blocks.iter().map(|block| block.each_pair().count()).sum();
+        let held_far = || self.blocks.iter().map(|block| block.far.held_loads(block.len()).count()).sum::<usize>();
+        let spheres = self.system.particles.len();
+        let (is_verlet, only_spheres) = (
+            self.settings.integrator == Integrator::VelocityVerlet,
+            self.system.walls.is_empty() && self.system.bodies.is_empty(),
+        );
+        let surfaces = &self.system.surfaces;
+        let touching = |surface: &Surface| surface.contacts.springs.len() == widths.0 * surface.contacts.places.len();
+        let fits = springs == pairs * widths.0
+            && far.is_none_or(|held| held == held_far())
+            && self.held.has_loads_of(if is_verlet { spheres } else { 0 })
+            && (only_spheres || !is_verlet)
+            && self.ledger.has_lengths(widths.1, widths.2)
+            && surfaces.iter().all(|surface| surface.material < M::SURFACES && touching(surface));
+        if fits { Ok(()) } else { Err(self.halt(Reason::Snapshot)) }
     }
 }

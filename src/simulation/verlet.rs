@@ -9,6 +9,7 @@ use crate::spec::mechanics::box_stress::box_stress;
 use crate::spec::mechanics::work::work;
 use crate::spec::numbers::Lanes;
 use crate::spec::{Flat, PairModel, Vec3};
+use crate::system::bounded;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
@@ -23,6 +24,19 @@ pub(super) struct VerletState {
     surfaces: f64,
     /// Energy by which this is less than the work, in half a step, at the velocities that go with the positions.
     late: f64,
+}
+
+impl VerletState {
+    /// Whether its numbers are bounded.
+    pub(super) fn is_sound(&self) -> bool {
+        let Self { loads, pairs, surfaces, late } = self;
+        bounded(loads.iter().flatten().chain([pairs, surfaces, late]))
+    }
+
+    /// Whether it holds forces on this number of spheres.
+    pub(super) fn has_loads_of(&self, spheres: usize) -> bool {
+        self.loads.len() == spheres
+    }
 }
 
 impl<M: PairModel> Simulation<M> {

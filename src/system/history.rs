@@ -10,9 +10,9 @@ pub type Bond = (u32, u32, Image);
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Springs {
     /// Sorted; each with the place of its springs.
-    bonds: Vec<(Bond, u32)>,
-    numbers: Vec<f64>,
-    width: usize,
+    pub(super) bonds: Vec<(Bond, u32)>,
+    pub(super) numbers: Vec<f64>,
+    pub(super) width: usize,
 }
 
 impl Springs {

@@ -11,7 +11,7 @@ use crate::geometry::{Sphere, centre_of_mass};
 use crate::initial::aggregate::necks::{Neck, keep_fraction, missing_necks, necks};
 use crate::initial::aggregate::{Method, Radii, Recipe, aggregate, import};
 use crate::interrupt::Interrupt;
-use crate::output::{Cell, Column, Finding, SavedKind, load_state, save_state};
+use crate::output::{Cell, Column, Finding, load_sample, save_sample};
 use crate::random::Stream;
 use crate::run::Study;
 use crate::simulation::{EXAMINED, Settings, Simulation};
@@ -19,7 +19,6 @@ use crate::spec::Vec3;
 use crate::spec::mechanics::sphere::sphere_mass;
 use crate::spec::soot::{self, Reading};
 use crate::system::{Domain, Particles, System};
-use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 
 /// The plan of a case.
@@ -56,13 +55,6 @@ impl<S: Reading> Plan<S> {
         let keys = stages.iter().enumerate().map(|(number, stage)| key(case, number, stage)).collect();
         Self { seed: case.seed, max_overlap: case.limits.overlap, soot, reading, sample, stages, keys }
     }
-}
-
-/// A deposited aggregate on disk, with the parameters from which it was made.
-#[derive(Serialize, Deserialize)]
-struct Deposited {
-    origin: String,
-    system: System,
 }
 
 impl<S: Reading> Plan<S> {
@@ -173,21 +165,18 @@ impl<S: Reading> Study for Plan<S> {
         // Files of later stages are checked before anything is computed.
         self.stages.iter().try_for_each(|stage| stage::solid(stage).map(drop))?;
         if let Some(path) = &self.sample.deposited {
-            let Deposited { origin, system } = load_state(path, SavedKind::Sample)?;
-            if origin != self.origin() {
-                return Err(Error::input(path, "was made with another model or aggregate"));
-            }
+            let system = load_sample(path, &self.origin(), "model or aggregate")?;
             self.suits(system.particles.radius.iter().copied())?;
             return Ok(system);
         }
-        let (spheres, load_state) = self.aggregate(interrupt)?;
+        let (spheres, necks) = self.aggregate(interrupt)?;
         let mut particles = Particles::default();
         let reach = spheres.iter().map(|sphere| sphere.centre.norm() + sphere.radius).fold(0.0, f64::max);
         for &Sphere { centre, radius } in &spheres {
             particles.push(centre + Vec3([reach; 3]), radius, sphere_mass(self.soot.density.value, radius), 0);
         }
         let domain = Domain { sides: [2.0 * reach; 3], periodic: [false; 3] };
-        let necks = load_state.into_iter().map(|(i, j)| (i as u32, j as u32)).collect();
+        let necks = necks.into_iter().map(|(i, j)| (i as u32, j as u32)).collect();
         Ok(System { necks, ..System::new(particles, domain) })
     }
 
@@ -225,7 +214,7 @@ impl<S: Reading> Study for Plan<S> {
     fn end(&self, stage: usize, simulation: Simulation<soot::Soot<S>>) -> Result<System, Error> {
         let system = simulation.into_system_with_springs();
         if let SootStage::Deposition(Deposition { save: Some(path), .. }) = &self.stages[stage] {
-            save_state(path, SavedKind::Sample, &Deposited { origin: self.origin(), system: system.clone() })?;
+            save_sample(path, &self.origin(), &system)?;
         }
         Ok(system)
     }
@@ -240,6 +229,11 @@ impl<S: Reading> Study for Plan<S> {
 
     fn watch(&self, stage: usize, simulation: &Simulation<soot::Soot<S>>) -> Watch {
         Watch::begin(&self.stages[stage], simulation)
+    }
+
+    fn can_hold(&self, stage: usize, system: &System, watch: &Watch) -> bool {
+        let System { walls, bodies, steerings, .. } = system;
+        walls.is_empty() && bodies.is_empty() && steerings.is_empty() && watch.belongs_to(&self.stages[stage], system)
     }
 
     fn intervene(&self, _: usize, simulation: &mut Simulation<soot::Soot<S>>) -> Result<Vec<String>, Halt> {

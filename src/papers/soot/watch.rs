@@ -90,6 +90,12 @@ impl Watch {
         Self { shape: shape(simulation.system()), kinetic: simulation.ledger().kinetic, curve }
     }
 
+    /// Whether it can be the observer of this stage.
+    pub fn belongs_to(&self, stage: &SootStage, system: &System) -> bool {
+        let indents = matches!(stage, SootStage::Indentation(_));
+        self.curve.is_some() == indents && surface(system, TIP).is_some() == indents
+    }
+
     /// Observes every step.
     pub fn follow(&mut self, simulation: &Simulation<Soot<impl Reading>>) {
         if let (Some(curve), Some(tip)) = (&mut self.curve, surface(simulation.system(), TIP)) {

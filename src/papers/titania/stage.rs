@@ -60,6 +60,18 @@ pub enum StageAct {
     },
 }
 
+impl StageAct {
+    /// Number of spheres, if it is always the same, of walls, and of springs at centres of mass.
+    pub(super) fn parts(&self) -> (Option<usize>, usize, usize) {
+        match self {
+            Self::Approach { .. } => (Some(2), 0, 0),
+            Self::Press { .. } | Self::Drag { .. } => (Some(2), 2, 0),
+            Self::Relax { .. } => (None, 1, 0),
+            Self::Pull { .. } => (None, 0, 2),
+        }
+    }
+}
+
 const HELD: [Motion; 3] = [Motion::Velocity(0.0); 3];
 
 impl Stage {

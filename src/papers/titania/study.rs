@@ -127,6 +127,12 @@ impl Study for Plan {
         Watch::begin(simulation)
     }
 
+    fn can_hold(&self, stage: usize, system: &System, _: &Watch) -> bool {
+        let (spheres, walls, steerings) = self.stages[stage].act.parts();
+        let counts = (system.particles.len(), system.walls.len(), system.steerings.len());
+        counts == (spheres.unwrap_or(counts.0), walls, steerings) && system.bodies.is_empty()
+    }
+
     fn follow(&self, stage: usize, watch: &mut Watch, simulation: &Simulation<Titania>) -> Vec<String> {
         watch.follow(&self.stages[stage].act, simulation)
     }

@@ -63,6 +63,11 @@ impl Witness {
         Self { height, start, mark: start, before: by_id(system), rows: Vec::new() }
     }
 
+    /// Number of spheres that it observes.
+    pub fn spheres(&self) -> usize {
+        self.before.len()
+    }
+
     /// Closes a window and opens the next.
     pub fn look(&mut self, system: &System, links: &[Link]) -> &Row {
         let now = upper_wall(system);

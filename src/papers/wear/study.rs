@@ -10,12 +10,11 @@ use crate::error::Error;
 use crate::initial::lattice::hcp_cells;
 use crate::initial::{Sizes, hcp, random_packing};
 use crate::interrupt::Interrupt;
-use crate::output::{Cell, Column, Finding, SavedKind, load_state, save_state};
+use crate::output::{Cell, Column, Finding, load_sample, save_sample};
 use crate::run::{Progress, Study};
 use crate::simulation::{Settings, Simulation};
 use crate::spec::wear::{Interaction, Wear};
 use crate::system::System;
-use serde::{Deserialize, Serialize};
 
 /// The stages of a case: those that prepare the sample, one after the other, then the tests, each of which starts from the sample.
 pub struct Plan {
@@ -24,13 +23,6 @@ pub struct Plan {
     /// The stages that prepare the sample.
     preparation: usize,
     stages: Vec<Stage>,
-}
-
-/// An equilibrated sample on disk, with the parameters from which it was made.
-#[derive(Serialize, Deserialize)]
-struct Equilibrated {
-    origin: String,
-    system: System,
 }
 
 impl Plan {
@@ -89,11 +81,7 @@ impl Study for Plan {
         match &self.case.sample {
             Sample::Hcp(_) => Ok(hcp(d_0, hcp_cells(d_0, size), density)),
             Sample::Amorphous(Amorphous { load: Some(path), .. }) => {
-                let Equilibrated { origin, system } = load_state(path, SavedKind::Sample)?;
-                if origin != self.origin() {
-                    return Err(Error::input(path, "was made with another model, sample or seed"));
-                }
-                Ok(system)
+                load_sample(path, &self.origin(), "model, sample or seed")
             }
             Sample::Amorphous(amorphous) => random_packing(
                 Sizes { d_0, d_s, d_l },
@@ -108,9 +96,7 @@ impl Study for Plan {
 
     fn keep_sample(&self, system: &System) -> Result<(), Error> {
         match &self.case.sample {
-            Sample::Amorphous(Amorphous { save: Some(path), .. }) => {
-                save_state(path, SavedKind::Sample, &Equilibrated { origin: self.origin(), system: system.clone() })
-            }
+            Sample::Amorphous(Amorphous { save: Some(path), .. }) => save_sample(path, &self.origin(), system),
             _ => Ok(()),
         }
     }
@@ -170,6 +156,13 @@ impl Study for Plan {
     fn follow(&self, _: usize, watch: &mut Watch, simulation: &Simulation<Wear>) -> Vec<String> {
         watch.follow(simulation);
         Vec::new()
+    }
+
+    fn can_hold(&self, stage: usize, system: &System, watch: &Watch) -> bool {
+        let setup = &self.stages[stage].setup;
+        let walls = if matches!(setup, Setup::None) { 0 } else { 2 };
+        let has_spheres = |wall: u32| system.particles.wall.contains(&wall);
+        system.walls.len() == walls && (1..=walls as u32).all(has_spheres) && watch.belongs_to(setup, system)
     }
 
     fn look(&self, watch: &mut Watch, simulation: &Simulation<Wear>) -> Vec<Cell> {

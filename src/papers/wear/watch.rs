@@ -11,6 +11,7 @@ use crate::output::{Cell, Finding};
 use crate::simulation::Simulation;
 use crate::spec::Vec3;
 use crate::spec::wear::Wear;
+use crate::system::System;
 use serde::{Deserialize, Serialize};
 
 /// The observer of a stage.
@@ -151,6 +152,17 @@ impl Watch {
             Self::Test(test) if simulation.system().step.is_multiple_of(MEASURED) => test.follow(simulation),
             Self::Test(_) => {}
             Self::Junction(sheared) => sheared.follow(simulation),
+        }
+    }
+
+    /// Whether it can be the observer of a stage that was set up like this.
+    pub fn belongs_to(&self, setup: &Setup, system: &System) -> bool {
+        let spheres = system.particles.len();
+        match (self, setup) {
+            (Self::Relaxation, Setup::None) => true,
+            (Self::Test(test), Setup::Walls { .. }) => test.gauge.spheres() == spheres,
+            (Self::Junction(sheared), Setup::Junction(_)) => sheared.witness.spheres() == spheres,
+            _ => false,
         }
     }
 

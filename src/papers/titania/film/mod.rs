@@ -14,13 +14,12 @@ use crate::error::{Error, Halt};
 use crate::initial::film::{DepositedFilm, FilmSphere};
 use crate::interrupt::Interrupt;
 use crate::observe::film::Structure;
-use crate::output::{Cell, Column, Finding, SavedKind, load_state, save_state};
+use crate::output::{Cell, Column, Finding, load_sample, save_sample};
 use crate::run::{Progress, Study};
 use crate::simulation::{EXAMINED, Settings, Simulation};
 use crate::spec::Vec3;
 use crate::spec::titania::Tabulated;
 use crate::system::{Motion, System};
-use serde::{Deserialize, Serialize};
 use std::sync::OnceLock;
 use watch::Watch;
 
@@ -33,13 +32,6 @@ pub struct Plan<M> {
     overlap: f64,
     stages: Vec<FilmStage>,
     model: OnceLock<M>,
-}
-
-/// A relaxed film on disk, with the parameters from which it was made.
-#[derive(Serialize, Deserialize)]
-struct Relaxed {
-    origin: String,
-    system: System,
 }
 
 /// A stage.
@@ -93,10 +85,23 @@ impl<M: Law> Plan<M> {
         serde_json::to_string(&(&self.titania, film, relaxation, drag, dt, self.seed)).expect("a case is plain data")
     }
 
+    /// The contact radii of the particles, and their nominal diameters.
+    fn sizes(&self) -> Vec<(f64, f64)> {
+        self.film.sizes().into_iter().map(|d| (self.titania.particle(d).0, d)).collect()
+    }
+
+    /// Whether all spheres are particles of the film or, in some stages, of the tip.
+    fn has_sizes(&self, system: &System, with_tip: bool) -> bool {
+        let sizes = self.sizes();
+        let tip = with_tip.then(|| self.titania.particle(2.0 * self.test.tip.radius.value).0);
+        let known = |radius: &f64| Some(*radius) == tip || sizes.iter().any(|size| size.0 == *radius);
+        system.particles.radius.iter().all(known)
+    }
+
     /// The present structure of the film; spheres touch if their water layers do.
     fn structure(&self, system: &System) -> Structure {
         let p = &system.particles;
-        let sizes: Vec<(f64, f64)> = self.film.sizes().into_iter().map(|d| (self.titania.particle(d).0, d)).collect();
+        let sizes = self.sizes();
         let nominal =
             |radius: f64| sizes.iter().find(|size| size.0 == radius).expect("a particle has one of the sizes").1;
         let sphere = |i: usize| FilmSphere { centre: p.x[i], diameter: nominal(p.radius[i]), aggregate: p.tag[i] };
@@ -157,11 +162,9 @@ impl<M: Law> Study for Plan<M> {
 
     fn initial(&self, interrupt: &Interrupt) -> Result<System, Error> {
         if let Some(path) = &self.film.load {
-            let Relaxed { origin, system } = load_state(path, SavedKind::Sample)?;
-            if origin != self.origin() {
-                return Err(Error::input(path, "was made with another model, film, relaxation or seed"));
-            }
-            return Ok(system);
+            let system = load_sample(path, &self.origin(), "model, film, relaxation or seed")?;
+            let known = self.has_sizes(&system, false);
+            return if known { Ok(system) } else { Err(Error::input(path, "holds particles of other sizes")) };
         }
         let film = self.film.plan().build(self.seed, interrupt).map_err(|failure| failure.of("sample.film"))?;
         let system = film.system(M::BONDING, |d| self.titania.particle(d));
@@ -221,7 +224,7 @@ impl<M: Law> Study for Plan<M> {
     fn end(&self, stage: usize, simulation: Simulation<M>) -> Result<System, Error> {
         let system = simulation.into_system_with_springs();
         if let (FilmStage::Relaxation, Some(path)) = (self.stages[stage], &self.film.save) {
-            save_state(path, SavedKind::Sample, &Relaxed { origin: self.origin(), system: system.clone() })?;
+            save_sample(path, &self.origin(), &system)?;
         }
         Ok(system)
     }
@@ -240,6 +243,11 @@ impl<M: Law> Study for Plan<M> {
 
     fn watch(&self, _: usize, simulation: &Simulation<M>) -> Watch {
         Watch::begin(simulation)
+    }
+
+    fn can_hold(&self, stage: usize, system: &System, _: &Watch) -> bool {
+        let relaxes = self.stages[stage] == FilmStage::Relaxation;
+        system.walls.len() == if relaxes { FIXED } else { TIP } + 1 && self.has_sizes(system, !relaxes)
     }
 
     fn intervene(&self, _: usize, simulation: &mut Simulation<M>) -> Result<Vec<String>, Halt> {
