@@ -5,6 +5,7 @@ mod source;
 
 use source::{Source, sources};
 use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
 
 const PAPERS: [&str; 3] = ["wear", "soot", "titania"];
 
@@ -104,6 +105,9 @@ const PUBLIC: [(&str, &[&str]); 19] = [
     ("simulation", &[]),
     ("system", &[]),
 ];
+
+/// The modules that call functions compiled for vector instructions, which is `unsafe`; `tests/vector_instructions.rs` checks them.
+const UNSAFE: [&str; 2] = ["src/forces/kernel.rs", "src/forces/transpose.rs"];
 
 /// The words of a text that are names of papers, with the lines they stand in.
 fn names(text: &str) -> Vec<(usize, &'static str)> {
@@ -312,6 +316,20 @@ fn one_driver_takes_every_step() {
         }
     }
     assert!(found.is_empty(), "{}", found.join("\n"));
+}
+
+#[test]
+fn unsafe_code_is_in_a_list_of_modules() {
+    let all = ["src", "spec", "tests", "benches", "examples"].into_iter().flat_map(sources);
+    // Test modules count, too.
+    let has = |source: &Source| {
+        let text = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(&source.path)).expect("a source");
+        let mut code = text.lines().map(|line| line.split("//").next().unwrap_or_default());
+        code.any(|code| code.split(|c: char| !c.is_alphanumeric()).any(|word| word == "unsafe"))
+    };
+    let found: Vec<String> =
+        all.filter(has).map(|source| source.path).filter(|path| path != "tests/house.rs").collect();
+    assert_eq!(found, UNSAFE);
 }
 
 #[test]

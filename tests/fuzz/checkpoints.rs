@@ -113,6 +113,7 @@ fn run(case: &'static str, steps: u64) -> Run {
 }
 
 /// Number of the runs.
+#[cfg(test)]
 pub(crate) fn number_of_runs() -> usize {
     runs().len()
 }
