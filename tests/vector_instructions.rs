@@ -1,5 +1,5 @@
 //! Does every instruction set move small systems alike? This is all that the modules with `unsafe` do, in a few steps: `.ci/run` repeats it under
-//! valgrind and, where the compiler has it, under Miri.
+//! valgrind.
 
 mod common;
 

@@ -299,8 +299,12 @@ macro_rules! pair_loop {
                     }
                     for ((row, input), output) in rows.clone().zip(&input).zip(&mut output) {
                         let constants = &pairs.coefficients[pairs.kind[row] as usize];
-                        let act = if row < joined { act::<M, true> } else { act::<M, false> };
-                        act(model, constants, &mut pairs.memory[row], input, output, &mut sums, allowed, dt);
+                        let memory = &mut pairs.memory[row];
+                        if row < joined {
+                            act::<M, true>(model, constants, memory, input, output, &mut sums, allowed, dt);
+                        } else {
+                            act::<M, false>(model, constants, memory, input, output, &mut sums, allowed, dt);
+                        }
                     }
                     for (row, output) in rows.zip(&output) {
                         scatter(loads, &pairs.i[row], &pairs.j[row], output);
