@@ -187,6 +187,10 @@ pub trait PairModel: Sync {
     fn joined<R: Real>(&self, constants: Self::Coefficients<R>) -> Self::Coefficients<R> {
         constants
     }
+    /// The contact history with which a contact takes the place of a neck that breaks or is removed: none, unless the shape of the spheres is part of it.
+    fn left_by_neck<R: Real>(_memory: Self::Memory<R>) -> Self::Memory<R> {
+        Flat::from_fn(|_| R::zero())
+    }
     /// Whether friction is limited by the inertia it may stop in a step, which [`turning`](Self::turning) receives.
     const FRICTION_STOPS: bool = false;
     /// The constants of a pair of which the engine knows what its friction may stop: the reduced moment of inertia (kg m²) of two spheres, or

@@ -4,6 +4,7 @@
 
 use super::contact_kinematics::ContactKinematics;
 use super::friction::{dynamic_friction, rubbed, static_friction};
+use super::neck_rest::{contact_rest, elongation};
 use super::rotated_spring::{Span, Twist, rotated_spring, stretched};
 use super::spring_force::{energy, force, turning_torque};
 use crate::{Flat, Outcome, Real, Vec3, Wrench, flat_struct};
@@ -93,24 +94,39 @@ pub struct Memory<R, O = R> {
     pub rolling: Vec3<R>,
     /// Torsion spring: along the normal the same, seen from the other sphere.
     pub torsion: O,
+    /// Gap at which the normal spring is at rest: zero unless a neck was made at another one.
+    pub rest: R,
 }
 
 impl<R: Real, O: Twist<R>> Memory<R, O> {
     /// The springs of a contact that has just been made.
     #[inline(always)]
     pub fn zero() -> Self {
-        Self { tangential: Vec3::zero(), rolling: Vec3::zero(), torsion: O::none() }
+        Self { tangential: Vec3::zero(), rolling: Vec3::zero(), torsion: O::none(), rest: R::zero() }
+    }
+
+    /// The gap at rest of the normal spring: of a neck where `bonded` is true, elsewhere of a contact.
+    #[inline(always)]
+    fn rest_of(&self, bonded: R::Mask, delta: R) -> R {
+        R::select(bonded, self.rest, contact_rest(delta, self.rest))
+    }
+
+    /// The elongation of the normal spring at the gap `delta`.
+    #[inline(always)]
+    pub fn elongation(&self, bonded: R::Mask, delta: R) -> R {
+        elongation(delta, self.rest_of(bonded, delta))
     }
 }
 
 impl<R: Copy + Send + Sync, O: Flat<R>> Flat<R> for Memory<R, O> {
-    const LEN: usize = 6 + O::LEN;
+    const LEN: usize = 7 + O::LEN;
     #[inline(always)]
     fn from_fn(mut f: impl FnMut(usize) -> R) -> Self {
         Self {
             tangential: Vec3([f(0), f(1), f(2)]),
             rolling: Vec3([f(3), f(4), f(5)]),
             torsion: O::from_fn(|k| f(6 + k)),
+            rest: f(6 + O::LEN),
         }
     }
     #[inline(always)]
@@ -118,7 +134,8 @@ impl<R: Copy + Send + Sync, O: Flat<R>> Flat<R> for Memory<R, O> {
         match k {
             0..3 => &self.tangential.0[k],
             3..6 => &self.rolling.0[k - 3],
-            _ => self.torsion.at(k - 6),
+            _ if k < 6 + O::LEN => self.torsion.at(k - 6),
+            _ => &self.rest,
         }
     }
     #[inline(always)]
@@ -126,7 +143,8 @@ impl<R: Copy + Send + Sync, O: Flat<R>> Flat<R> for Memory<R, O> {
         match k {
             0..3 => &mut self.tangential.0[k],
             3..6 => &mut self.rolling.0[k - 3],
-            _ => self.torsion.at_mut(k - 6),
+            _ if k < 6 + O::LEN => self.torsion.at_mut(k - 6),
+            _ => &mut self.rest,
         }
     }
 }
@@ -169,13 +187,15 @@ impl<R: Real> Springs<R> {
         dt: R,
     ) -> SpringsOutcome<R, O> {
         let zero = R::zero();
-        let acts = bonded | at.delta.lt(zero);
+        let rest = memory.rest_of(bonded, at.delta);
+        let xi_n = elongation(at.delta, rest);
+        let acts = bonded | xi_n.lt(zero);
         let rate = |v: Vec3<R>| Vec3::select(acts, v, Vec3::zero());
-        let (delta, v_n, v_o) =
-            (R::select(acts, at.delta, zero), R::select(acts, at.v_n, zero), R::select(acts, at.v_o, zero));
+        let (xi_n, v_n, v_o) =
+            (R::select(acts, xi_n, zero), R::select(acts, at.v_n, zero), R::select(acts, at.v_o, zero));
 
-        let elastic = self.k_n * delta;
-        let drawn = force(self.k_n, delta, self.eta_n, v_n);
+        let elastic = self.k_n * xi_n;
+        let drawn = force(self.k_n, xi_n, self.eta_n, v_n);
         let attraction = R::select(bonded, drawn, drawn.min(zero));
         let f_n = (-attraction).max(zero);
 
@@ -227,7 +247,7 @@ impl<R: Real> Springs<R> {
                 torque_i: sliding * at.a_i + turning,
                 torque_j: sliding * at.a_j - turning,
             },
-            memory: Memory { tangential: t.xi, rolling: r.xi, torsion: o.xi },
+            memory: Memory { tangential: t.xi, rolling: r.xi, torsion: o.xi, rest },
             losses: Losses {
                 normal: (attraction - elastic) * v_n * dt,
                 tangential: t.dashpot,
@@ -270,7 +290,8 @@ impl<R: Real> Springs<R> {
     /// Energies stored in the four springs, J: normal, tangential, rolling, torsion.
     #[inline(always)]
     pub fn stored<O: Twist<R>>(&self, bonded: R::Mask, delta: R, memory: &Memory<R, O>) -> [R; 4] {
-        let pressed = R::select(bonded, delta, delta.min(R::zero()));
+        let xi_n = memory.elongation(bonded, delta);
+        let pressed = R::select(bonded, xi_n, xi_n.min(R::zero()));
         [
             energy(self.k_n, pressed),
             energy(self.k_t, memory.tangential),

@@ -25,6 +25,7 @@ pub mod friction_share;
 pub mod gyration;
 pub mod kick_and_drift;
 pub mod kinetic_energy;
+pub mod neck_rest;
 pub mod necked;
 pub mod newton;
 pub mod oscillation;
@@ -77,6 +78,7 @@ fn equations() -> Vec<Equation> {
         coordinated_step::equations(),
         friction_share::equations(),
         thermal::equations(),
+        neck_rest::equations(),
     ]
     .into_iter()
     .flatten()

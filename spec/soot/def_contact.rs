@@ -83,7 +83,7 @@ pub fn neck<R: Real>(
 ) -> Effect<R> {
     let at = ContactKinematics::of_spheres(&Contact::new(x_i - x_j, v_i - v_j, omega_i, omega_j, r_i, r_j));
     let springs = Springs { k_n, k_t, k_r, k_o, eta_n, eta_t, eta_r, eta_o };
-    let memory = Memory { tangential: xi_t, rolling: xi_r, torsion: xi_o };
+    let memory = Memory { tangential: xi_t, rolling: xi_r, torsion: xi_o, rest: R::zero() };
     effect(springs.evaluate(&Friction::from_ratio([R::zero(); 3], R::zero()), !never::<R>(), &at, memory, dt))
 }
 
@@ -171,7 +171,7 @@ pub fn frictional_contact<R: Real>(
 ) -> Effect<R> {
     let at = ContactKinematics::of_spheres(&Contact::new(x_i - x_j, v_i - v_j, omega_i, omega_j, r_i, r_j));
     let springs = Springs { k_n, k_t, k_r, k_o, eta_n, eta_t, eta_r, eta_o };
-    let memory = Memory { tangential: xi_t, rolling: xi_r, torsion: xi_o };
+    let memory = Memory { tangential: xi_t, rolling: xi_r, torsion: xi_o, rest: R::zero() };
     effect(springs.evaluate(&Friction::from_ratio([mu_t, mu_r, mu_o], phi), never::<R>(), &at, memory, dt))
 }
 
@@ -210,6 +210,7 @@ mod laws {
             tangential,
             rolling,
             torsion,
+            ..Memory::zero()
         })
     }
     fn act(c: &Contact<f64>, bonded: bool, memory: Memory<f64>) -> SpringsOutcome<f64> {
@@ -250,7 +251,7 @@ mod laws {
             prop_assume!(clear(&c, memory));
             let turn = |v| rotated(v, axis, angle);
             let there = Contact { n: turn(c.n), v: turn(c.v), omega_i: turn(c.omega_i), omega_j: turn(c.omega_j), ..c };
-            let turned = Memory { tangential: turn(memory.tangential), rolling: turn(memory.rolling), torsion: memory.torsion };
+            let turned = Memory { tangential: turn(memory.tangential), rolling: turn(memory.rolling), torsion: memory.torsion, ..memory };
             for bonded in BOTH {
                 let (mut here, after) = (act(&c, bonded, memory), act(&there, bonded, turned));
                 for v in [&mut here.wrench.force, &mut here.wrench.torque_i, &mut here.wrench.torque_j, &mut here.memory.tangential, &mut here.memory.rolling] {

@@ -81,7 +81,7 @@ pub fn wall_contact<R: Real>(
     dt: R,
 ) -> (Vec3<R>, Vec3<R>, Vec3<R>, Vec3<R>, R) {
     let springs = Springs { k_n, k_t, k_r, k_o, eta_n, eta_t, eta_r, eta_o };
-    let memory = Memory { tangential: xi_t, rolling: xi_r, torsion: xi_o };
+    let memory = Memory { tangential: xi_t, rolling: xi_r, torsion: xi_o, rest: R::zero() };
     let at = ContactKinematics::of_wall(n, delta, v, omega, r);
     let SpringsOutcome { wrench, memory, .. } =
         springs.evaluate(&Friction::from_ratio([mu_t, mu_r, mu_o], phi), never::<R>(), &at, memory, dt);
@@ -147,7 +147,7 @@ mod laws {
                 m.torsion,
                 dt,
             );
-            self.memory = Memory { tangential, rolling, torsion };
+            self.memory = Memory { tangential, rolling, torsion, ..Memory::zero() };
             (self.v, self.x, self.omega) = half_step(
                 self.x,
                 self.v,

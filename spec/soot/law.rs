@@ -5,7 +5,7 @@ use super::def_facets::{facet_share, facet_share_slope};
 use super::def_neck_stress::neck_stress;
 use super::eq12_spring_force::turning_torque;
 use crate::mechanics::contact_kinematics::ContactKinematics;
-use crate::mechanics::four_springs::{Friction, Losses, Memory, Order, Springs, SpringsOutcome};
+use crate::mechanics::four_springs::{Friction, Losses, Memory, Order, Springs, SpringsOutcome, never};
 use crate::mechanics::rotated_spring::Twist;
 use crate::{Contact, Flat, PairModel, Real, Touch, Vec3, flat_struct};
 
@@ -115,7 +115,8 @@ impl<S: Reading> PairModel for Soot<S> {
         Coefficients { bonded: R::one() }
     }
 
-    /// Two spheres at one instant: advances their springs by `dt` and returns their forces. A neck acts at any distance; everything else ends at the cutoff.
+    /// Two spheres at one instant: advances their springs by `dt` and returns their forces. A neck acts at any distance; everything else ends at the cutoff. Pairs that overlap are
+    /// [near](Self::is_near) also where nothing acts: they remember at which gap they touch.
     #[inline(always)]
     fn pair<R: Real>(
         &self,
@@ -129,6 +130,11 @@ impl<S: Reading> PairModel for Soot<S> {
         let mut evaluate = self.springs(bonded).grip_in(S::ORDER, &lifted(&self.friction), bonded, &at, memory, dt);
         evaluate.wrench.force = evaluate.wrench.force + self.far(c);
         evaluate
+    }
+
+    /// The gap at rest of overlapping spheres.
+    fn left_by_neck<R: Real>(memory: Self::Memory<R>) -> Self::Memory<R> {
+        Memory { rest: memory.rest.min(R::zero()), ..Memory::zero() }
     }
 
     const MOSTLY_FAR: bool = true;
@@ -219,7 +225,8 @@ impl<S: Reading> Soot<S> {
     pub fn neck_stress<R: Real>(&self, c: &Contact<R>, memory: &Memory<R, S::Torsion<R>>, r_b: R) -> (R, R) {
         let (at, neck) = (ContactKinematics::of_spheres(c), lifted::<R, _, Springs<R>>(&self.neck));
         let turning = turning_torque(at.n, at.a, memory.rolling * neck.k_r, at.r, memory.torsion * neck.k_o);
-        neck_stress(neck.k_n * at.delta, memory.tangential * neck.k_t, turning, at.n, r_b)
+        let xi_n = memory.elongation(!never::<R>(), at.delta);
+        neck_stress(neck.k_n * xi_n, memory.tangential * neck.k_t, turning, at.n, r_b)
     }
 }
 

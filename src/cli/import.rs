@@ -3,9 +3,11 @@
 use super::{OutputMode, print};
 use crate::case::quantity::{Length, Quantity};
 use crate::error::{Error, notice};
+use crate::geometry::centred;
 use crate::initial::aggregate::import::{Imported, Options, extended_xyz, read, read_necks};
-use crate::initial::aggregate::necks::{NECK_DISTANCE, missing_necks, necks};
+use crate::initial::aggregate::necks::{NECK_DISTANCE, NeckLength, missing_necks, necks};
 use crate::output::write_atomically;
+use crate::papers::{AtStart, Papers};
 use std::path::PathBuf;
 
 /// The arguments.
@@ -22,6 +24,12 @@ pub(super) struct Arguments {
     /// Format, if the content does not identify it: flage, mstm, fracval, pyfracval, vtk, lammps or xyz
     #[arg(long)]
     format: Option<String>,
+    /// Largest gap or overlap of a neck, such as `0.1 nm`; the key `neck_distance` of a case
+    #[arg(long, value_name = "LENGTH")]
+    neck_distance: Option<String>,
+    /// Length of necks at rest, touching or as-given; the key `neck_length` of a case
+    #[arg(long, value_name = "WORD")]
+    neck_length: Option<String>,
     /// File of necks written by soot-dem beside the spheres
     #[arg(long, value_name = "FILE")]
     necks: Option<PathBuf>,
@@ -34,33 +42,59 @@ pub(super) struct Arguments {
 }
 
 /// Reads, describes and writes the aggregate.
-pub(super) fn run(arguments: &Arguments, manner: OutputMode) -> Result<(), Error> {
+pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
     let length = |text: &Option<String>| {
         let parse = |text: &String| Quantity::<Length>::parse(text).map(|length| length.value).map_err(Error::Usage);
         text.as_ref().map(parse).transpose()
     };
     let (unit, radius) = (length(&arguments.unit)?, length(&arguments.radius)?);
-    let word = |text: &String| serde_yaml::from_str(text).map_err(|error| Error::Usage(format!("--format: {error}")));
-    let format = arguments.format.as_ref().map(word).transpose()?;
+    let neck_distance = length(&arguments.neck_distance)?.unwrap_or(NECK_DISTANCE);
+    if !(neck_distance > 0.0) {
+        return Err(Error::Usage("--neck-distance: expected a length above 0".into()));
+    }
+    let format = word("--format", &arguments.format)?;
+    let neck_length = word("--neck-length", &arguments.neck_length)?.unwrap_or(NeckLength::Touching);
     let options = Options { format, unit, radius, disconnected: arguments.disconnected };
     let imported = read(&arguments.file, &options)?;
+    // As a run has them: the place decides about the last digits of gaps.
+    let spheres = centred(imported.spheres.clone());
     let (necks, which) = match &arguments.necks {
-        Some(file) => (read_necks(file, &imported.spheres)?.len(), String::new()),
+        Some(file) => (read_necks(file, &spheres)?, String::new()),
         None => {
-            let found = necks(&imported.spheres, NECK_DISTANCE, true);
-            (found.len(), format!(" across gaps below {NECK_DISTANCE} nm, `neck_distance`"))
+            let found = necks(&spheres, neck_distance, neck_length, true);
+            let across = if neck_length == NeckLength::AsGiven { "any overlap and gaps" } else { "gaps and overlaps" };
+            (found, format!(" across {across} below {neck_distance} nm, `neck_distance`"))
         }
     };
+    let starts: Vec<AtStart> =
+        papers.0.iter().filter_map(|paper| paper.imported(&spheres, &necks, neck_length)).collect();
     if let Some(path) = &arguments.out {
         write_atomically(path, extended_xyz(&imported.spheres).as_bytes())?;
         manner.say(format!("written: {}", path.display()));
     }
-    if let Some(remark) = missing_necks(&imported.spheres, necks, NECK_DISTANCE, imported.decimals) {
+    if let Some(remark) = missing_necks(&spheres, necks.len(), neck_distance, neck_length, imported.decimals) {
         notice(format!("{}: {remark}", arguments.file.display()));
+    }
+    for AtStart { paper, refusal, .. } in &starts {
+        if let Some(refusal) = refusal {
+            notice(format!("{}: refused by a run with the defaults of `{paper}`: {refusal}", arguments.file.display()));
+        }
     }
     let Imported { format, report, .. } = imported;
     if manner.json {
-        return print(&format!("{:#}\n", serde_json::json!({ "format": format, "necks": necks, "report": report })));
+        let described =
+            serde_json::json!({ "format": format, "necks": necks.len(), "report": report, "at_start": starts });
+        return print(&format!("{described:#}\n"));
     }
-    print(&format!("{format:?}\n{report}\nnecks            {necks}{which}\n"))
+    let start = |AtStart { paper, necks, springs, .. }: &AtStart| {
+        format!("springs          {springs:.3e} zJ at the start of a run with the defaults of `{paper}`, which keep {necks} necks\n")
+    };
+    let starts: String = starts.iter().map(start).collect();
+    print(&format!("{format:?}\n{report}\nnecks            {}{which}\n{starts}", necks.len()))
+}
+
+/// A word that an option may have.
+fn word<W: serde::de::DeserializeOwned>(option: &str, text: &Option<String>) -> Result<Option<W>, Error> {
+    let word = |text: &String| serde_yaml::from_str(text).map_err(|error| Error::Usage(format!("{option}: {error}")));
+    text.as_ref().map(word).transpose()
 }

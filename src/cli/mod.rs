@@ -142,7 +142,7 @@ fn execute(papers: Papers) -> ExitCode {
         Command::Check(arguments) => check::run(&arguments, papers, command_line.yes, manner),
         Command::Reproduce(arguments) => reproduce::run(&arguments, papers, manner),
         Command::Sweep(arguments) => sweep::run(&arguments, papers, command_line.yes, manner),
-        Command::Import(arguments) => import::run(&arguments, manner),
+        Command::Import(arguments) => import::run(&arguments, papers, manner),
         Command::Inspect(arguments) => inspect::run(&arguments, papers, manner),
         Command::Eq(arguments) => eq::run(&arguments, manner),
         #[cfg(feature = "verify")]

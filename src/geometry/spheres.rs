@@ -84,3 +84,12 @@ pub fn pairs_within(spheres: &[Sphere], reach: impl Fn(f64, f64) -> f64 + Sync) 
     let open = Domain { sides: [1.0; 3], periodic: [false; 3] };
     neighbours(&x, &radii, &open, reach).into_iter().map(|pair| (pair.p as usize, pair.q as usize)).collect()
 }
+
+/// The same spheres with their centre of mass at the origin.
+pub fn centred(mut spheres: Vec<Sphere>) -> Vec<Sphere> {
+    let centre = centre_of_mass(&spheres);
+    for sphere in &mut spheres {
+        sphere.centre = sphere.centre - centre;
+    }
+    spheres
+}

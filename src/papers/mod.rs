@@ -9,6 +9,8 @@ use crate::case::section::{Field, Key, Part};
 use crate::case::{self, Case, Outline, Words};
 use crate::error::Error;
 use crate::figures::Graph;
+use crate::geometry::Sphere;
+use crate::initial::aggregate::necks::{Neck, NeckLength};
 #[cfg(feature = "cli")]
 use crate::reproduce::Chapter;
 use crate::run::{Job, Runnable};
@@ -67,8 +69,25 @@ pub trait Paper: Sync {
     fn saves(_case: &CaseOf<Self>) -> Vec<(String, PathBuf)> {
         Vec::new()
     }
+    /// The start of a run of an imported aggregate with default values, for a paper that has aggregates.
+    fn imported(_spheres: &[Sphere], _necks: &[Neck], _length: NeckLength) -> Option<AtStart> {
+        None
+    }
     /// The study of a checked case.
     fn study(case: CaseOf<Self>) -> Box<dyn Runnable>;
+}
+
+/// The start of a run of an imported aggregate with default values.
+#[derive(Clone, Debug, serde::Serialize)]
+pub struct AtStart {
+    /// The paper.
+    pub paper: &'static str,
+    /// Number of its necks.
+    pub necks: usize,
+    /// Energy that the springs of necks and contacts hold, zJ.
+    pub springs: f64,
+    /// Why it is refused, if it is.
+    pub refusal: Option<String>,
 }
 
 /// Any paper.
@@ -84,6 +103,8 @@ pub trait AnyPaper: Sync {
     fn chapters(&self) -> &'static [Chapter];
     /// The keys below `model`, `sample` and `experiment`.
     fn sections(&self) -> [Vec<Key>; 3];
+    /// [`Paper::imported`].
+    fn imported(&self, spheres: &[Sphere], necks: &[Neck], length: NeckLength) -> Option<AtStart>;
     /// Reads and checks a case of the paper.
     ///
     /// # Errors
@@ -108,6 +129,9 @@ impl<P: Paper> AnyPaper for P {
     }
     fn sections(&self) -> [Vec<Key>; 3] {
         [P::Model::keys(), P::Sample::keys(), P::Experiment::keys()]
+    }
+    fn imported(&self, spheres: &[Sphere], necks: &[Neck], length: NeckLength) -> Option<AtStart> {
+        P::imported(spheres, necks, length)
     }
     fn read(&self, file: &Path, text: &str) -> Result<Job, Error> {
         let case = parse::<P>(file, text)?;

@@ -15,7 +15,7 @@ mod verlet;
 
 pub use crate::motion::Integrator;
 pub use ledger::{Ledger, SurfaceAccount};
-pub use necks::EXAMINED;
+pub use necks::{EXAMINED, remove_necks};
 pub use pairs::Pair;
 pub use settings::Settings;
 pub use snapshot::Snapshot;

@@ -4,13 +4,28 @@ use super::{Integrator, Simulation};
 use crate::error::Halt;
 use crate::forces::bond;
 use crate::spec::{Contact, Flat, PairModel};
+use crate::system::Springs;
 
 /// Number of steps between checks of the strength of necks: a small fraction of the period of their springs at any published time step.
 pub const EXAMINED: u64 = 5;
 
+/// Removes some necks. The contacts that take their place begin with relaxed springs, and with what the model says is left of a neck.
+pub fn remove_necks<M: PairModel>(
+    necks: &mut Vec<(u32, u32)>,
+    springs: &mut Springs,
+    removed: impl Fn((u32, u32)) -> bool,
+) {
+    let is_removed = |pair| necks.binary_search(&pair).is_ok() && removed(pair);
+    springs.replace(is_removed, |numbers| {
+        let left = M::left_by_neck(Flat::from_fn(|k| numbers[k]));
+        (0..M::Memory::<f64>::LEN).map(|k| *left.at(k)).collect()
+    });
+    necks.retain(|&neck| !removed(neck));
+}
+
 impl<M: PairModel> Simulation<M> {
-    /// Breaks every neck of which `breaks` holds, given the pair, its springs, and what it holds. The contacts that take
-    /// their place begin with relaxed springs. Returns the ids of the spheres.
+    /// Breaks every neck of which `breaks` holds, given the pair, its springs, and what it holds, as [`remove_necks`] does. Returns the ids of
+    /// the spheres.
     ///
     /// # Errors
     ///
@@ -25,8 +40,7 @@ impl<M: PairModel> Simulation<M> {
         }
         let before: f64 = self.stored().iter().sum();
         let (mut springs, _) = self.springs();
-        springs.forget(|pair| broken.contains(&pair));
-        self.system.necks.retain(|neck| !broken.contains(neck));
+        remove_necks::<M>(&mut self.system.necks, &mut springs, |neck| broken.binary_search(&neck).is_ok());
         self.relist(&springs)?;
         self.ledger.lost_to_breaking += before - self.stored().iter().sum::<f64>();
         if self.settings.integrator == Integrator::VelocityVerlet {

@@ -35,9 +35,17 @@ impl Springs {
         self
     }
 
-    /// Forgets the springs of some pairs of spheres.
-    pub fn forget(&mut self, pair: impl Fn((u32, u32)) -> bool) {
-        self.bonds.retain(|&((i, j, _), _)| !pair((i, j)));
+    /// Replaces the springs of some pairs of spheres; those that are all zero then need no entry.
+    pub fn replace(&mut self, pair: impl Fn((u32, u32)) -> bool, new: impl Fn(&[f64]) -> Vec<f64>) {
+        let Self { bonds, numbers, width } = self;
+        bonds.retain(|&((i, j, _), place)| {
+            if !pair((i, j)) {
+                return true;
+            }
+            let springs = &mut numbers[place as usize..][..*width];
+            springs.copy_from_slice(&new(springs));
+            springs.iter().any(|&s| s != 0.0)
+        });
     }
 
     /// The pairs that have springs.

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 use veridem::geometry::Sphere;
-use veridem::initial::aggregate::necks::necks;
+use veridem::initial::aggregate::necks::{NeckLength, necks};
 use veridem::initial::aggregate::{Method, Radii, Recipe, aggregate};
 use veridem::interrupt::Interrupt;
 use veridem::papers::parse;
@@ -44,7 +44,7 @@ pub(crate) fn system(joined: impl Fn(usize) -> bool) -> System {
     for &Sphere { centre, radius } in &spheres {
         particles.push(centre, radius, MASS, 0);
     }
-    let all = necks(&spheres, 0.01, true).into_iter().enumerate();
+    let all = necks(&spheres, 0.01, NeckLength::Touching, true).into_iter().enumerate();
     let necks = all.filter(|(k, _)| joined(*k)).map(|(_, (i, j))| (i as u32, j as u32)).collect();
     System { necks, ..System::new(particles, space()) }
 }

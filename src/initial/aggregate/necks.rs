@@ -1,6 +1,7 @@
 //! The necks of an aggregate.
 
 use super::{components, neighbouring};
+use crate::case::section::words;
 use crate::geometry::Sphere;
 use crate::geometry::clusters::Clusters;
 use crate::geometry::pairs_within;
@@ -15,27 +16,44 @@ pub const NECK_DISTANCE: f64 = 0.01;
 /// Largest gap of touching spheres, relative to the sum of their radii: the rounding error of files in single precision.
 const TOUCHING: f64 = 1e-6;
 
-/// The pairs of spheres whose surfaces are less than `d_crit` (nm) apart or overlap by less, in ascending order. If `acyclic`,
+words! {
+    /// The length of necks at rest.
+    pub enum NeckLength {
+        /// Necks are at rest where their spheres touch.
+        Touching = "touching",
+        /// Necks are at rest at the distance that their spheres have at the start, as between sintered particles; spheres that overlap, by any length, have necks too. Where two spheres that overlap have no neck,
+        /// or theirs breaks, they repel each other only below that distance, until they have parted.
+        AsGiven = "as-given",
+    }
+}
+
+/// The pairs of spheres whose surfaces are less than `d_crit` (nm) apart or overlap by less, with necks as given by any length, in ascending order. If `acyclic`,
 /// a neck between spheres that other necks already connect is omitted: the necks then form a forest. Spheres that touch come first, or one
-/// that is merely near would be joined by a neck that begins stretched, in place of one that touches.
-pub fn necks(spheres: &[Sphere], d_crit: f64, acyclic: bool) -> Vec<Neck> {
-    let near_within = |i: usize, j: usize, gap: f64| spheres[i].gap(&spheres[j]).abs() < gap;
+/// that is merely near would be joined by a neck that begins stretched, in place of one that touches; with necks as given the deepest overlaps come first.
+pub fn necks(spheres: &[Sphere], d_crit: f64, length: NeckLength, acyclic: bool) -> Vec<Neck> {
+    let gap = |&(i, j): &Neck| spheres[i].gap(&spheres[j]);
     let mut all: Vec<Neck> = pairs_within(spheres, |s, t| s + t + d_crit);
-    all.retain(|&(i, j)| near_within(i, j, d_crit));
+    all.retain(|pair| gap(pair) < d_crit && (length == NeckLength::AsGiven || gap(pair) > -d_crit));
     if acyclic {
         let mut trees = Clusters::new(spheres.len(), []);
-        let touch = |i: usize, j: usize| near_within(i, j, TOUCHING * (spheres[i].radius + spheres[j].radius));
-        all.sort_by_key(|&(i, j)| !touch(i, j));
+        let touch = |pair: &Neck| gap(pair).abs() < TOUCHING * (spheres[pair.0].radius + spheres[pair.1].radius);
+        match length {
+            NeckLength::Touching => all.sort_by_key(|pair| !touch(pair)),
+            NeckLength::AsGiven => all.sort_by(|a, b| gap(a).total_cmp(&gap(b))),
+        }
         all.retain(|&(i, j)| trees.join(i, j));
         all.sort_unstable();
     }
     all
 }
 
-/// Largest distance of surfaces, gap or overlap, nm, that the necks of a connected aggregate bridge if each bridges the smallest that it can. None if the spheres are
-/// not connected.
-pub fn joining_distance(spheres: &[Sphere]) -> Option<f64> {
-    let distance = |&(i, j): &Neck| spheres[i].gap(&spheres[j]).abs();
+/// Largest distance of surfaces, nm, a gap or unless necks are as given an overlap, that the necks of a connected aggregate bridge if each bridges the smallest that it can.
+/// None if the spheres are not connected.
+fn joining_distance(spheres: &[Sphere], length: NeckLength) -> Option<f64> {
+    let distance = |&(i, j): &Neck| {
+        let gap = spheres[i].gap(&spheres[j]);
+        if length == NeckLength::AsGiven { gap.max(0.0) } else { gap.abs() }
+    };
     let mut near = neighbouring(spheres);
     near.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
     let mut trees = Clusters::new(spheres.len(), []);
@@ -44,26 +62,37 @@ pub fn joining_distance(spheres: &[Sphere]) -> Option<f64> {
 }
 
 /// A remark if an aggregate has fewer necks than are needed to connect its spheres as they touch.
-pub fn missing_necks(spheres: &[Sphere], made: usize, d_crit: f64, decimals: usize) -> Option<String> {
+pub fn missing_necks(
+    spheres: &[Sphere],
+    made: usize,
+    d_crit: f64,
+    length: NeckLength,
+    decimals: usize,
+) -> Option<String> {
     let expected = spheres.len() - components(spheres);
     if made >= expected {
         return None;
     }
+    let (across, farther) = match length {
+        NeckLength::Touching => ("gaps and overlaps", "farther apart or overlap more"),
+        NeckLength::AsGiven => ("gaps", "farther apart"),
+    };
     let of = match decimals {
         0 => "; its coordinates are integers".to_string(),
         1 => "; its coordinates have one decimal".into(),
         2..=4 => format!("; its coordinates have {decimals} decimals"),
         _ => String::new(),
     };
-    let remedy = joining_distance(spheres).map_or(String::new(), |least| {
+    let remedy = joining_distance(spheres, length).map_or(String::new(), |least| {
         // Rounded up to two digits.
         let digits = 1.0 - libm::floor(libm::log10(least));
         let (unit, places) = (libm::exp10(-digits), digits.max(0.0) as usize);
         let enough = ((least / unit * (1.0 + 1e-9)).floor() + 1.0) * unit;
-        format!("; gaps and overlaps up to {least:.3} nm are joined by `neck_distance: {enough:.places$} nm`")
+        let rest = if length == NeckLength::AsGiven { "" } else { ", and are at rest with `neck_length: as-given`" };
+        format!("; {across} up to {least:.3} nm are joined by `neck_distance: {enough:.places$} nm`{rest}")
     });
     Some(format!(
-        "found {made} necks across gaps and overlaps below {d_crit} nm, expected at least {expected}: {} spheres are connected only if those that are farther apart or overlap more are joined too{of}{remedy}",
+        "found {made} necks across {across} below {d_crit} nm, expected at least {expected}: {} spheres are connected only if those that are {farther} are joined too{of}{remedy}",
         spheres.len()
     ))
 }
@@ -83,12 +112,17 @@ pub fn keep_fraction(necks: &[Neck], fraction: f64, stream: &mut Stream) -> Vec<
 
 #[cfg(test)]
 mod tests {
+    use super::NeckLength::{AsGiven, Touching};
     use super::*;
     use crate::spec::Vec3;
     use quickcheck::quickcheck;
 
     fn kept(necks: &[Neck], fraction: f64, seed: u64) -> Vec<Neck> {
         keep_fraction(necks, fraction, &mut Stream::new(seed, "neck removal"))
+    }
+
+    fn joined(spheres: &[Sphere], d_crit: f64, acyclic: bool) -> Vec<Neck> {
+        necks(spheres, d_crit, Touching, acyclic)
     }
 
     fn at(places: &[[f64; 3]]) -> Vec<Sphere> {
@@ -98,30 +132,41 @@ mod tests {
     #[test]
     fn a_neck_that_would_close_a_cycle_is_left_out_by_order_of_the_indices() {
         let triangle = at(&[[0.0; 3], [2.0, 0.0, 0.0], [1.0, 3f64.sqrt(), 0.0], [-2.1, 0.0, 0.0]]);
-        assert_eq!(necks(&triangle, 0.05, false), [(0, 1), (0, 2), (1, 2)]);
-        assert_eq!(necks(&triangle, 0.05, true), [(0, 1), (0, 2)]);
-        assert_eq!(necks(&triangle, 0.2, true), [(0, 1), (0, 2), (0, 3)]);
+        assert_eq!(joined(&triangle, 0.05, false), [(0, 1), (0, 2), (1, 2)]);
+        assert_eq!(joined(&triangle, 0.05, true), [(0, 1), (0, 2)]);
+        assert_eq!(joined(&triangle, 0.2, true), [(0, 1), (0, 2), (0, 3)]);
     }
 
     #[test]
     fn spheres_that_touch_are_joined_before_those_that_are_merely_near() {
         let apex = [1.001, (4.0 - 1.001 * 1.001f64).sqrt(), 0.0];
-        assert_eq!(necks(&at(&[[0.0; 3], [2.002, 0.0, 0.0], apex]), 0.01, true), [(0, 2), (1, 2)]);
+        assert_eq!(joined(&at(&[[0.0; 3], [2.002, 0.0, 0.0], apex]), 0.01, true), [(0, 2), (1, 2)]);
     }
 
     #[test]
     fn necks_that_rounded_coordinates_lose_are_reported_with_their_remedy() {
         let chain = at(&[[0.0; 3], [2.0, 0.0, 0.0], [4.013, 0.0, 0.0], [5.99, 0.0, 0.0]]);
-        assert_eq!(missing_necks(&chain, 3, 0.01, 2), None);
-        let remark = missing_necks(&chain, necks(&chain, 0.01, true).len(), 0.01, 2).expect("two necks are missing");
+        assert_eq!(missing_necks(&chain, 3, 0.01, Touching, 2), None);
+        let remark = missing_necks(&chain, joined(&chain, 0.01, true).len(), 0.01, Touching, 2).expect("two necks are missing");
         assert!(remark.starts_with("found 1 necks") && remark.contains("expected at least 3"), "{remark}");
         assert!(remark.contains("2 decimals") && remark.contains("`neck_distance: 0.024 nm`"), "{remark}");
-        assert_eq!(necks(&chain, 0.024, true).len(), 3);
+        assert_eq!(joined(&chain, 0.024, true).len(), 3);
     }
 
     #[test]
     fn a_deep_overlap_is_no_neck() {
-        assert!(necks(&at(&[[0.0; 3], [1.5, 0.0, 0.0]]), 0.1, false).is_empty());
+        assert!(joined(&at(&[[0.0; 3], [1.5, 0.0, 0.0]]), 0.1, false).is_empty());
+    }
+
+    #[test]
+    fn as_given_spheres_that_overlap_are_joined_by_any_length_the_deepest_first() {
+        let row = at(&[[0.0; 3], [1.9, 0.0, 0.0], [0.95, 1.6, 0.0], [3.915, 0.0, 0.0]]);
+        assert_eq!(necks(&row, 0.1, AsGiven, false), [(0, 1), (0, 2), (1, 2), (1, 3)]);
+        // The overlap of the first two is 0.1, those with the third are 0.14.
+        assert_eq!(necks(&row, 0.1, AsGiven, true), [(0, 2), (1, 2), (1, 3)]);
+        assert_eq!(necks(&row, 0.01, AsGiven, true), [(0, 2), (1, 2)]);
+        let remark = missing_necks(&row, 2, 0.01, AsGiven, 2).expect("a neck is missing");
+        assert!(remark.contains("across gaps below") && remark.ends_with("`neck_distance: 0.016 nm`"), "{remark}");
     }
 
     #[test]

@@ -4,12 +4,47 @@ use super::case::{Deposition, SootStage};
 use crate::case::units::BOLTZMANN;
 use crate::error::Error;
 use crate::geometry::{Sphere, pairs_within};
-use crate::initial::aggregate::{NEIGHBOURLY, necks::Neck};
+use crate::initial::aggregate::NEIGHBOURLY;
+use crate::initial::aggregate::necks::{Neck, NeckLength};
+use crate::spec::mechanics::four_springs::Memory;
+use crate::spec::mechanics::rotated_spring::Twist;
 use crate::spec::mechanics::kinetic_energy::translational_energy;
 use crate::spec::mechanics::sphere::sphere_mass;
 use crate::spec::mechanics::thermal::thermal_energy;
 use crate::spec::soot::{Reading, Soot};
 use crate::spec::{Contact, Flat, PairModel, Vec3};
+use crate::system::Springs;
+
+/// The springs of a neck or a contact of spheres with this gap, nm, at the start.
+fn at_start<O: Twist<f64>>(length: NeckLength, gap: f64) -> Memory<f64, O> {
+    let rest = if length == NeckLength::AsGiven { gap } else { 0.0 };
+    Memory { rest, ..Memory::zero() }
+}
+
+/// The springs of all necks and of all spheres that overlap, at the start.
+pub(super) fn initial_springs<S: Reading>(length: NeckLength, spheres: &[Sphere], necks: &[Neck]) -> Springs {
+    let width = Memory::<f64, S::Torsion<f64>>::LEN;
+    let mut springs = Springs::new(width);
+    if length == NeckLength::AsGiven {
+        for (i, j) in near_or_joined(spheres, necks) {
+            let gap = spheres[i].gap(&spheres[j]);
+            if gap < 0.0 || necks.binary_search(&(i, j)).is_ok() {
+                let memory: Memory<f64, S::Torsion<f64>> = at_start(length, gap);
+                springs.add((i as u32, j as u32, [0; 3]), (0..width).map(|k| *memory.at(k)));
+            }
+        }
+    }
+    springs.sorted()
+}
+
+/// The pairs of spheres that touch, nearly so, or by a neck, in ascending order.
+fn near_or_joined(spheres: &[Sphere], necks: &[Neck]) -> Vec<Neck> {
+    let mut pairs = pairs_within(spheres, |r, s| (1.0 + NEIGHBOURLY) * (r + s));
+    pairs.extend(necks);
+    pairs.sort_unstable();
+    pairs.dedup();
+    pairs
+}
 
 /// Room temperature, K.
 const ROOM: f64 = 298.0;
@@ -32,28 +67,24 @@ pub(super) struct InitialEnergy {
 }
 
 impl InitialEnergy {
-    /// The energies of an aggregate whose necks and contacts have springs that are relaxed at contact.
+    /// The energies of an aggregate.
     pub(super) fn of<S: Reading>(
         law: &Soot<S>,
         spheres: &[Sphere],
-        necks: &[Neck],
+        (necks, length): (&[Neck], NeckLength),
         density: f64,
         stage: Option<&SootStage>,
     ) -> Self {
         let mass = |sphere: &Sphere| sphere_mass(density, sphere.radius);
         let mut sums = Self::default();
-        let mut pairs = pairs_within(spheres, |r, s| (1.0 + NEIGHBOURLY) * (r + s));
-        pairs.extend(necks);
-        pairs.sort_unstable();
-        pairs.dedup();
-        for (i, j) in pairs {
+        for (i, j) in near_or_joined(spheres, necks) {
             let (a, b) = (&spheres[i], &spheres[j]);
             let rest = Vec3::zero();
             let contact = Contact::new(a.centre - b.centre, rest, rest, rest, a.radius, b.radius);
             let is_neck = necks.binary_search(&(i, j)).is_ok();
             let free = law.coefficients(a.radius, b.radius, mass(a), mass(b));
             let coefficients = if is_neck { law.joined(free) } else { free };
-            let held = law.stored(&contact, &coefficients, &Flat::from_fn(|_| 0.0));
+            let held = law.stored(&contact, &coefficients, &at_start(length, contact.gap));
             sums.stored += held.necks + held.normal;
             sums.adhesion -= held.van_der_waals + held.capillary;
             sums.overlap = sums.overlap.max(-contact.gap);
@@ -82,7 +113,7 @@ impl InitialEnergy {
         let what = format!(
             "found springs that hold {stored:.3e} zJ at the start (overlaps up to {overlap:.3} nm, necks across gaps up to {stretched:.3} nm), expected at most {times} times the sum \
              of the kinetic energy {kinetic:.3e} zJ, the adhesion of the contacts {adhesion:.3e} zJ and the thermal energy {thermal:.3e} zJ, or the aggregate is thrown apart; \
-             give spheres that touch, with more decimals, or raise `initial_energy`"
+             give spheres that touch, with more decimals, let necks be at rest as they are with `neck_length: as-given` and a suitable `neck_distance`, or raise `initial_energy`"
         );
         Err(Error::of_key("sample.aggregate", what))
     }

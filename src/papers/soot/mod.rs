@@ -5,6 +5,7 @@ pub mod check;
 #[cfg(feature = "cli")]
 pub mod claims;
 mod energy;
+mod sample;
 mod stage;
 mod study;
 pub mod tip;
@@ -12,16 +13,18 @@ pub mod watch;
 
 pub use study::Plan;
 
-use super::Paper;
+use super::{AtStart, Paper};
 use crate::case::check::Found;
 use crate::figures::Graph;
+use crate::geometry::Sphere;
+use crate::initial::aggregate::necks::{Neck, NeckLength};
 use crate::output::columns::{KINETIC, TIME};
 #[cfg(feature = "cli")]
 use crate::reproduce::Chapter;
 use crate::run::Runnable;
 use crate::spec::soot::{Along, Printed, Programmed};
 use case::{Case, Experiment, Model, Sample, Torsion};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use watch::columns::{CONVEXITY, COORDINATION, GYRATION_RADIUS, HEIGHT, PULL, READING, TIP_DISPLACEMENT};
 
 /// The paper.
@@ -64,6 +67,14 @@ impl Paper for Soot {
     }
     fn saves(case: &Case) -> Vec<(String, PathBuf)> {
         case::saves(case)
+    }
+    fn imported(spheres: &[Sphere], necks: &[Neck], length: NeckLength) -> Option<AtStart> {
+        let text = "title: a deposition\nmodel: {soot: {}}\nsample: {aggregate: {}}\nexperiment: {deposition: {}}\n";
+        let mut plan = Plan::of(&super::parse::<Self>(Path::new(""), text).expect("a case of defaults"), Along);
+        plan.sample.neck_length = length;
+        let (kept, energy) = plan.kept(spheres, necks);
+        let refusal = energy.allowed(plan.sample.initial_energy).err().map(|error| error.to_string());
+        Some(AtStart { paper: Self::NAME, necks: kept.len(), springs: energy.stored, refusal })
     }
     fn study(case: Case) -> Box<dyn Runnable> {
         let Model::Soot(model) = &case.model;

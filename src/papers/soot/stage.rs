@@ -6,7 +6,8 @@ use crate::error::Error;
 use crate::initial::aggregate::necks::keep_fraction;
 use crate::initial::stl::read_stl;
 use crate::random::Stream;
-use crate::spec::Vec3;
+use crate::simulation::remove_necks;
+use crate::spec::{PairModel, Vec3};
 use crate::spec::soot::{SUBSTRATE, TIP};
 use crate::system::Mesh;
 use crate::system::{Particles, PrescribedMotion, Shape, Surface, System};
@@ -24,16 +25,20 @@ pub(super) struct Ground {
 }
 
 /// The initial system of a stage.
-pub(super) fn set_up(stage: &SootStage, mut ground: Ground, mut system: System) -> Result<System, Error> {
+pub(super) fn set_up<M: PairModel>(
+    stage: &SootStage,
+    mut ground: Ground,
+    mut system: System,
+) -> Result<System, Error> {
     system.surfaces.retain(|surface| surface.material != TIP);
     match stage {
         SootStage::Deposition(test) => deposit(test, solid(stage)?, ground.radius, &mut system),
         SootStage::Indentation(test) => {
-            break_necks(test.keep_necks, &mut ground.necks, &mut system);
+            break_necks::<M>(test.keep_necks, &mut ground.necks, &mut system);
             indent(test, solid(stage)?, &mut ground, &mut system)?;
         }
         SootStage::Restructuring(Restructuring { keep_necks, .. }) => {
-            break_necks(*keep_necks, &mut ground.necks, &mut system);
+            break_necks::<M>(*keep_necks, &mut ground.necks, &mut system);
         }
     }
     Ok(system)
@@ -129,12 +134,10 @@ fn is_met_first(Particles { x, radius, .. }: &Particles, p: usize, tip: &Surface
     (0..x.len()).all(|q| q == p || gap(q) > least)
 }
 
-/// Removes necks; the contacts that replace them begin with relaxed springs.
-pub(super) fn break_necks(keep: f64, stream: &mut Stream, system: &mut System) {
+/// Removes necks of a model, chosen at random.
+pub(super) fn break_necks<M: PairModel>(keep: f64, stream: &mut Stream, system: &mut System) {
     let all: Vec<(usize, usize)> = system.necks.iter().map(|&(i, j)| (i as usize, j as usize)).collect();
     let kept = keep_fraction(&all, keep, stream).into_iter().map(|(i, j)| (i as u32, j as u32));
     let kept: BTreeSet<(u32, u32)> = kept.collect();
-    let broken = |pair: (u32, u32)| system.necks.binary_search(&pair).is_ok() && !kept.contains(&pair);
-    system.springs.forget(broken);
-    system.necks = kept.into_iter().collect();
+    remove_necks::<M>(&mut system.necks, &mut system.springs, |pair| !kept.contains(&pair));
 }

@@ -1,15 +1,11 @@
 //! The stages of a case of the soot paper: deposition, indentation and restructuring of an aggregate.
 
-use super::case::{Aggregate, Case, Deposition, Growth, Import, Soot, SootStage, key, parts};
-use super::check::sized;
-use super::energy::InitialEnergy;
+use super::case::{Aggregate, Case, Deposition, Soot, SootStage, key, parts};
+use super::energy::initial_springs;
 use super::stage::{self, Ground};
 use super::watch::{self, Watch};
-use crate::case::quantity::{Length, Quantity};
-use crate::error::{Error, Halt, notice};
-use crate::geometry::{Sphere, centre_of_mass};
-use crate::initial::aggregate::necks::{Neck, keep_fraction, missing_necks, necks};
-use crate::initial::aggregate::{Method, Radii, Recipe, aggregate, import};
+use crate::error::{Error, Halt};
+use crate::geometry::Sphere;
 use crate::interrupt::Interrupt;
 use crate::output::{Cell, Column, Finding, load_sample, save_sample};
 use crate::random::Stream;
@@ -43,7 +39,7 @@ pub struct Plan<S> {
 const SKIN: f64 = 0.1;
 
 /// Purpose of a random stream: the choice of the necks that are removed.
-const NECK_REMOVAL: &str = "neck removal";
+pub(super) const NECK_REMOVAL: &str = "neck removal";
 /// Purpose of a random stream: the choice of the sphere that is indented.
 const INDENTED_SPHERE: &str = "indented sphere";
 
@@ -64,68 +60,10 @@ impl<S: Reading> Plan<S> {
         serde_json::to_string(&(&self.soot, &sample)).expect("a case is plain data")
     }
 
-    /// The spheres of the sample, centred at their centre of mass, and its necks.
-    fn aggregate(&self, interrupt: &Interrupt) -> Result<(Vec<Sphere>, Vec<Neck>), Error> {
-        let (spheres, decimals) = self.spheres(interrupt)?;
-        let joined = match self.sample.import.as_ref().and_then(|import| import.necks.as_ref()) {
-            Some(file) => import::read_necks(file, &spheres)?,
-            None => necks(&spheres, self.sample.neck_distance.value, !self.sample.neck_cycles),
-        };
-        if let Some(Import { file, .. }) = &self.sample.import
-            && let Some(remark) = missing_necks(&spheres, joined.len(), self.sample.neck_distance.value, decimals)
-        {
-            notice(format!("{}: {remark}", file.display()));
-        }
-        let mut stream = Stream::new(self.seed, NECK_REMOVAL);
-        let necks = keep_fraction(&joined, self.sample.neck_fraction, &mut stream);
-        InitialEnergy::of(&self.model(0), &spheres, &necks, self.soot.density.value, self.stages.first())
-            .allowed(self.sample.initial_energy)?;
-        Ok((spheres, necks))
-    }
-
     /// The random stream of a stage for a purpose: the first user, the sample or a stage, draws from the stream of the purpose, every later stage from a stream of its own.
     fn stream(&self, stage: usize, purpose: &str, by_sample: bool, draws: impl Fn(&SootStage) -> bool) -> Stream {
         let first = !by_sample && !self.stages[..stage].iter().any(draws);
         Stream::new(self.seed, &if first { purpose.into() } else { format!("{purpose} {}", stage + 1) })
-    }
-
-    /// Checks the time steps, the cutoff and the necks for spheres from a file with these radii, at least one.
-    fn suits(&self, radii: impl Iterator<Item = f64>) -> Result<(), Error> {
-        let radii = radii.fold([f64::INFINITY, 0.0], |[least, largest], r| [r.min(least), r.max(largest)]);
-        let mut found = Vec::new();
-        sized(&self.soot, radii, self.stages.iter().zip(self.keys.iter().cloned()), &mut found);
-        found.into_iter().next().map_or(Ok(()), |(key, what)| Err(Error::of_key(key, what)))
-    }
-
-    /// The spheres, and the most decimals of their coordinates in a file.
-    fn spheres(&self, interrupt: &Interrupt) -> Result<(Vec<Sphere>, usize), Error> {
-        let sample = &self.sample;
-        if let Some(Import { file, format, unit, radius, disconnected, .. }) = &sample.import {
-            let length = |quantity: &Option<Quantity<Length>>| quantity.as_ref().map(|length| length.value);
-            let (unit, radius) = (length(unit), length(radius));
-            let options = import::Options { format: *format, unit, radius, disconnected: *disconnected };
-            let imported = import::read(file, &options)?;
-            let spheres = centred(imported.spheres);
-            self.suits(spheres.iter().map(|sphere| sphere.radius))?;
-            return Ok((spheres, imported.decimals));
-        }
-        let median = sample.radius.value;
-        let recipe = Recipe {
-            number: sample.spheres as usize,
-            d_f: sample.fractal_dimension,
-            k_f: sample.prefactor,
-            radii: if sample.deviation == 1.0 {
-                Radii::Equal(median)
-            } else {
-                Radii::LogNormal { median, deviation: sample.deviation }
-            },
-            method: match sample.growth {
-                Growth::Clusters => Method::Clusters,
-                Growth::Spheres => Method::Spheres,
-            },
-        };
-        let grown = aggregate(&recipe, self.seed, interrupt).map_err(|failure| failure.of("sample.aggregate"))?;
-        Ok((grown, usize::MAX))
     }
 }
 
@@ -134,15 +72,6 @@ fn median_radius(Particles { radius, .. }: &Particles) -> f64 {
     let mut radii = radius.clone();
     radii.sort_unstable_by(f64::total_cmp);
     radii[radii.len() / 2]
-}
-
-/// The same spheres with their centre of mass at the origin.
-fn centred(mut spheres: Vec<Sphere>) -> Vec<Sphere> {
-    let centre = centre_of_mass(&spheres);
-    for sphere in &mut spheres {
-        sphere.centre = sphere.centre - centre;
-    }
-    spheres
 }
 
 impl<S: Reading> Study for Plan<S> {
@@ -176,8 +105,9 @@ impl<S: Reading> Study for Plan<S> {
             particles.push(centre + Vec3([reach; 3]), radius, sphere_mass(self.soot.density.value, radius), 0);
         }
         let domain = Domain { sides: [2.0 * reach; 3], periodic: [false; 3] };
+        let springs = initial_springs::<S>(self.sample.neck_length, &spheres, &necks);
         let necks = necks.into_iter().map(|(i, j)| (i as u32, j as u32)).collect();
-        Ok(System { necks, ..System::new(particles, domain) })
+        Ok(System { necks, springs, ..System::new(particles, domain) })
     }
 
     fn set_up(&self, stage: usize, system: System) -> Result<System, Error> {
@@ -187,7 +117,7 @@ impl<S: Reading> Study for Plan<S> {
             target: self.stream(stage, INDENTED_SPHERE, false, indents),
             radius: median_radius(&system.particles),
         };
-        stage::set_up(&self.stages[stage], ground, system)
+        stage::set_up::<Self::Model>(&self.stages[stage], ground, system)
     }
 
     fn model(&self, stage: usize) -> soot::Soot<S> {
@@ -311,7 +241,7 @@ mod tests {
         let systems = beginnings(0.5, &[WHOLE, HALVED]);
         let drawn = |purpose: &str| {
             let mut system = systems[0].clone();
-            stage::break_necks(0.5, &mut Stream::new(1, purpose), &mut system);
+            stage::break_necks::<soot::Soot>(0.5, &mut Stream::new(1, purpose), &mut system);
             system.necks
         };
         assert_eq!(systems[1].necks, drawn("neck removal 2"));

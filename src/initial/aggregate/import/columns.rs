@@ -4,13 +4,16 @@ use super::{Format, Raw, Source};
 use crate::error::{Error, notice};
 use crate::initial::aggregate::components;
 
-/// Rows of four numbers, the radius first or last; lines that begin with `#` are comments.
+/// Rows of four numbers, the radius first or last of them; lines that begin with `#` are comments. MSTM appends the refractive index of a sphere, or two, as a complex number
+/// that may be in brackets, and since version 4 it separates numbers by commas.
 pub(super) fn rows(source: &Source, radius_first: bool) -> Result<Raw, Error> {
     let mut raw = Raw::default();
     for (k, line) in source.lines().filter(|(_, line)| !line.is_empty() && !line.starts_with('#')) {
-        let words: Vec<&str> = line.split_whitespace().collect();
-        let [a, b, c, d] = words[..] else {
-            return Err(source.at(k, &format!("found {} columns, expected 4: a centre and a radius", words.len())));
+        let between = |c: char| c.is_whitespace() || ",()".contains(c);
+        let words: Vec<&str> = line.split(between).filter(|word| !word.is_empty()).collect();
+        let ([a, b, c, d], 4 | 6 | 8) = (words.first_chunk().copied().unwrap_or_default(), words.len()) else {
+            let what = "4: a centre and a radius, or 6 or 8 with the refractive indices of MSTM";
+            return Err(source.at(k, &format!("found {} columns, expected {what}", words.len())));
         };
         let (r, x) = if radius_first { (a, [b, c, d]) } else { (d, [a, b, c]) };
         raw.push(source, k, x, Some(r))?;

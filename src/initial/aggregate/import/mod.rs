@@ -24,9 +24,9 @@ words! {
     pub enum Format {
         /// XML with `position` elements, in monomer radii.
         Flage = "flage",
-        /// Rows `r x y z`.
+        /// Rows `r x y z`, perhaps with a refractive index, as of MSTM up to version 3.
         Mstm = "mstm",
-        /// Rows `x y z r`.
+        /// Rows `x y z r`, perhaps with a refractive index, as of MSTM 4.
         FracVal = "fracval",
         /// Rows `x y z r` below a header of comments.
         PyFracVal = "pyfracval",

@@ -20,6 +20,8 @@ fn three_spheres_are_the_same_in_every_format() {
     for (name, format, options) in [
         ("flage.xml", Format::Flage, RADIUS),
         ("mstm.txt", Format::Mstm, RADIUS),
+        ("mstm3.pos", Format::Mstm, RADIUS),
+        ("mstm4.pos", Format::FracVal, RADIUS),
         ("fracval.dat", Format::FracVal, UNIT),
         ("pyfracval.dat", Format::PyFracVal, UNIT),
         ("soot_dem.vtk", Format::Vtk, RADIUS),
@@ -292,4 +294,21 @@ quickcheck! {
             found.format == *format && found.spheres == spheres
         })
     }
+}
+
+#[test]
+fn an_input_file_of_mstm_is_named_with_its_remedy() {
+    let trouble = read(&file("mstm.inp"), &UNIT).unwrap_err().to_string();
+    assert!(trouble.contains("found an MSTM input file") && trouble.contains("`sphere_data`"), "{trouble}");
+}
+
+#[test]
+fn aggregates_of_pyfracval_touch_or_overlap_as_its_tolerance_says() {
+    let smallest = |name: &str| {
+        let found = read(&file(name), &UNIT).unwrap();
+        assert_eq!((found.format, found.report.number, found.report.components), (Format::PyFracVal, 20, 1), "{name}");
+        found.report.smallest_gap.unwrap()
+    };
+    assert!(smallest("pyfracval_polydisperse.dat") > -1e-4);
+    assert!((-1.5..-0.5).contains(&smallest("pyfracval_overlapping.dat")), "{}", smallest("pyfracval_overlapping.dat"));
 }

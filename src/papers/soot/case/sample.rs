@@ -3,7 +3,7 @@
 use crate::case::quantity::{Length, Quantity, quantity};
 use crate::case::section::{section, words};
 use crate::initial::aggregate::import::Format;
-use crate::initial::aggregate::necks::NECK_DISTANCE;
+use crate::initial::aggregate::necks::{NECK_DISTANCE, NeckLength};
 use std::path::PathBuf;
 
 section! {
@@ -28,9 +28,12 @@ section! {
         deposited: Option<PathBuf> = None,
         /// Fraction of the contacts that are necks, chosen at random.
         neck_fraction: f64 = 0.5,
-        /// Largest gap of a neck; the default allows for rounding only. The springs of a neck are relaxed at contact, so a neck across a finite gap is
-        /// stretched from the beginning; the authors allow 1 nm.
+        /// Largest gap or overlap of a neck; the default allows for rounding only. Unless `neck_length` says otherwise the springs of a neck are relaxed at contact, so
+        /// a neck across a finite gap is stretched from the beginning; the authors allow 1 nm.
         neck_distance: Quantity<Length> = quantity(&format!("{NECK_DISTANCE} nm")),
+        /// Length of necks at rest: `as-given` for sintered spheres and coordinates with few decimals. Spheres that overlap then have necks also beyond `neck_distance`, and
+        /// touch where they are at the start, with a neck or without.
+        neck_length: NeckLength = NeckLength::Touching,
         /// Largest energy that springs hold at the start, as a multiple of the energy that the aggregate can take without being torn apart: the sum of the kinetic
         /// energy of its deposition, of the adhesion of its contacts and of the thermal motion of its spheres at 298 K.
         initial_energy: f64 = 1.0,

@@ -2,7 +2,7 @@
 
 use crate::case::section::defaults;
 use crate::geometry::{SphereExtent, gyration_radius};
-use crate::initial::aggregate::necks::necks;
+use crate::initial::aggregate::necks::{NeckLength, necks};
 use crate::initial::aggregate::{Method, Radii, Recipe, aggregate};
 use crate::interrupt::Interrupt;
 use crate::papers::soot::case::{NeckSet, Soot};
@@ -57,7 +57,7 @@ fn grown() -> Vec<Claim> {
     let recipe = Recipe { number, d_f, k_f, radii: Radii::Equal(RADIUS), method: Method::Clusters };
     let spheres = aggregate(&recipe, 1, &Interrupt::default()).expect("an ordinary aggregate");
     let radius = gyration_radius(&spheres, SphereExtent::Centres);
-    let contacts = necks(&spheres, TOUCH, false).len();
+    let contacts = necks(&spheres, TOUCH, NeckLength::Touching, false).len();
     let claim = |what: &str| format!("{what}, {ALONE}");
     vec![
         Claim::number("Eq. 24", claim("R_g of 150 spheres"), "187.88", law, "nm", 2.0),

@@ -1,0 +1,84 @@
+//! The aggregate of a case of the soot paper: its spheres and its necks.
+
+use super::case::{Aggregate, Growth, Import};
+use super::check::sized;
+use super::energy::InitialEnergy;
+use super::study::{NECK_REMOVAL, Plan};
+use crate::case::quantity::{Length, Quantity};
+use crate::error::{Error, notice};
+use crate::geometry::{Sphere, centred};
+use crate::initial::aggregate::necks::{Neck, keep_fraction, missing_necks, necks};
+use crate::initial::aggregate::{Method, Radii, Recipe, aggregate, import};
+use crate::interrupt::Interrupt;
+use crate::random::Stream;
+use crate::run::Study;
+use crate::spec::soot::Reading;
+
+impl<S: Reading> Plan<S> {
+    /// The spheres of the sample, centred at their centre of mass, and its necks.
+    pub(super) fn aggregate(&self, interrupt: &Interrupt) -> Result<(Vec<Sphere>, Vec<Neck>), Error> {
+        let (spheres, decimals) = self.spheres(interrupt)?;
+        let Aggregate { neck_distance, neck_length, neck_cycles, .. } = &self.sample;
+        let joined = match self.sample.import.as_ref().and_then(|import| import.necks.as_ref()) {
+            Some(file) => import::read_necks(file, &spheres)?,
+            None => necks(&spheres, neck_distance.value, *neck_length, !neck_cycles),
+        };
+        if let Some(Import { file, .. }) = &self.sample.import
+            && let Some(remark) = missing_necks(&spheres, joined.len(), neck_distance.value, *neck_length, decimals)
+        {
+            notice(format!("{}: {remark}", file.display()));
+        }
+        let (necks, energy) = self.kept(&spheres, &joined);
+        energy.allowed(self.sample.initial_energy)?;
+        Ok((spheres, necks))
+    }
+
+    /// The necks that are kept of those that an aggregate may have, and the energies at the start.
+    pub(super) fn kept(&self, spheres: &[Sphere], necks: &[Neck]) -> (Vec<Neck>, InitialEnergy) {
+        let mut stream = Stream::new(self.seed, NECK_REMOVAL);
+        let kept = keep_fraction(necks, self.sample.neck_fraction, &mut stream);
+        let joined = (&kept[..], self.sample.neck_length);
+        let energy =
+            InitialEnergy::of(&self.model(0), spheres, joined, self.soot.density.value, self.stages.first());
+        (kept, energy)
+    }
+
+    /// Checks the time steps, the cutoff and the necks for spheres from a file with these radii, at least one.
+    pub(super) fn suits(&self, radii: impl Iterator<Item = f64>) -> Result<(), Error> {
+        let radii = radii.fold([f64::INFINITY, 0.0], |[least, largest], r| [r.min(least), r.max(largest)]);
+        let mut found = Vec::new();
+        sized(&self.soot, radii, self.stages.iter().zip(self.keys.iter().cloned()), &mut found);
+        found.into_iter().next().map_or(Ok(()), |(key, what)| Err(Error::of_key(key, what)))
+    }
+
+    /// The spheres, and the most decimals of their coordinates in a file.
+    fn spheres(&self, interrupt: &Interrupt) -> Result<(Vec<Sphere>, usize), Error> {
+        let sample = &self.sample;
+        if let Some(Import { file, format, unit, radius, disconnected, .. }) = &sample.import {
+            let length = |quantity: &Option<Quantity<Length>>| quantity.as_ref().map(|length| length.value);
+            let (unit, radius) = (length(unit), length(radius));
+            let options = import::Options { format: *format, unit, radius, disconnected: *disconnected };
+            let imported = import::read(file, &options)?;
+            let spheres = centred(imported.spheres);
+            self.suits(spheres.iter().map(|sphere| sphere.radius))?;
+            return Ok((spheres, imported.decimals));
+        }
+        let median = sample.radius.value;
+        let recipe = Recipe {
+            number: sample.spheres as usize,
+            d_f: sample.fractal_dimension,
+            k_f: sample.prefactor,
+            radii: if sample.deviation == 1.0 {
+                Radii::Equal(median)
+            } else {
+                Radii::LogNormal { median, deviation: sample.deviation }
+            },
+            method: match sample.growth {
+                Growth::Clusters => Method::Clusters,
+                Growth::Spheres => Method::Spheres,
+            },
+        };
+        let grown = aggregate(&recipe, self.seed, interrupt).map_err(|failure| failure.of("sample.aggregate"))?;
+        Ok((grown, usize::MAX))
+    }
+}
