@@ -109,7 +109,9 @@ fn a_saved_sample_is_used_only_for_the_case_it_was_made_for() {
     let early = run("use.yaml");
     assert_eq!(early.status.code(), Some(66));
     let text = String::from_utf8_lossy(&early.stderr).to_string();
-    assert_eq!(text, "silica.sample: cannot be read: No such file or directory (os error 2)\n");
+    let folder = place.path().canonicalize().unwrap();
+    let from = format!("`silica.sample` goes from {}, the folder of the case", folder.display());
+    assert_eq!(text, format!("silica.sample: cannot be read: No such file or directory (os error 2); {from}\n"));
     assert!(run("make.yaml").status.success());
     assert!(run("use.yaml").status.success());
     let results =

@@ -152,15 +152,19 @@ fn a_run_is_not_resumed_with_another_case_or_another_file() {
     let stopped = (Some(75), "stopped; resume with `veridem resume run/tip`\n".to_string());
     assert_eq!(within(&["--quiet", "run", "tip.yaml", "--stop-after-steps", "5"]), stopped);
 
-    write("tip.stl", &tip(21.0));
-    assert_eq!(resume("5"), (Some(65), "tip.stl: has changed since the run was started\n".into()));
+    // The run has a copy.
     std::fs::remove_file(place.path().join("tip.stl")).unwrap();
-    let missing = "tip.stl: cannot be read: No such file or directory (os error 2)\n";
-    assert_eq!(resume("5"), (Some(66), missing.into()));
-    write("tip.stl", &tip(20.0));
+    assert_eq!(resume("1"), stopped);
+    let copy = "run/tip/inputs/tip.stl";
+    write(copy, &tip(21.0));
+    assert_eq!(resume("5"), (Some(65), format!("{copy}: has changed since the run was started\n")));
+    std::fs::remove_file(place.path().join(copy)).unwrap();
+    let missing = format!("{copy}: cannot be read: No such file or directory (os error 2)\n");
+    assert_eq!(resume("5"), (Some(66), missing));
+    write(copy, &tip(20.0));
     assert_eq!(resume("20"), stopped);
     // By now the tip is in the checkpoint.
-    std::fs::remove_file(place.path().join("tip.stl")).unwrap();
+    std::fs::remove_file(place.path().join(copy)).unwrap();
     assert_eq!(resume("5"), stopped);
 
     let case = std::fs::read_to_string(place.path().join("run/tip/case.yaml")).unwrap();

@@ -77,7 +77,7 @@ mod laws {
     use crate::mechanics::four_springs::{Friction, Memory, Springs, SpringsOutcome};
     use crate::mechanics::kick_and_drift::{drift, kick};
     use crate::mechanics::samples::vector;
-        use crate::numbers::Dual;
+    use crate::numbers::Dual;
     use crate::{Contact, Flat, Vec3};
     use proptest::prelude::*;
 

@@ -59,7 +59,7 @@ impl Field for () {
     }
 }
 
-plain_fields!(bool: "`true` or `false`", u64: "a whole number", String: "a text", PathBuf: "a path");
+plain_fields!(bool: "`true` or `false`", u64: "a whole number", String: "a text", PathBuf: "a path, from the folder of the case unless it is absolute");
 
 impl Field for f64 {
     fn expects() -> String {

@@ -4,8 +4,9 @@ use super::{OutputMode, print};
 use crate::case::quantity::{Length, Quantity};
 use crate::error::{Error, notice};
 use crate::geometry::centred;
-use crate::initial::aggregate::import::{Imported, Options, extended_xyz, read, read_necks};
+use crate::initial::aggregate::import::{Options, extended_xyz, read, read_necks};
 use crate::initial::aggregate::necks::{NECK_DISTANCE, NeckLength, missing_necks, necks};
+use crate::interrupt::Interrupt;
 use crate::output::write_atomically;
 use crate::papers::{AtStart, Papers};
 use std::path::PathBuf;
@@ -49,13 +50,13 @@ pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> 
     };
     let (unit, radius) = (length(&arguments.unit)?, length(&arguments.radius)?);
     let neck_distance = length(&arguments.neck_distance)?.unwrap_or(NECK_DISTANCE);
-    if !(neck_distance > 0.0) {
+    if neck_distance <= 0.0 {
         return Err(Error::Usage("--neck-distance: expected a length above 0".into()));
     }
     let format = word("--format", &arguments.format)?;
     let neck_length = word("--neck-length", &arguments.neck_length)?.unwrap_or(NeckLength::Touching);
     let options = Options { format, unit, radius, disconnected: arguments.disconnected };
-    let imported = read(&arguments.file, &options)?;
+    let imported = read(&arguments.file, &options, &Interrupt::default())?;
     // As a run has them: the place decides about the last digits of gaps.
     let spheres = centred(imported.spheres.clone());
     let (necks, which) = match &arguments.necks {
@@ -80,14 +81,16 @@ pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> 
             notice(format!("{}: refused by a run with the defaults of `{paper}`: {refusal}", arguments.file.display()));
         }
     }
-    let Imported { format, report, .. } = imported;
+    let (format, report) = (imported.format, imported.report());
     if manner.json {
         let described =
             serde_json::json!({ "format": format, "necks": necks.len(), "report": report, "at_start": starts });
         return print(&format!("{described:#}\n"));
     }
     let start = |AtStart { paper, necks, springs, .. }: &AtStart| {
-        format!("springs          {springs:.3e} zJ at the start of a run with the defaults of `{paper}`, which keep {necks} necks\n")
+        format!(
+            "springs          {springs:.3e} zJ at the start of a run with the defaults of `{paper}`, which keep {necks} necks\n"
+        )
     };
     let starts: String = starts.iter().map(start).collect();
     print(&format!("{format:?}\n{report}\nnecks            {}{which}\n{starts}", necks.len()))

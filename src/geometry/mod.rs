@@ -14,4 +14,6 @@ mod surfaces;
 pub mod triangles;
 
 pub use neighbours::{Neighbour, neighbours, neighbours_but};
-pub use spheres::{Sphere, SphereExtent, centre_of_mass, centred, gyration_radius, mass, pairs_within, square_gyration_radius};
+pub use spheres::{
+    Sphere, SphereExtent, centre_of_mass, centred, gyration_radius, mass, pairs_within, square_gyration_radius,
+};

@@ -17,7 +17,9 @@ pub(crate) fn recognised(bytes: &[u8]) -> Option<&'static str> {
         [0xdf, 0x65, 0xdf, 0x65, ..] | [0x65, 0xdf, 0x65, 0xdf, ..] => {
             "a GSD file, which is not supported: export it as extended XYZ"
         }
-        [0x93, b'N', b'U', b'M', b'P', b'Y', ..] => "a NumPy array, which is not supported: write it with `numpy.savetxt`",
+        [0x93, b'N', b'U', b'M', b'P', b'Y', ..] => {
+            "a NumPy array, which is not supported: write it with `numpy.savetxt`"
+        }
         _ if holds(b"number_spheres") => {
             "an MSTM input file, which is not supported: take the file of its spheres, or the rows below `sphere_data` alone"
         }

@@ -1,9 +1,10 @@
 //! The claim of a folder for a new run: nothing is lost but what an earlier run has made, and that only when the new one begins.
 
-use super::folder::{CHECKPOINTS, FIGURES, FRAMES};
+use super::folder::{CHECKPOINTS, FIGURES, FRAMES, INPUTS};
 use super::lock::LOCK;
 use super::{Lock, Manifest, RunFolder, Status, frame_number, sha256, sync_folder, write_atomically};
 use crate::error::{AtPath, Error};
+use std::collections::BTreeMap;
 use std::ffi::OsStr;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -45,7 +46,7 @@ impl Claim {
         matches!(Place::of(&self.folder), Ok(Place::Run(_)))
     }
 
-    /// Begins a run: removes the files of an earlier one, and writes manifest and case. Returns the folder, its lock, and the files
+    /// Begins a run: removes the files of an earlier one, and writes manifest, case, and copies of other inputs. Returns the folder, its lock, and the files
     /// of others that were left in it.
     ///
     /// # Errors
@@ -56,6 +57,7 @@ impl Claim {
         manifest: &Manifest,
         case: &str,
         resolved: &str,
+        copies: &[(String, Vec<u8>)],
     ) -> Result<(RunFolder, Lock, Vec<PathBuf>), Error> {
         let Self { folder, lock } = self;
         super::create_folder(folder.root())?;
@@ -67,16 +69,22 @@ impl Claim {
                 lock
             }
         };
-        let mut graphs = Vec::new();
+        let mut made = Made::default();
         if let Place::Run(mut earlier) = Place::of(&folder)? {
             // Whenever the removal ends half way, no run is there that seems to be finished.
             earlier.status = Status::Stopped;
             earlier.write(&folder)?;
-            graphs.clone_from(&earlier.graphs);
+            made = Made { graphs: earlier.graphs, files: earlier.files };
         }
-        let left = clear(&folder, &graphs)?;
-        // The manifest comes first: by it a run folder is known.
+        let left = clear(&folder, &made)?;
+        // The manifest comes first: by it a run folder is known. The case comes last: with it the run can be resumed.
         manifest.write(&folder)?;
+        if !copies.is_empty() {
+            super::create_folder(&folder.inputs())?;
+        }
+        for (name, bytes) in copies {
+            write_atomically(&folder.inputs().join(name), bytes)?;
+        }
         write_atomically(&folder.case(), case.as_bytes())?;
         write_atomically(&folder.resolved(), resolved.as_bytes())?;
         folder.complete()?;
@@ -119,7 +127,7 @@ impl Place {
         let left = |path: PathBuf| -> Result<bool, Error> {
             let empty = || Ok::<_, Error>(entries(&path)?.is_empty());
             let name = path.file_name().unwrap_or_default();
-            let folders = [FRAMES, FIGURES, CHECKPOINTS].iter().any(|folder| name == *folder);
+            let folders = [FRAMES, FIGURES, CHECKPOINTS, INPUTS].iter().any(|folder| name == *folder);
             if folders { empty() } else { Ok(name == LOCK || is_part_of(name, &|name| own(name))) }
         };
         for path in entries(root)? {
@@ -131,15 +139,24 @@ impl Place {
     }
 }
 
-/// Removes the files of an earlier run with these graphs, but its manifest; returns the others.
-fn clear(folder: &RunFolder, graphs: &[String]) -> Result<Vec<PathBuf>, Error> {
+/// What the manifest of a run says of the names of its files.
+#[derive(Default)]
+struct Made {
+    graphs: Vec<String>,
+    files: BTreeMap<String, String>,
+}
+
+/// Removes the files of an earlier run, but its manifest; returns the others.
+fn clear(folder: &RunFolder, Made { graphs, files }: &Made) -> Result<Vec<PathBuf>, Error> {
     let figure = |name: &OsStr| name.to_str().is_some_and(|name| is_picture(name) || graphs.iter().any(|g| g == name));
+    let copy = |name: &OsStr| files.values().any(|place| Path::new(place) == Path::new(INPUTS).join(name));
     let mut left = Vec::new();
     // Checkpoints come first: none survives the record that it speaks of.
-    for name in [CHECKPOINTS, FRAMES, FIGURES] {
+    for name in [CHECKPOINTS, FRAMES, FIGURES, INPUTS] {
         let made: &dyn Fn(&OsStr) -> bool = match name {
             CHECKPOINTS => &is_checkpoint,
             FRAMES => &|name| frame_number(name).is_some(),
+            INPUTS => &copy,
             _ => &figure,
         };
         let path = folder.root().join(name);
@@ -154,7 +171,9 @@ fn clear(folder: &RunFolder, graphs: &[String]) -> Result<Vec<PathBuf>, Error> {
         }
     }
     let others = remove(folder.root(), &|name| name != "manifest.json" && own(name))?;
-    let known = [FRAMES, FIGURES, CHECKPOINTS, LOCK, "manifest.json"];
+    // A run that reads nothing has no such folder.
+    std::fs::remove_dir(folder.inputs()).ok();
+    let known = [FRAMES, FIGURES, CHECKPOINTS, INPUTS, LOCK, "manifest.json"];
     left.extend(others.into_iter().filter(|path| !known.iter().any(|name| path.file_name() == Some(OsStr::new(name)))));
     sync_folder(folder.root())?;
     Ok(left)
@@ -215,7 +234,7 @@ impl RunFolder {
         let name = within.file_name().unwrap_or_default();
         match within.components().count() {
             1 => own(name) || name == LOCK || is_part_of(name, &|name| own(name)),
-            2 => [FRAMES, FIGURES, CHECKPOINTS].iter().any(|folder| within.starts_with(folder)),
+            2 => [FRAMES, FIGURES, CHECKPOINTS, INPUTS].iter().any(|folder| within.starts_with(folder)),
             _ => false,
         }
     }

@@ -7,8 +7,10 @@ use std::path::{Path, PathBuf};
 pub(super) const FRAMES: &str = "frames";
 pub(super) const FIGURES: &str = "figures";
 pub(super) const CHECKPOINTS: &str = "checkpoints";
+/// The folder of copies of the files that a run reads.
+pub const INPUTS: &str = "inputs";
 
-/// The files that a run writes into its folder, beside those three folders and its lock.
+/// The files that a run writes into its folder, beside those folders and its lock.
 pub(super) const FILES: [&str; 8] = [
     "case.yaml",
     "case.resolved.yaml",
@@ -95,6 +97,10 @@ impl RunFolder {
     /// The state in which the simulation halted.
     pub fn halted(&self) -> PathBuf {
         self.root.join("halted.xyz")
+    }
+    /// Copies of the files that the run reads.
+    pub fn inputs(&self) -> PathBuf {
+        self.root.join(INPUTS)
     }
     fn checkpoint_folder(&self) -> PathBuf {
         self.root.join(CHECKPOINTS)

@@ -149,7 +149,9 @@ mod tests {
         particles.push(Vec3([1.0, 1.0, 2.0]), 0.5, 3.0, 2);
         let system = System::new(particles, Domain { sides: [4.0; 3], periodic: [false; 3] });
         let options = Options { unit: Some(1.0), ..Options::default() };
-        let found = parse(std::path::Path::new("a.xyz"), extended_xyz(&system, "restructuring 2"), &options);
+        let interrupt = Default::default();
+        let text = extended_xyz(&system, "restructuring 2");
+        let found = parse(std::path::Path::new("a.xyz"), text, &options, &interrupt);
         let found: Vec<_> =
             found.unwrap_or_else(|error| panic!("{error}")).spheres.iter().map(|s| (s.centre, s.radius)).collect();
         assert_eq!(found, [(Vec3([1.0; 3]), 0.5), (Vec3([1.0, 1.0, 2.0]), 0.5)]);

@@ -43,8 +43,11 @@ pub struct Manifest {
     pub command_lines: Vec<String>,
     /// Seed of all random streams.
     pub seed: u64,
-    /// SHA-256 of the input files.
+    /// SHA-256 of the input files, by their places.
     pub inputs: BTreeMap<String, String>,
+    /// The places of the files that the case reads and saves, by the paths in the case: copies relative to the run folder, all others by absolute paths.
+    #[serde(default)]
+    pub files: BTreeMap<String, String>,
     /// The names of the graphs of its report.
     #[serde(default)]
     pub graphs: Vec<String>,
@@ -57,7 +60,12 @@ pub struct Manifest {
 
 impl Manifest {
     /// The manifest of a run started by this process.
-    pub fn begin(seed: u64, inputs: BTreeMap<String, String>, graphs: Vec<String>) -> Self {
+    pub fn begin(
+        seed: u64,
+        inputs: BTreeMap<String, String>,
+        files: BTreeMap<String, String>,
+        graphs: Vec<String>,
+    ) -> Self {
         Self {
             status: Status::Running,
             version: env!("CARGO_PKG_VERSION").into(),
@@ -68,6 +76,7 @@ impl Manifest {
             command_lines: vec![command_line()],
             seed,
             inputs,
+            files,
             graphs,
             final_state: None,
             outputs: BTreeMap::new(),
@@ -105,6 +114,11 @@ impl Manifest {
     /// Whether one of the inputs has this hash.
     pub fn knows(&self, hash: &str) -> bool {
         self.inputs.values().any(|input| input == hash)
+    }
+
+    /// The hash of the file to which a path in the case led.
+    pub fn hash_of(&self, written: &Path) -> Option<&String> {
+        self.inputs.get(self.files.get(&written.display().to_string())?)
     }
 
     /// The status in a word; a run whose process has ended without saying so was killed.

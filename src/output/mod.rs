@@ -20,7 +20,7 @@ pub use claim::{Claim, Place};
 pub use columns::Column;
 pub use files::{create_folder, sha256, sha256_file, sync_folder, with_suffix, write_atomically};
 pub use finding::{Finding, Found};
-pub use folder::RunFolder;
+pub use folder::{INPUTS, RunFolder};
 pub use frames::{SURFACES, extended_xyz, frame_name, frame_number, wavefront};
 pub use lock::Lock;
 use manifest::command_line;

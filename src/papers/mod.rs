@@ -13,7 +13,7 @@ use crate::geometry::Sphere;
 use crate::initial::aggregate::necks::{Neck, NeckLength};
 #[cfg(feature = "cli")]
 use crate::reproduce::Chapter;
-use crate::run::{Job, Runnable};
+use crate::run::{Job, Paths, Runnable};
 use serde_yaml::{Mapping, Value};
 use std::path::{Path, PathBuf};
 
@@ -57,16 +57,20 @@ pub trait Paper: Sync {
     fn complete(_case: &mut CaseOf<Self>) {}
     /// Finds the problems of a case beyond its grammar.
     fn check(_case: &CaseOf<Self>, _found: &mut Found) {}
+    /// The keys that a case has but does not use, such as `sample.aggregate.spheres`.
+    fn unused(_case: &CaseOf<Self>) -> &'static [&'static str] {
+        &[]
+    }
     /// The derived values of a checked case, with units.
     fn derived(_case: &CaseOf<Self>) -> Vec<(String, String)> {
         Vec::new()
     }
-    /// The files that a case reads.
-    fn reads(_case: &CaseOf<Self>) -> Vec<PathBuf> {
+    /// The paths of the files that a case reads.
+    fn reads(_case: &mut CaseOf<Self>) -> Vec<&mut PathBuf> {
         Vec::new()
     }
-    /// The files that a case writes beside its run folder, with the sections that ask for them.
-    fn saves(_case: &CaseOf<Self>) -> Vec<(String, PathBuf)> {
+    /// The paths of the files that a case writes beside its run folder, with the sections that ask for them.
+    fn saves(_case: &mut CaseOf<Self>) -> Vec<(String, &mut PathBuf)> {
         Vec::new()
     }
     /// The start of a run of an imported aggregate with default values, for a paper that has aggregates.
@@ -134,16 +138,20 @@ impl<P: Paper> AnyPaper for P {
         P::imported(spheres, necks, length)
     }
     fn read(&self, file: &Path, text: &str) -> Result<Job, Error> {
-        let case = parse::<P>(file, text)?;
+        let mut case = parse::<P>(file, text)?;
+        let written = serde_yaml::to_value(&case).expect("a case is plain data");
+        let paths = Paths::of(file);
+        let reads = P::reads(&mut case).into_iter().map(|path| paths.lead(path)).collect();
+        let saves = P::saves(&mut case).into_iter().map(|(section, path)| (section, paths.lead(path))).collect();
         Ok(Job {
             file: file.into(),
             text: text.into(),
             title: case.title.clone(),
             seed: case.seed,
             output: case.output.clone(),
-            resolved: resolved(&case, P::derived(&case)),
-            reads: P::reads(&case),
-            saves: P::saves(&case),
+            resolved: resolved(written, P::unused(&case), P::derived(&case)),
+            reads,
+            saves,
             graphs: P::GRAPHS,
             instructions: None,
             excess: false,
@@ -152,13 +160,19 @@ impl<P: Paper> AnyPaper for P {
     }
 }
 
-/// A case with every default, and its derived values below `derived`.
-fn resolved(case: &impl serde::Serialize, derived: Vec<(String, String)>) -> String {
-    let mut root = serde_yaml::to_value(case).expect("a case is plain data");
-    let mapping = root.as_mapping_mut().expect("a case is a mapping");
+/// A case with every default that it uses, and its derived values below `derived`.
+fn resolved(mut case: Value, unused: &[&str], derived: Vec<(String, String)>) -> String {
+    for key in unused {
+        let (section, word) = key.rsplit_once('.').unwrap_or(("", key));
+        let section = section.split('.').try_fold(&mut case, |place, word| place.get_mut(word));
+        if let Some(section) = section.and_then(Value::as_mapping_mut) {
+            section.retain(|key, _| key != word);
+        }
+    }
+    let mapping = case.as_mapping_mut().expect("a case is a mapping");
     let text = |(key, value): (String, String)| (Value::String(key), Value::String(value));
     mapping.insert("derived".into(), Value::Mapping(derived.into_iter().map(text).collect::<Mapping>()));
-    serde_yaml::to_string(&root).expect("a mapping can be written")
+    serde_yaml::to_string(&case).expect("a mapping can be written")
 }
 
 /// A list of papers.

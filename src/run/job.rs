@@ -1,5 +1,6 @@
 //! A job: a checked case, ready to be run into its run folder.
 
+use super::paths::{CasePath, Files};
 use super::places::{free, is_there, outside, savable, unchanged};
 use super::plan::{affordable, moderate, plan};
 use super::recorder::Recorder;
@@ -15,7 +16,6 @@ use crate::output::{
 };
 use crate::system::System;
 use serde_yaml::Mapping;
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// Reads and checks the text of a case file.
@@ -36,9 +36,9 @@ pub struct Job {
     /// The case with every default and derived value.
     pub resolved: String,
     /// The files that it reads.
-    pub reads: Vec<PathBuf>,
+    pub reads: Vec<CasePath>,
     /// The files that it writes beside its run folder, with the sections that ask for them.
-    pub saves: Vec<(String, PathBuf)>,
+    pub saves: Vec<(String, CasePath)>,
     /// The graphs of its report.
     pub graphs: &'static [Graph],
     /// The vector instructions of its simulations, if not the widest: for checks, as results do not depend on them.
@@ -100,20 +100,20 @@ impl<S: Study> Runnable for S {
     ) -> Result<(RunFolder, Vec<Finding>), Error> {
         affordable(self, job)?;
         let claim = Claim::new(root, replace)?;
-        let inputs = job.inputs()?;
+        let files = job.files()?;
         // Errors in the input are found before anything is written.
         let initial = match self.initial(interrupt) {
             // A run that is to be replaced is worth more than one that has not begun.
             Err(Error::Interrupted) if claim.replaces() => return Err(Error::Interrupted),
             Err(Error::Interrupted) => {
-                let (folder, _lock, mut manifest) = job.begin(claim, inputs, tell)?;
+                let (folder, _lock, mut manifest) = job.begin(claim, files, tell)?;
                 manifest.end(&folder, Status::Stopped)?;
                 return Err(Error::Stopped(Some(folder.root().into())));
             }
             initial => initial.map_err(|error| located(error, &job.file, &job.text))?,
         };
         moderate(&Driver::new(self, interrupt), self, &initial, job)?;
-        let (folder, _lock, manifest) = job.begin(claim, inputs, tell)?;
+        let (folder, _lock, manifest) = job.begin(claim, files, tell)?;
         let findings = from_the_beginning(self, job, &folder, manifest, initial, interrupt, tell)?;
         Ok((folder, findings))
     }
@@ -132,7 +132,7 @@ impl<S: Study> Runnable for S {
             write_atomically(&folder.resolved(), job.resolved.as_bytes())?;
         }
         if folder.checkpoints().is_empty()? {
-            unchanged(&job.reads, &manifest)?;
+            unchanged(job.reads.iter(), &manifest)?;
             let initial = match self.initial(interrupt) {
                 Err(Error::Interrupted) => return Err(Error::Stopped(Some(folder.root().into()))),
                 initial => initial.map_err(|error| located(error, &job.file, &job.text))?,
@@ -146,7 +146,8 @@ impl<S: Study> Runnable for S {
         let accepted = |path: &Path, state: State<S::Watch>| state.accepted(path, folder, &driver);
         let (from, passed_over) = folder.checkpoints().latest(&origin, accepted)?;
         let Resumable { stage, run, recorded, missing } = from;
-        unchanged(&self.reads_after(stage.number), &manifest)?;
+        let later = self.reads_after(stage.number);
+        unchanged(job.reads.iter().filter(|file| later.contains(&file.place)), &manifest)?;
         for problem in passed_over {
             tell(Message::Note(format!("warning: {problem}; an older checkpoint is used")));
         }
@@ -195,7 +196,7 @@ impl Job {
         if !replace {
             free(&self.saves).map_err(|error| located(error, &self.file, &self.text))?;
         } else if root.is_dir() {
-            outside(root, self.reads.iter().chain([&self.file]).map(PathBuf::as_path))?;
+            outside(root, self.read_files())?;
         }
         self.study.start(self, root, replace, interrupt, tell)
     }
@@ -229,12 +230,18 @@ impl Job {
         self.study.resume(self, folder, manifest, interrupt, tell)
     }
 
-    /// Starts or resumes a run in a folder unless it has finished; returns whether there was anything left to do.
+    /// Starts or resumes a run in a folder unless it has finished; returns whether there was anything left to do. What has been begun is read anew, with the files that it has kept.
     ///
     /// # Errors
     ///
     /// As [`launch`](Self::launch) and [`resume`](Self::resume), and if the folder holds something else.
-    pub fn complete(&self, root: &Path, interrupt: &Interrupt, tell: &mut dyn FnMut(Message)) -> Result<bool, Error> {
+    pub fn complete(
+        &self,
+        root: &Path,
+        interrupt: &Interrupt,
+        read: Reader,
+        tell: &mut dyn FnMut(Message),
+    ) -> Result<bool, Error> {
         let folder = RunFolder::at(root);
         let replace = match Place::of(&folder)? {
             Place::Free => false,
@@ -251,7 +258,9 @@ impl Job {
                     return Ok(false);
                 }
                 if !folder.checkpoints().is_empty()? {
-                    return self.resume(&folder, interrupt, tell).map(|_| true);
+                    let kept = read(&folder.case(), &self.text)?;
+                    let job = Self { instructions: self.instructions, excess: self.excess, ..kept };
+                    return job.resume(&folder, interrupt, tell).map(|_| true);
                 }
                 true
             }
@@ -272,28 +281,34 @@ impl Job {
 
     /// Checks that the input files exist, and that the files to be saved can be.
     fn needs(&self, root: &Path) -> Result<(), Error> {
-        self.reads.iter().try_for_each(|file| is_there(file))?;
-        let reads: Vec<&Path> = self.reads.iter().chain([&self.file]).map(PathBuf::as_path).collect();
+        self.reads.iter().try_for_each(is_there)?;
+        let reads: Vec<&Path> = self.read_files().collect();
         savable(&self.saves, &reads, root).map_err(|error| located(error, &self.file, &self.text))
     }
 
-    /// Hashes of the input files, by name.
-    fn inputs(&self) -> Result<BTreeMap<String, String>, Error> {
-        self.reads.iter().map(|file| Ok((file.display().to_string(), sha256_file(file)?))).collect()
+    /// All files that it reads, the case among them.
+    fn read_files(&self) -> impl Iterator<Item = &Path> {
+        self.reads.iter().map(|file| &file.place).chain([&self.file]).map(PathBuf::as_path)
+    }
+
+    /// The files that its run knows.
+    fn files(&self) -> Result<Files, Error> {
+        Files::of(&self.reads, self.saves.iter().map(|(_, file)| file))
     }
 
     /// Begins a run: its folder, its lock and its manifest.
     fn begin(
         &self,
         claim: Claim,
-        mut inputs: BTreeMap<String, String>,
+        files: Files,
         tell: &mut dyn FnMut(Message),
     ) -> Result<(RunFolder, Lock, Manifest), Error> {
         // The hash is taken from the text, because a case from a pipe can be read only once.
-        inputs.insert(self.file.display().to_string(), sha256(self.text.as_bytes()));
+        let Files { places, mut hashes, copies } = files;
+        hashes.insert(self.file.display().to_string(), sha256(self.text.as_bytes()));
         let graphs = crate::figures::graph_names(self.graphs);
-        let manifest = Manifest::begin(self.seed, inputs, graphs.map(|name| format!("{name}.svg")).collect());
-        let (folder, lock, left) = claim.begin(&manifest, &self.text, &self.resolved)?;
+        let manifest = Manifest::begin(self.seed, hashes, places, graphs.map(|name| format!("{name}.svg")).collect());
+        let (folder, lock, left) = claim.begin(&manifest, &self.text, &self.resolved, &copies)?;
         for path in left {
             tell(Message::Note(format!("warning: {}: was not made by a run and is left where it is", path.display())));
         }

@@ -2,6 +2,7 @@
 
 mod driver;
 mod job;
+mod paths;
 mod places;
 mod plan;
 mod record;
@@ -14,6 +15,7 @@ pub mod sweep;
 
 pub use driver::{Driver, Outcome, RunState, RunningStage, advance, advance_until};
 pub use job::{Job, Reader, Runnable};
+pub use paths::{CasePath, Paths};
 pub use recorder::{Message, RunProgress};
 pub use row::{Row, columns};
 pub use sink::{Each, Memory, Sink, Step};

@@ -1,20 +1,31 @@
 //! The files beside a run folder that a run reads and saves.
 
+use super::paths::{CasePath, absolute};
 use crate::error::{Error, Problem, not_opened};
 use crate::output::{Manifest, Place, RunFolder, sha256_file};
+use std::io;
 use std::path::{Path, PathBuf};
 
 /// Checks that a file can be read.
-pub(super) fn is_there(file: &Path) -> Result<(), Error> {
-    std::fs::metadata(file).map(drop).map_err(|cause| not_opened(file, cause))
+pub(super) fn is_there(file: &CasePath) -> Result<(), Error> {
+    std::fs::metadata(&file.place).map(drop).map_err(|cause| {
+        let cause = match file.from.as_deref().map(absolute) {
+            Some(from) => {
+                let goes = format!("`{}` goes from {}, the folder of the case", file.written.display(), from.display());
+                io::Error::new(cause.kind(), format!("{cause}; {goes}"))
+            }
+            None => cause,
+        };
+        not_opened(&file.place, cause)
+    })
 }
 
 /// Checks that files have not changed since a run was started.
-pub(super) fn unchanged(files: &[PathBuf], manifest: &Manifest) -> Result<(), Error> {
+pub(super) fn unchanged<'a>(files: impl Iterator<Item = &'a CasePath>, manifest: &Manifest) -> Result<(), Error> {
     for file in files {
         is_there(file)?;
-        if manifest.inputs.get(&file.display().to_string()) != Some(&sha256_file(file)?) {
-            return Err(Error::input(file, "has changed since the run was started"));
+        if manifest.hash_of(&file.written) != Some(&sha256_file(&file.place)?) {
+            return Err(Error::input(&file.place, "has changed since the run was started"));
         }
     }
     Ok(())
@@ -22,14 +33,14 @@ pub(super) fn unchanged(files: &[PathBuf], manifest: &Manifest) -> Result<(), Er
 
 /// Checks that files can be saved, each by the section that asks for it: the folder exists or is created by the run, and no file is
 /// saved twice, read, or written by a run into its folder.
-pub(super) fn savable(saves: &[(String, PathBuf)], reads: &[&Path], root: &Path) -> Result<(), Error> {
-    for (number, (section, file)) in saves.iter().enumerate() {
+pub(super) fn savable(saves: &[(String, CasePath)], reads: &[&Path], root: &Path) -> Result<(), Error> {
+    for (number, (section, CasePath { written, place: file, .. })) in saves.iter().enumerate() {
         // The parent of a mere name is empty.
         let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty());
         let no_folder =
             folder.is_some_and(|folder| !folder.is_dir() && !root.ancestors().any(|of_run| of_run == folder));
         let path = absolute(file);
-        let other = saves[..number].iter().find(|(_, other)| absolute(other) == path);
+        let other = saves[..number].iter().find(|(_, other)| absolute(&other.place) == path);
         let expected = if no_folder {
             "a file in a folder that exists".into()
         } else if let Some((other, _)) = other {
@@ -41,15 +52,17 @@ pub(super) fn savable(saves: &[(String, PathBuf)], reads: &[&Path], root: &Path)
         } else {
             continue;
         };
-        return Err(wrong(section, file, &expected));
+        return Err(wrong(section, written, &expected));
     }
     Ok(())
 }
 
 /// Checks that the files to be saved do not exist yet.
-pub(super) fn free(saves: &[(String, PathBuf)]) -> Result<(), Error> {
-    match saves.iter().find(|(_, file)| std::fs::symlink_metadata(file).is_ok()) {
-        Some((section, file)) => Err(wrong(section, file, "a file that does not exist yet; use --force to replace it")),
+pub(super) fn free(saves: &[(String, CasePath)]) -> Result<(), Error> {
+    match saves.iter().find(|(_, file)| std::fs::symlink_metadata(&file.place).is_ok()) {
+        Some((section, file)) => {
+            Err(wrong(section, &file.written, "a file that does not exist yet; use --force to replace it"))
+        }
         None => Ok(()),
     }
 }
@@ -76,15 +89,4 @@ fn belongs_to_a_run(path: &Path, root: &Path) -> bool {
     let is_run = |folder: &RunFolder| matches!(Place::of(folder), Ok(Place::Run(_)));
     let around = path.ancestors().skip(1).take(2).map(RunFolder::at);
     RunFolder::at(&absolute(root)).makes(path) || around.into_iter().any(|folder| folder.makes(path) && is_run(&folder))
-}
-
-/// The one path of a file, which need not exist.
-pub(super) fn absolute(path: &Path) -> PathBuf {
-    let canonical = |path: &Path| std::fs::canonicalize(path).ok();
-    let in_folder = || {
-        let folder = path.parent()?;
-        let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
-        Some(canonical(folder)?.join(path.file_name()?))
-    };
-    canonical(path).or_else(in_folder).or_else(|| std::path::absolute(path).ok()).unwrap_or_else(|| path.into())
 }

@@ -1,6 +1,6 @@
 //! Sweeps: many runs in parallel, each in its own folder.
 
-use super::places::absolute;
+use super::paths::absolute;
 use super::{Message, Reader};
 use crate::case::document;
 use crate::error::Error;
@@ -49,7 +49,7 @@ impl Point {
         // Beside the file, from which the paths in it are relative.
         let place = file.with_file_name(place.replace(std::path::is_separator, "_"));
         let job = read(&place, &text).map_err(without_lines)?;
-        let saves = job.saves.iter().map(|(_, file)| absolute(file)).collect();
+        let saves = job.saves.iter().map(|(_, file)| absolute(&file.place)).collect();
         let name = name(values);
         let values = values.iter().map(|(_, value)| value.to_string()).collect();
         Ok(Self { name, values, file: place, text, saves, resolved: job.resolved })
@@ -225,7 +225,7 @@ pub fn carry_out(
                         if anew(point) {
                             return job.launch(&root, true, interrupt, &mut tell).map(|_| true);
                         }
-                        job.complete(&root, interrupt, &mut tell)
+                        job.complete(&root, interrupt, read, &mut tell)
                     };
                     ended(point, core.install(run));
                 }

@@ -66,7 +66,7 @@ fn aggregate(format: Option<Format>, bytes: &[u8]) {
     let options = [(Some(1.0), None), (None, Some(14.0)), (Some(1.0), Some(14.0))];
     for (unit, radius) in options {
         let options = Options { format, unit, radius, disconnected: true };
-        judge("a.xyz", bytes, parse(Path::new("a.xyz"), bytes, &options));
+        judge("a.xyz", bytes, parse(Path::new("a.xyz"), bytes, &options, &Interrupt::default()));
     }
 }
 

@@ -28,8 +28,12 @@ fn read<S>(Soot { neck, contact, friction, attraction, walls, .. }: Soot, readin
     Soot { neck, contact, friction, attraction, reading, walls }
 }
 fn memory() -> impl Strategy<Value = Memory<f64>> {
-    (vector(), vector(), -1.0..1.0, -0.2..0.2)
-        .prop_map(|(tangential, rolling, torsion, rest)| Memory { tangential, rolling, torsion, rest })
+    (vector(), vector(), -1.0..1.0, -0.2..0.2).prop_map(|(tangential, rolling, torsion, rest)| Memory {
+        tangential,
+        rolling,
+        torsion,
+        rest,
+    })
 }
 fn along(x: f64) -> Vec3<f64> {
     Vec3::new(x, 0.0, 0.0)

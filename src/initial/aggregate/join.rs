@@ -2,8 +2,10 @@
 
 use super::cluster::Cluster;
 use super::law::Law;
+use super::{Failure, going};
 use crate::geometry::Sphere;
 use crate::geometry::directions::{Covered, cone, direction, frame, turn};
+use crate::interrupt::Interrupt;
 use crate::random::Stream;
 use crate::spec::mechanics::gyration::joined_distance;
 use crate::spec::{Real, Vec3};
@@ -18,22 +20,36 @@ const WIDENING: f64 = 1.02;
 const NEAR: f64 = 1.0 + 1e-9;
 
 /// Joins two clusters to one with the gyration radius of the law, or, where they cannot be placed so, with one as near as they can.
-pub(super) fn join(a: &Cluster, b: &Cluster, law: &Law, stream: &mut Stream) -> Cluster {
+///
+/// # Errors
+///
+/// That it was interrupted.
+pub(super) fn join(
+    a: &Cluster,
+    b: &Cluster,
+    law: &Law,
+    stream: &mut Stream,
+    interrupt: &Interrupt,
+) -> Result<Cluster, Failure> {
     let farthest = a.reach + b.reach;
     let sums = a.sums.with(&b.sums);
     let whole = |spheres| Cluster::new(spheres, law.extent());
     if sums.number == 2 {
-        return whole(united(a, &b.spheres, direction(stream) * farthest));
+        return Ok(whole(united(a, &b.spheres, direction(stream) * farthest)));
     }
     let (mass_a, mass_b, total) = (a.sums.cubes, b.sums.cubes, sums.cubes);
     let radius = law.gyration_radius(&sums);
     let mut distance = joined_distance(mass_a, mass_b, total, a.square, b.square, radius).min(farthest);
     loop {
-        if let Some(spheres) = (0..TRIES).find_map(|_| place(a, b, distance, stream)) {
-            return whole(spheres);
+        for _ in 0..TRIES {
+            going(interrupt)?;
+            if let Some(spheres) = place(a, b, distance, stream) {
+                return Ok(whole(spheres));
+            }
         }
         // The outermost spheres, placed in one line, always fit.
-        distance = if distance < farthest { (distance * WIDENING).min(farthest) } else { return whole(in_line(a, b)) };
+        distance =
+            if distance < farthest { (distance * WIDENING).min(farthest) } else { return Ok(whole(in_line(a, b))) };
         distance = distance.max(1e-3 * farthest);
     }
 }

@@ -211,17 +211,15 @@ fn grow(
 ) -> Result<Cluster, Failure> {
     let single = |radius| Cluster::single(radius, law.extent());
     if clusters == 1 {
-        return radii[1..].iter().try_fold(single(radii[0]), |grown, &radius| {
-            going(interrupt)?;
-            Ok(join(&single(radius), &grown, law, stream))
-        });
+        return radii[1..]
+            .iter()
+            .try_fold(single(radii[0]), |grown, &radius| join(&single(radius), &grown, law, stream, interrupt));
     }
     let half = clusters / 2;
     let (left, right) = radii.split_at(radii.len() * half / clusters);
     let left = grow(law, left, half, stream, interrupt)?;
     let right = grow(law, right, clusters - half, stream, interrupt)?;
-    going(interrupt)?;
-    Ok(join(&left, &right, law, stream))
+    join(&left, &right, law, stream, interrupt)
 }
 
 impl Recipe {

@@ -147,7 +147,8 @@ mod tests {
     fn necks_that_rounded_coordinates_lose_are_reported_with_their_remedy() {
         let chain = at(&[[0.0; 3], [2.0, 0.0, 0.0], [4.013, 0.0, 0.0], [5.99, 0.0, 0.0]]);
         assert_eq!(missing_necks(&chain, 3, 0.01, Touching, 2), None);
-        let remark = missing_necks(&chain, joined(&chain, 0.01, true).len(), 0.01, Touching, 2).expect("two necks are missing");
+        let remark =
+            missing_necks(&chain, joined(&chain, 0.01, true).len(), 0.01, Touching, 2).expect("two necks are missing");
         assert!(remark.starts_with("found 1 necks") && remark.contains("expected at least 3"), "{remark}");
         assert!(remark.contains("2 decimals") && remark.contains("`neck_distance: 0.024 nm`"), "{remark}");
         assert_eq!(joined(&chain, 0.024, true).len(), 3);

@@ -69,7 +69,7 @@ fn the_law_is_met_at_every_joining() {
             let mut misses = 0;
             let mut stream = Stream::new(number as u64, "test");
             let mut check = |a: &Cluster, b: &Cluster, stream: &mut Stream| {
-                let whole = join(a, b, &recipe.law(), stream);
+                let whole = join(a, b, &recipe.law(), stream, &Interrupt::default()).unwrap();
                 let wanted = recipe.law().gyration_radius(&whole.sums);
                 misses += usize::from(whole.spheres.len() > 2 && (whole.square.sqrt() / wanted - 1.0).abs() > 1e-12);
                 whole

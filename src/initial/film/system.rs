@@ -49,6 +49,8 @@ impl DepositedFilm {
     fn touching<'a>(&self, members: &'a [usize]) -> impl Iterator<Item = (u32, u32)> + 'a {
         let sphere = |&k: &usize| Sphere { centre: self.spheres[k].centre, radius: 0.5 * self.spheres[k].diameter };
         let spheres: Vec<Sphere> = members.iter().map(sphere).collect();
-        necks(&spheres, TOUCH, NeckLength::Touching, true).into_iter().map(|(i, j)| (members[i] as u32, members[j] as u32))
+        necks(&spheres, TOUCH, NeckLength::Touching, true)
+            .into_iter()
+            .map(|(i, j)| (members[i] as u32, members[j] as u32))
     }
 }

@@ -1,20 +1,19 @@
 //! The sections of a case of the soot paper. Defaults are the authors' published inputs, except the largest gap of a neck.
 
+mod derived;
 mod sample;
 mod stages;
 
+pub use derived::{derived, unused};
 pub use sample::*;
 pub use stages::*;
 
 use crate::case::quantity::{Density, Energy, Force, Length, Pressure, Quantity, Sharpness, quantity};
 use crate::case::section::{choice, defaults, section, words};
 use crate::case::springs::{FourSprings, four_springs};
-use crate::case::units::{in_unit, rounded};
 use crate::spec::PairModel;
 use crate::spec::mechanics::four_springs::Friction;
-use crate::spec::mechanics::primary_particle::solid_inertia;
 use crate::spec::mechanics::sphere::sphere_mass;
-use crate::spec::soot::eq24_fractal::gyration_radius;
 use crate::spec::soot::{self, Along, Printed, Programmed};
 use std::path::PathBuf;
 
@@ -213,60 +212,27 @@ pub fn key(case: &Case, number: usize, stage: &SootStage) -> String {
 }
 
 /// The files that a case reads.
-pub fn reads(case: &Case) -> Vec<PathBuf> {
-    let (_, Aggregate { import, deposited, .. }, stages) = parts(case);
-    let surfaces = stages.iter().filter_map(|stage| stage.solid().map(|solid| solid.stl.clone()));
-    let imported = import.iter().flat_map(|import| [Some(import.file.clone()), import.necks.clone()]).flatten();
-    imported.chain(deposited.clone()).chain(surfaces).collect()
+pub fn reads(case: &mut Case) -> Vec<&mut PathBuf> {
+    let Sample::Aggregate(Aggregate { import, deposited, .. }) = &mut case.sample;
+    let imported = import.iter_mut().flat_map(|Import { file, necks, .. }| [Some(file), necks.as_mut()]).flatten();
+    let surfaces: Vec<&mut Solid> = match &mut case.experiment {
+        Experiment::Deposition(test) => test.substrate.iter_mut().collect(),
+        Experiment::Restructuring(_) => Vec::new(),
+        Experiment::Sequence(stages) => stages.iter_mut().filter_map(SootStage::solid_mut).collect(),
+    };
+    imported.chain(deposited).chain(surfaces.into_iter().map(|solid| &mut solid.stl)).collect()
 }
 
 /// The files that a case writes beside its run folder, with the sections that ask for them.
-pub fn saves(case: &Case) -> Vec<(String, PathBuf)> {
+pub fn saves(case: &mut Case) -> Vec<(String, &mut PathBuf)> {
     let stages = parts(case).2;
-    let save = |(number, stage): (usize, &SootStage)| match stage {
-        SootStage::Deposition(Deposition { save: Some(file), .. }) => Some((key(case, number, stage), file.clone())),
-        _ => None,
+    let keys: Vec<String> = stages.iter().enumerate().map(|(number, stage)| key(case, number, stage)).collect();
+    let saves: Vec<Option<&mut PathBuf>> = match &mut case.experiment {
+        Experiment::Deposition(test) => vec![test.save.as_mut()],
+        Experiment::Restructuring(_) => Vec::new(),
+        Experiment::Sequence(stages) => stages.iter_mut().map(SootStage::save_mut).collect(),
     };
-    stages.iter().enumerate().filter_map(save).collect()
-}
-
-/// The derived values of a case, with units; little is known of spheres from a file before it is read.
-pub fn derived(case: &Case) -> Vec<(String, String)> {
-    let (soot, sample, stages) = parts(case);
-    let mut rows = Vec::new();
-    if let Some(radii) = sample.radii() {
-        let (r, limit) = (sample.radius.value, soot.step_limit(radii));
-        let mass = sphere_mass(soot.density.value, r);
-        rows.extend([
-            ("mass of a sphere".into(), in_unit(mass, "kg")),
-            ("moment of inertia of a sphere".into(), in_unit(solid_inertia(mass, r), "kg m^2")),
-            ("largest stable time step".into(), in_unit(limit, "fs")),
-        ]);
-        // The mean of drawn radii differs from `radius`, and the law fixes nothing for fewer than three spheres.
-        if radii == [r, r] && sample.spheres >= 3 {
-            let gyration = gyration_radius(sample.prefactor, sample.spheres as f64, r, sample.fractal_dimension);
-            rows.push(("radius of gyration R_g".into(), in_unit(gyration, "nm")));
-        }
-        if soot.torsion == Torsion::AsPublished {
-            let lag = in_unit(soot.law(Programmed).contact.lag_limit(), "fs");
-            rows.push(("time step above which contacts gain energy until they slip".into(), lag));
-        } else {
-            rows.push((
-                "largest stable time step of a sphere with six necks, approximately".into(),
-                in_unit(SIX_NECKS * limit, "fs"),
-            ));
-        }
-        rows.extend(stages.iter().enumerate().map(|(number, stage)| {
-            let dt = stage.dt().value;
-            let text = format!("{} = {} of the largest stable time step", in_unit(dt, "fs"), rounded(dt / limit));
-            (format!("{}.dt", key(case, number, stage)), text)
-        }));
-        let at_the_cutoff =
-            |stage| soot.law_of(Along, stage).attraction.force(soot.cutoff.value, soot.cutoff.value - 2.0 * r, r, r);
-        let left = stages.iter().map(at_the_cutoff).fold(0.0, f64::max);
-        rows.push(("attraction at the cutoff".into(), in_unit(left, "N")));
-    }
-    rows
+    keys.into_iter().zip(saves).filter_map(|(key, save)| Some((key, save?))).collect()
 }
 
 impl Soot {
@@ -281,6 +247,3 @@ impl Soot {
         }
     }
 }
-
-/// Ratio of the largest stable time steps of a sphere with six necks and a sphere with one.
-const SIX_NECKS: f64 = 0.52;

@@ -59,13 +59,16 @@ impl Paper for Soot {
     fn check(case: &Case, found: &mut Found) {
         check::problems(case, found);
     }
+    fn unused(case: &Case) -> &'static [&'static str] {
+        case::unused(case)
+    }
     fn derived(case: &Case) -> Vec<(String, String)> {
         case::derived(case)
     }
-    fn reads(case: &Case) -> Vec<PathBuf> {
+    fn reads(case: &mut Case) -> Vec<&mut PathBuf> {
         case::reads(case)
     }
-    fn saves(case: &Case) -> Vec<(String, PathBuf)> {
+    fn saves(case: &mut Case) -> Vec<(String, &mut PathBuf)> {
         case::saves(case)
     }
     fn imported(spheres: &[Sphere], necks: &[Neck], length: NeckLength) -> Option<AtStart> {

@@ -4,7 +4,6 @@ use super::case::{Aggregate, Growth, Import};
 use super::check::sized;
 use super::energy::InitialEnergy;
 use super::study::{NECK_REMOVAL, Plan};
-use crate::case::quantity::{Length, Quantity};
 use crate::error::{Error, notice};
 use crate::geometry::{Sphere, centred};
 use crate::initial::aggregate::necks::{Neck, keep_fraction, missing_necks, necks};
@@ -19,6 +18,7 @@ impl<S: Reading> Plan<S> {
     pub(super) fn aggregate(&self, interrupt: &Interrupt) -> Result<(Vec<Sphere>, Vec<Neck>), Error> {
         let (spheres, decimals) = self.spheres(interrupt)?;
         let Aggregate { neck_distance, neck_length, neck_cycles, .. } = &self.sample;
+        interrupt.check()?;
         let joined = match self.sample.import.as_ref().and_then(|import| import.necks.as_ref()) {
             Some(file) => import::read_necks(file, &spheres)?,
             None => necks(&spheres, neck_distance.value, *neck_length, !neck_cycles),
@@ -28,6 +28,7 @@ impl<S: Reading> Plan<S> {
         {
             notice(format!("{}: {remark}", file.display()));
         }
+        interrupt.check()?;
         let (necks, energy) = self.kept(&spheres, &joined);
         energy.allowed(self.sample.initial_energy)?;
         Ok((spheres, necks))
@@ -38,8 +39,7 @@ impl<S: Reading> Plan<S> {
         let mut stream = Stream::new(self.seed, NECK_REMOVAL);
         let kept = keep_fraction(necks, self.sample.neck_fraction, &mut stream);
         let joined = (&kept[..], self.sample.neck_length);
-        let energy =
-            InitialEnergy::of(&self.model(0), spheres, joined, self.soot.density.value, self.stages.first());
+        let energy = InitialEnergy::of(&self.model(0), spheres, joined, self.soot.density.value, self.stages.first());
         (kept, energy)
     }
 
@@ -54,11 +54,8 @@ impl<S: Reading> Plan<S> {
     /// The spheres, and the most decimals of their coordinates in a file.
     fn spheres(&self, interrupt: &Interrupt) -> Result<(Vec<Sphere>, usize), Error> {
         let sample = &self.sample;
-        if let Some(Import { file, format, unit, radius, disconnected, .. }) = &sample.import {
-            let length = |quantity: &Option<Quantity<Length>>| quantity.as_ref().map(|length| length.value);
-            let (unit, radius) = (length(unit), length(radius));
-            let options = import::Options { format: *format, unit, radius, disconnected: *disconnected };
-            let imported = import::read(file, &options)?;
+        if let Some(import) = &sample.import {
+            let imported = import::read(&import.file, &import.options(), interrupt)?;
             let spheres = centred(imported.spheres);
             self.suits(spheres.iter().map(|sphere| sphere.radius))?;
             return Ok((spheres, imported.decimals));

@@ -7,8 +7,8 @@ use crate::initial::aggregate::necks::keep_fraction;
 use crate::initial::stl::read_stl;
 use crate::random::Stream;
 use crate::simulation::remove_necks;
-use crate::spec::{PairModel, Vec3};
 use crate::spec::soot::{SUBSTRATE, TIP};
+use crate::spec::{PairModel, Vec3};
 use crate::system::Mesh;
 use crate::system::{Particles, PrescribedMotion, Shape, Surface, System};
 use std::collections::BTreeSet;
@@ -25,11 +25,7 @@ pub(super) struct Ground {
 }
 
 /// The initial system of a stage.
-pub(super) fn set_up<M: PairModel>(
-    stage: &SootStage,
-    mut ground: Ground,
-    mut system: System,
-) -> Result<System, Error> {
+pub(super) fn set_up<M: PairModel>(stage: &SootStage, mut ground: Ground, mut system: System) -> Result<System, Error> {
     system.surfaces.retain(|surface| surface.material != TIP);
     match stage {
         SootStage::Deposition(test) => deposit(test, solid(stage)?, ground.radius, &mut system),

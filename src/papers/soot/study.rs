@@ -1,13 +1,13 @@
 //! The stages of a case of the soot paper: deposition, indentation and restructuring of an aggregate.
 
-use super::case::{Aggregate, Case, Deposition, Soot, SootStage, key, parts};
+use super::case::{Aggregate, Case, Deposition, Import, Soot, SootStage, key, parts};
 use super::energy::initial_springs;
 use super::stage::{self, Ground};
 use super::watch::{self, Watch};
 use crate::error::{Error, Halt};
 use crate::geometry::Sphere;
 use crate::interrupt::Interrupt;
-use crate::output::{Cell, Column, Finding, load_sample, save_sample};
+use crate::output::{Cell, Column, Finding, load_sample, save_sample, sha256_file};
 use crate::random::Stream;
 use crate::run::Study;
 use crate::simulation::{EXAMINED, Settings, Simulation};
@@ -54,10 +54,16 @@ impl<S: Reading> Plan<S> {
 }
 
 impl<S: Reading> Plan<S> {
-    /// The parameters in which a deposited aggregate must agree. The seed is not one of them: with another seed the same aggregate is indented elsewhere.
-    fn origin(&self) -> String {
-        let sample = Aggregate { deposited: None, ..self.sample.clone() };
-        serde_json::to_string(&(&self.soot, &sample)).expect("a case is plain data")
+    /// The parameters in which a deposited aggregate must agree. The seed is not one of them: with another seed the same aggregate is indented elsewhere. Files count by their
+    /// contents: they may be copies.
+    fn origin(&self) -> Result<String, Error> {
+        let mut sample = Aggregate { deposited: None, ..self.sample.clone() };
+        if let Some(Import { file, necks, .. }) = &mut sample.import {
+            for path in [Some(file), necks.as_mut()].into_iter().flatten() {
+                *path = sha256_file(path)?.into();
+            }
+        }
+        Ok(serde_json::to_string(&(&self.soot, &sample)).expect("a case is plain data"))
     }
 
     /// The random stream of a stage for a purpose: the first user, the sample or a stage, draws from the stream of the purpose, every later stage from a stream of its own.
@@ -94,7 +100,7 @@ impl<S: Reading> Study for Plan<S> {
         // Files of later stages are checked before anything is computed.
         self.stages.iter().try_for_each(|stage| stage::solid(stage).map(drop))?;
         if let Some(path) = &self.sample.deposited {
-            let system = load_sample(path, &self.origin(), "model or aggregate")?;
+            let system = load_sample(path, &self.origin()?, "model or aggregate")?;
             self.suits(system.particles.radius.iter().copied())?;
             return Ok(system);
         }
@@ -144,7 +150,7 @@ impl<S: Reading> Study for Plan<S> {
     fn end(&self, stage: usize, simulation: Simulation<soot::Soot<S>>) -> Result<System, Error> {
         let system = simulation.into_system_with_springs();
         if let SootStage::Deposition(Deposition { save: Some(path), .. }) = &self.stages[stage] {
-            save_sample(path, &self.origin(), &system)?;
+            save_sample(path, &self.origin()?, &system)?;
         }
         Ok(system)
     }

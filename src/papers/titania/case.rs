@@ -392,14 +392,14 @@ pub fn step_limit(titania: &Titania, test: &TitaniaTest) -> f64 {
 }
 
 /// The files that a case reads.
-pub fn reads(case: &Case) -> Vec<PathBuf> {
-    if let Sample::Film(Film { load: Some(file), .. }) = &case.sample { vec![file.clone()] } else { Vec::new() }
+pub fn reads(case: &mut Case) -> Vec<&mut PathBuf> {
+    if let Sample::Film(Film { load: Some(file), .. }) = &mut case.sample { vec![file] } else { Vec::new() }
 }
 
 /// The files that a case writes beside its run folder, with the sections that ask for them.
-pub fn saves(case: &Case) -> Vec<(String, PathBuf)> {
-    match &case.sample {
-        Sample::Film(Film { save: Some(file), .. }) => vec![("sample.film".into(), file.clone())],
+pub fn saves(case: &mut Case) -> Vec<(String, &mut PathBuf)> {
+    match &mut case.sample {
+        Sample::Film(Film { save: Some(file), .. }) => vec![("sample.film".into(), file)],
         _ => Vec::new(),
     }
 }

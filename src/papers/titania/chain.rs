@@ -1,5 +1,7 @@
 //! A chain of particles of different sizes, each of which touches the preceding two.
 
+use crate::error::Error;
+use crate::interrupt::Interrupt;
 use crate::random::Stream;
 use crate::spec::{Real, Vec3};
 use std::f64::consts::TAU;
@@ -28,12 +30,21 @@ const CHAINS: usize = 5000;
 const PLACES: usize = 50;
 
 /// The first of many random chains that has the required length, aligned with x and starting at zero; none if no chain has it.
-pub fn agglomerate(recipe: &Recipe, seed: u64) -> Option<Vec<Particle>> {
+///
+/// # Errors
+///
+/// [`Error::Interrupted`] when interrupted.
+pub fn agglomerate(recipe: &Recipe, seed: u64, interrupt: &Interrupt) -> Result<Option<Vec<Particle>>, Error> {
     let mut stream = Stream::new(seed, "agglomerate");
-    (0..CHAINS).filter_map(|_| chain(recipe, &mut stream)).map(aligned).find(|chain| {
-        let [low, high] = extent(chain, 0);
-        (high - low - recipe.length).abs() <= TOLERANCE * recipe.length
-    })
+    for _ in 0..CHAINS {
+        interrupt.check()?;
+        let Some(chain) = chain(recipe, &mut stream).map(aligned) else { continue };
+        let [low, high] = extent(&chain, 0);
+        if (high - low - recipe.length).abs() <= TOLERANCE * recipe.length {
+            return Ok(Some(chain));
+        }
+    }
+    Ok(None)
 }
 
 /// The lowest and the highest coordinate of the chain along an axis, radii included.
@@ -98,28 +109,38 @@ mod tests {
 
     const RECIPE: Recipe = Recipe { particles: 14, smallest: 8.0, largest: 20.0, length: 100.0 };
 
+    fn grown(recipe: &Recipe, seed: u64) -> Option<Vec<Particle>> {
+        agglomerate(recipe, seed, &Interrupt::default()).unwrap()
+    }
+
+    #[test]
+    fn growth_that_is_interrupted_gives_nothing() {
+        let over = Interrupt::default().within(std::time::Duration::ZERO);
+        assert!(matches!(agglomerate(&RECIPE, 1, &over), Err(Error::Interrupted)));
+    }
+
     quickcheck! {
         fn every_particle_touches_the_two_before_it_and_none_overlap(seed: u64) -> bool {
-            let chain = agglomerate(&RECIPE, seed).unwrap();
+            let chain = grown(&RECIPE, seed).unwrap();
             let gap = |i: usize, j: usize| (chain[i].0 - chain[j].0).norm() - 0.5 * (chain[i].1 + chain[j].1);
             let good = |i: usize, j: usize| gap(i, j) > -1e-12 && (i - j > 2 || gap(i, j) < 1e-12);
             (0..chain.len()).all(|i| (8.0..20.0).contains(&chain[i].1) && (0..i).all(|j| good(i, j)))
         }
 
         fn the_length_is_met_and_begins_at_zero(seed: u64) -> bool {
-            let [low, high] = extent(&agglomerate(&RECIPE, seed).unwrap(), 0);
+            let [low, high] = extent(&grown(&RECIPE, seed).unwrap(), 0);
             low.abs() < 1e-12 && (95.0..=105.0).contains(&high)
         }
     }
 
     #[test]
     fn a_seed_is_a_chain() {
-        assert_eq!(agglomerate(&RECIPE, 7), agglomerate(&RECIPE, 7));
-        assert_ne!(agglomerate(&RECIPE, 7), agglomerate(&RECIPE, 8));
+        assert_eq!(grown(&RECIPE, 7), grown(&RECIPE, 7));
+        assert_ne!(grown(&RECIPE, 7), grown(&RECIPE, 8));
     }
 
     #[test]
     fn an_impossible_length_is_given_up() {
-        assert_eq!(agglomerate(&Recipe { length: 1000.0, ..RECIPE }, 1), None);
+        assert_eq!(grown(&Recipe { length: 1000.0, ..RECIPE }, 1), None);
     }
 }

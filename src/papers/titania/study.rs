@@ -56,8 +56,11 @@ impl Plan {
     }
 
     /// The chain, in a box large enough for its stretching.
-    fn stretchable(&self, chain: &Agglomerate, seed: u64, room: f64) -> System {
-        let built = agglomerate(&chain.recipe(), seed).expect("a checked case has a chain of that length");
+    fn stretchable(&self, chain: &Agglomerate, seed: u64, room: f64, interrupt: &Interrupt) -> Result<System, Error> {
+        let built = agglomerate(&chain.recipe(), seed, interrupt)?.ok_or_else(|| {
+            let expected = "expected a length that a random chain of these particles can have";
+            Error::of_key("sample.agglomerate.length", format!("found `{}`, {expected}", chain.length))
+        })?;
         let high: [f64; 3] = std::array::from_fn(|axis| extent(&built, axis)[1]);
         let margin = chain.largest.value;
         // Twice as deep as the chain: pictures show the half behind the middle, which is to hold the whole chain.
@@ -67,7 +70,7 @@ impl Plan {
             let ((radius, mass), tag) = (self.titania.particle(d), particles.len() as u32);
             particles.push(x + Vec3([margin; 3]), radius, mass, tag);
         }
-        System::new(particles, Domain { sides, periodic: [false; 3] })
+        Ok(System::new(particles, Domain { sides, periodic: [false; 3] }))
     }
 }
 
@@ -79,12 +82,12 @@ impl Study for Plan {
         self.stages.iter().map(|stage| stage.name).collect()
     }
 
-    fn initial(&self, _: &Interrupt) -> Result<System, Error> {
-        Ok(match &self.chain {
-            Some((chain, seed, room)) => self.stretchable(chain, *seed, *room),
+    fn initial(&self, interrupt: &Interrupt) -> Result<System, Error> {
+        match &self.chain {
+            Some((chain, seed, room)) => self.stretchable(chain, *seed, *room, interrupt),
             // Every test of a contact starts with a new pair.
-            None => System::new(Particles::default(), Domain { sides: [1.0; 3], periodic: [false; 3] }),
-        })
+            None => Ok(System::new(Particles::default(), Domain { sides: [1.0; 3], periodic: [false; 3] })),
+        }
     }
 
     fn set_up(&self, stage: usize, system: System) -> Result<System, Error> {

@@ -188,18 +188,14 @@ section! {
 }
 
 /// The file with an equilibrated sample that a case reads.
-pub fn reads(case: &Case) -> Vec<PathBuf> {
-    if let Sample::Amorphous(Amorphous { load: Some(file), .. }) = &case.sample {
-        vec![file.clone()]
-    } else {
-        Vec::new()
-    }
+pub fn reads(case: &mut Case) -> Vec<&mut PathBuf> {
+    if let Sample::Amorphous(Amorphous { load: Some(file), .. }) = &mut case.sample { vec![file] } else { Vec::new() }
 }
 
 /// The file in which a case saves its equilibrated sample, with the section that asks for it.
-pub fn saves(case: &Case) -> Vec<(String, PathBuf)> {
-    match &case.sample {
-        Sample::Amorphous(Amorphous { save: Some(file), .. }) => vec![("sample.amorphous".into(), file.clone())],
+pub fn saves(case: &mut Case) -> Vec<(String, &mut PathBuf)> {
+    match &mut case.sample {
+        Sample::Amorphous(Amorphous { save: Some(file), .. }) => vec![("sample.amorphous".into(), file)],
         _ => Vec::new(),
     }
 }

@@ -57,10 +57,10 @@ impl Paper for Wear {
     fn derived(case: &Case) -> Vec<(String, String)> {
         derived::derived(case)
     }
-    fn reads(case: &Case) -> Vec<PathBuf> {
+    fn reads(case: &mut Case) -> Vec<&mut PathBuf> {
         case::reads(case)
     }
-    fn saves(case: &Case) -> Vec<(String, PathBuf)> {
+    fn saves(case: &mut Case) -> Vec<(String, &mut PathBuf)> {
         case::saves(case)
     }
     fn study(case: Case) -> Box<dyn Runnable> {

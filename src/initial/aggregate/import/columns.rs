@@ -165,6 +165,9 @@ fn layout(source: &Source, properties: &str) -> Result<Layout, Error> {
     Ok(Layout { width, pos, radius: radius.or(diameter), diameter: radius.is_none() && diameter.is_some() })
 }
 
+/// Spheres that are read between two looks at the interrupt.
+const ASKED: usize = 4096;
+
 impl Raw {
     /// Appends a sphere; either all have a radius or none.
     pub(super) fn push(
@@ -174,6 +177,9 @@ impl Raw {
         x: [&str; 3],
         radius: Option<&str>,
     ) -> Result<(), Error> {
+        if self.centres.len().is_multiple_of(ASKED) {
+            source.interrupt.check()?;
+        }
         if !self.centres.is_empty() && radius.is_some() == self.radii.is_empty() {
             return Err(source.at(line, "expected a radius in every row or in none"));
         }

@@ -4,6 +4,7 @@ mod columns;
 mod flage;
 mod lammps;
 mod report;
+mod scale;
 mod vtk;
 
 pub use report::Report;
@@ -15,8 +16,9 @@ use crate::error::{Error, Problem, read_file};
 use crate::geometry::Sphere;
 use crate::initial::aggregate::components;
 use crate::initial::foreign;
+use crate::interrupt::Interrupt;
 use crate::spec::Vec3;
-use std::collections::BTreeMap;
+use scale::{scaled, units};
 use std::path::Path;
 
 words! {
@@ -59,14 +61,11 @@ pub struct Imported {
     pub format: Format,
     /// The spheres, nm.
     pub spheres: Vec<Sphere>,
-    /// What they look like.
-    pub report: Report,
+    /// Number of parts that do not touch.
+    pub components: usize,
     /// Most decimals of a coordinate in the file; an exponent counts as many.
     pub decimals: usize,
 }
-
-/// Coordinates are at most this many radii: farther out single precision does not tell which spheres touch.
-const FAR: f64 = 1e6;
 
 /// The numbers of a file, in its own units.
 #[derive(Debug, Default)]
@@ -87,8 +86,21 @@ struct Raw {
 /// # Errors
 ///
 /// If the file cannot be read, and all that [`parse`] finds.
-pub fn read(file: &Path, options: &Options) -> Result<Imported, Error> {
-    parse(file, &read_file(file)?, options)
+pub fn read(file: &Path, options: &Options, interrupt: &Interrupt) -> Result<Imported, Error> {
+    parse(file, read_file(file)?, options, interrupt)
+}
+
+/// The radii of the spheres in a file, nm, from which no more is wanted.
+///
+/// # Errors
+///
+/// If the file cannot be read, or is not that of spheres.
+pub fn radii(file: &Path, options: &Options) -> Result<Vec<f64>, Error> {
+    let text = text_of(file, &read_file(file)?)?;
+    let source = Source { file, text: &text, interrupt: &Interrupt::default() };
+    let (_, raw) = raw(&source, options)?;
+    let (unit, own) = units(&source, &raw, options)?;
+    Ok(raw.spheres(&source, unit, own)?.into_iter().map(|sphere| sphere.radius).collect())
 }
 
 /// The text of a file without the mark of its encoding. What is no UTF-8, as an accent in a comment may be, is replaced.
@@ -104,28 +116,47 @@ fn text_of(file: &Path, bytes: &[u8]) -> Result<String, Error> {
 ///
 /// # Errors
 ///
-/// The first line that cannot be read, or spheres that overlap, coincide or are disconnected.
-pub fn parse(file: &Path, content: impl AsRef<[u8]>, options: &Options) -> Result<Imported, Error> {
-    let source = Source { file, text: &text_of(file, content.as_ref())? };
-    let format = match options.format {
-        Some(format) => format,
-        None => detect(&source)?,
-    };
-    let raw = match format {
-        Format::Flage => flage::read(&source)?,
-        Format::Vtk => vtk::read(&source)?,
-        Format::Lammps => lammps::read(&source)?,
-        Format::Xyz => columns::xyz(&source)?,
-        Format::Mstm => columns::rows(&source, true)?,
-        Format::FracVal | Format::PyFracVal => columns::rows(&source, false)?,
-    };
+/// The first line that cannot be read, spheres that coincide or are disconnected, or an interruption.
+pub fn parse(
+    file: &Path,
+    content: impl AsRef<[u8]>,
+    options: &Options,
+    interrupt: &Interrupt,
+) -> Result<Imported, Error> {
+    let source = Source { file, text: &text_of(file, content.as_ref())?, interrupt };
+    let (format, raw) = raw(&source, options)?;
     let spheres = scaled(&source, &raw, options)?;
-    let parts = components(&spheres);
-    if parts > 1 && !options.disconnected {
-        let what = format!("found {parts} parts that do not touch, expected one; `disconnected` accepts them");
+    interrupt.check()?;
+    let components = components(&spheres);
+    if components > 1 && !options.disconnected {
+        let what = format!("found {components} parts that do not touch, expected one; `disconnected` accepts them");
         return Err(Error::input(file, what));
     }
-    Ok(Imported { format, report: Report::of(&spheres, parts), spheres, decimals: raw.decimals })
+    Ok(Imported { format, spheres, components, decimals: raw.decimals })
+}
+
+impl Imported {
+    /// What the spheres look like.
+    pub fn report(&self) -> Report {
+        Report::of(&self.spheres, self.components)
+    }
+}
+
+/// The numbers of a file and who wrote it.
+fn raw(source: &Source, options: &Options) -> Result<(Format, Raw), Error> {
+    let format = match options.format {
+        Some(format) => format,
+        None => detect(source)?,
+    };
+    let raw = match format {
+        Format::Flage => flage::read(source)?,
+        Format::Vtk => vtk::read(source)?,
+        Format::Lammps => lammps::read(source)?,
+        Format::Xyz => columns::xyz(source)?,
+        Format::Mstm => columns::rows(source, true)?,
+        Format::FracVal | Format::PyFracVal => columns::rows(source, false)?,
+    };
+    Ok((format, raw))
 }
 
 /// The spheres as extended XYZ with all their digits, nm.
@@ -163,119 +194,11 @@ fn detect(source: &Source) -> Result<Format, Error> {
     }
 }
 
-/// The spheres in nm.
-fn scaled(source: &Source, raw: &Raw, options: &Options) -> Result<Vec<Sphere>, Error> {
-    let missing = |key: &str, what: &str| Err(source.problem(None, key, what));
-    for (key, value) in [("unit", options.unit), ("radius", options.radius)] {
-        if value.is_some_and(|value| !(value > 0.0 && value.is_finite())) {
-            return missing(key, "expected a length above 0");
-        }
-    }
-    if raw.centres.is_empty() {
-        return Err(Error::input(source.file, "found no spheres"));
-    }
-    let known = !raw.radii.is_empty();
-    let equal = raw.radii.windows(2).all(|pair| pair[0] == pair[1]);
-    let unit = match (options.unit, options.radius) {
-        (Some(_), Some(_)) if known || raw.in_radii => {
-            return missing(
-                "radius",
-                "found `unit` and `radius`, expected only one of them: the file defines their ratio",
-            );
-        }
-        (Some(unit), _) => unit,
-        (None, Some(radius)) if known && equal => radius / raw.radii[0],
-        (None, Some(radius)) if raw.in_radii && !known => radius,
-        (None, Some(_)) if known => {
-            return missing("unit", "is missing, expected the unit of length of the file: its radii differ");
-        }
-        _ if raw.in_radii => {
-            return missing(
-                "radius",
-                "is missing, expected the radius of the spheres, which is the unit of length of the file",
-            );
-        }
-        _ => return missing("unit", "is missing, expected the unit of length of the file, such as `1 nm`"),
-    };
-    let own = match (known, raw.in_radii, options.radius) {
-        (true, ..) => None,
-        (false, true, _) => Some(unit),
-        (false, false, Some(radius)) => Some(radius),
-        _ => {
-            return missing(
-                "radius",
-                "is missing, expected the radius of the spheres: an XYZ file gives it in a fifth and last column, or in a column named by `Properties`",
-            );
-        }
-    };
-    let spheres = raw.spheres(source, unit, own)?;
-    match coinciding(&spheres) {
-        Some([k, other]) => {
-            Err(source.at(raw.lines[k], &format!("found the centre of the sphere in line {} again", raw.lines[other])))
-        }
-        None => Ok(spheres),
-    }
-}
-
-/// Two spheres with the same centre, the later first.
-fn coinciding(spheres: &[Sphere]) -> Option<[usize; 2]> {
-    let mut order: Vec<usize> = (0..spheres.len()).collect();
-    // Zero has two signs.
-    let place = |k: usize| spheres[k].centre.0.map(|x| x + 0.0);
-    let compare = |a: [f64; 3], b: [f64; 3]| (0..3).map(|k| a[k].total_cmp(&b[k])).find(|order| order.is_ne());
-    order.sort_by(|&a, &b| compare(place(a), place(b)).unwrap_or(a.cmp(&b)));
-    order.windows(2).find(|pair| place(pair[0]) == place(pair[1])).map(|pair| [pair[1], pair[0]])
-}
-
-/// Centres of similar spheres in a cube of the size of a radius beyond which a file is refused: they cannot be an aggregate, and the
-/// number of their pairs would grow with the square of theirs.
-const CROWD: usize = 27;
-
-/// A sphere among too many others.
-fn crowded(spheres: &[Sphere]) -> Option<usize> {
-    let mut cells = BTreeMap::new();
-    spheres.iter().position(|sphere| {
-        let octave = f64::from(libm::ilogb(sphere.radius));
-        let side = libm::exp2(octave);
-        let cell = sphere.centre.0.map(|x| (x / side).floor() as i64);
-        let count: &mut usize = cells.entry((octave as i64, cell)).or_default();
-        *count += 1;
-        *count > CROWD
-    })
-}
-
-impl Raw {
-    /// The spheres in another unit, and of a radius in that unit where the file has none.
-    fn spheres(&self, source: &Source, unit: f64, own: Option<f64>) -> Result<Vec<Sphere>, Error> {
-        let sphere = |k: usize| {
-            let centre = Vec3(self.centres[k].map(|x| x * unit));
-            let radius = own.unwrap_or_else(|| self.radii[k] * unit);
-            match centre.0.iter().find(|x| x.abs() > FAR * radius) {
-                Some(x) => {
-                    let what = format!("found a coordinate of {:e} radii, expected at most {FAR:e}", x / radius);
-                    Err(source.at(self.lines[k], &what))
-                }
-                None => Ok(Sphere { centre, radius }),
-            }
-        };
-        let spheres: Vec<Sphere> = (0..self.centres.len()).map(sphere).collect::<Result<_, _>>()?;
-        match crowded(&spheres) {
-            Some(k) => {
-                let what = format!(
-                    "found the centres of {CROWD} other spheres within a radius of {:e} nm, expected an aggregate: unit and radius do not fit",
-                    spheres[k].radius
-                );
-                Err(source.at(self.lines[k], &what))
-            }
-            None => Ok(spheres),
-        }
-    }
-}
-
 /// A file and how to complain about it.
 struct Source<'a> {
     file: &'a Path,
     text: &'a str,
+    interrupt: &'a Interrupt,
 }
 
 impl<'a> Source<'a> {

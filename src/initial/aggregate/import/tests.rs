@@ -1,8 +1,16 @@
-use super::*;
+use super::{parse as parse_with, read as read_with, *};
 use crate::initial::aggregate::{Method, Radii, Recipe, aggregate};
 use crate::interrupt::Interrupt;
 use quickcheck::quickcheck;
 use std::path::PathBuf;
+
+fn read(file: &Path, options: &Options) -> Result<Imported, Error> {
+    read_with(file, options, &Interrupt::default())
+}
+
+fn parse(file: &Path, text: &str, options: &Options) -> Result<Imported, Error> {
+    parse_with(file, text, options, &Interrupt::default())
+}
 
 fn file(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/aggregates").join(name)
@@ -31,7 +39,7 @@ fn three_spheres_are_the_same_in_every_format() {
     ] {
         let found = read(&file(name), &options).unwrap();
         assert_eq!((found.format, &found.spheres), (format, &expected), "{name}");
-        let Report { number, smallest_gap, overlaps, components, d_f, .. } = found.report;
+        let Report { number, smallest_gap, overlaps, components, d_f, .. } = found.report();
         assert_eq!((number, smallest_gap, overlaps, components, d_f), (3, Some(0.0), 0, 1, None));
         let trouble = read(&file(name), &NEITHER).unwrap_err().to_string();
         let key = if found.format == Format::Flage || found.format == Format::Vtk { "radius" } else { "unit" };
@@ -178,7 +186,7 @@ fn parts_that_do_not_touch_are_refused_unless_asked_for() {
     let trouble = parse(Path::new("a.xyz"), text, &BOTH).unwrap_err().to_string();
     assert!(trouble.contains("found 2 parts that do not touch"), "{trouble}");
     let found = parse(Path::new("a.xyz"), text, &Options { disconnected: true, ..BOTH }).unwrap();
-    assert_eq!((found.report.components, found.report.smallest_gap), (2, Some(2.0)));
+    assert_eq!((found.report().components, found.report().smallest_gap), (2, Some(2.0)));
 }
 
 #[test]
@@ -306,8 +314,12 @@ fn an_input_file_of_mstm_is_named_with_its_remedy() {
 fn aggregates_of_pyfracval_touch_or_overlap_as_its_tolerance_says() {
     let smallest = |name: &str| {
         let found = read(&file(name), &UNIT).unwrap();
-        assert_eq!((found.format, found.report.number, found.report.components), (Format::PyFracVal, 20, 1), "{name}");
-        found.report.smallest_gap.unwrap()
+        assert_eq!(
+            (found.format, found.report().number, found.report().components),
+            (Format::PyFracVal, 20, 1),
+            "{name}"
+        );
+        found.report().smallest_gap.unwrap()
     };
     assert!(smallest("pyfracval_polydisperse.dat") > -1e-4);
     assert!((-1.5..-0.5).contains(&smallest("pyfracval_overlapping.dat")), "{}", smallest("pyfracval_overlapping.dat"));

@@ -4,6 +4,7 @@ use super::{Raw, Source, text_of};
 use crate::error::{Error, read_file};
 use crate::geometry::Sphere;
 use crate::initial::aggregate::necks::Neck;
+use crate::interrupt::Interrupt;
 use crate::spec::soot::eq26_coordination::are_neighbours;
 use std::path::Path;
 
@@ -45,7 +46,7 @@ pub fn read_necks(file: &Path, spheres: &[Sphere]) -> Result<Vec<Neck>, Error> {
 /// If the field is missing or too short, or a neck joins no two spheres.
 pub fn parse_necks(file: &Path, bytes: &[u8], spheres: &[Sphere]) -> Result<Vec<Neck>, Error> {
     let text = text_of(file, bytes)?;
-    let source = Source { file, text: &text };
+    let source = Source { file, text: &text, interrupt: &Interrupt::default() };
     let mut words = section(&source, "connections")?;
     let columns = count(&source, &mut words, "the number of columns")?;
     let rows = count(&source, &mut words, "the number of rows")?;

@@ -2,7 +2,7 @@
 
 use crate::case::quantity::{Length, Quantity, quantity};
 use crate::case::section::{section, words};
-use crate::initial::aggregate::import::Format;
+use crate::initial::aggregate::import::{self, Format};
 use crate::initial::aggregate::necks::{NECK_DISTANCE, NeckLength};
 use std::path::PathBuf;
 
@@ -67,6 +67,36 @@ section! {
         radius: Option<Quantity<Length>> = None,
         /// Whether spheres that do not form one connected aggregate are accepted.
         disconnected: bool = false,
+    }
+}
+
+/// How many spheres a file has, and their radii, nm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sizes {
+    /// Number of spheres, at least one.
+    pub number: usize,
+    /// Smallest radius.
+    pub least: f64,
+    /// Median radius.
+    pub median: f64,
+    /// Largest radius.
+    pub largest: f64,
+}
+
+impl Import {
+    /// What the file does not say.
+    pub fn options(&self) -> import::Options {
+        let length = |quantity: &Option<Quantity<Length>>| quantity.as_ref().map(|length| length.value);
+        let (unit, radius) = (length(&self.unit), length(&self.radius));
+        import::Options { format: self.format, unit, radius, disconnected: self.disconnected }
+    }
+
+    /// The sizes of the spheres in the file, if it can be read.
+    pub fn sizes(&self) -> Option<Sizes> {
+        let mut radii = import::radii(&self.file, &self.options()).ok()?;
+        radii.sort_unstable_by(f64::total_cmp);
+        let (least, largest) = (*radii.first()?, *radii.last()?);
+        Some(Sizes { number: radii.len(), least, median: radii[radii.len() / 2], largest })
     }
 }
 

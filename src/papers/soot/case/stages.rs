@@ -136,6 +136,20 @@ impl SootStage {
         }
     }
 
+    /// The same, to be changed.
+    pub fn solid_mut(&mut self) -> Option<&mut Solid> {
+        match self {
+            Self::Deposition(Deposition { substrate: solid, .. })
+            | Self::Indentation(Indentation { tip: solid, .. }) => solid.as_mut(),
+            Self::Restructuring(_) => None,
+        }
+    }
+
+    /// The file in which it saves the aggregate, if any, to be changed.
+    pub fn save_mut(&mut self) -> Option<&mut PathBuf> {
+        if let Self::Deposition(Deposition { save, .. }) = self { save.as_mut() } else { None }
+    }
+
     /// Its time step, ns.
     pub fn dt(&self) -> &Quantity<Time> {
         match self {
