@@ -8,6 +8,7 @@ use veridem::error::{Error, silence};
 use veridem::geometry::Sphere;
 use veridem::initial::aggregate::import::{Format, Options, parse, parse_necks};
 use veridem::initial::stl::parse_stl;
+use veridem::interrupt::Interrupt;
 use veridem::output::Manifest;
 use veridem::papers::PAPERS;
 use veridem::spec::Vec3;

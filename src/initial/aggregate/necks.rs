@@ -100,14 +100,31 @@ pub fn missing_necks(
 /// `floor(n * fraction)` of the `n` necks, in their order, a whole share not being lost to rounding: the others are removed one at a time, each time any one that is left
 /// with the same probability.
 pub fn keep_fraction(necks: &[Neck], fraction: f64, stream: &mut Stream) -> Vec<Neck> {
-    let mut left = necks.to_vec();
+    let n = necks.len();
     // The fraction and the product are rounded by half of EPSILON each: 100 * 0.29 falls just short of 29.
-    let share = necks.len() as f64 * fraction.clamp(0.0, 1.0) * (1.0 + 2.0 * f64::EPSILON);
+    let share = n as f64 * fraction.clamp(0.0, 1.0) * (1.0 + 2.0 * f64::EPSILON);
     let kept = share.floor() as usize;
-    while left.len() > kept {
-        left.remove((stream.uniform() * left.len() as f64) as usize);
+    // A tree of sums over those that are left finds the one of a given rank without moving the others: every place sums up as many as its lowest bit says.
+    let lowest_bit = |place: usize| place & place.wrapping_neg();
+    let mut sums: Vec<usize> = (0..=n).map(lowest_bit).collect();
+    let mut is_left = vec![true; n];
+    for left in (kept + 1..=n).rev() {
+        let mut rank = (stream.uniform() * left as f64) as usize;
+        let mut before = 0;
+        for step in (0..=n.ilog2()).rev().map(|power| 1 << power) {
+            if before + step <= n && sums[before + step] <= rank {
+                before += step;
+                rank -= sums[before];
+            }
+        }
+        is_left[before] = false;
+        let mut place = before + 1;
+        while place <= n {
+            sums[place] -= 1;
+            place += lowest_bit(place);
+        }
     }
-    left
+    necks.iter().zip(is_left).filter_map(|(neck, is_left)| is_left.then_some(*neck)).collect()
 }
 
 #[cfg(test)]
@@ -191,6 +208,16 @@ mod tests {
     }
 
     quickcheck! {
+        fn the_same_are_removed_as_from_a_list(n: u8, percent: u8, seed: u64) -> bool {
+            let mut list: Vec<Neck> = (0..usize::from(n)).map(|i| (i, i + 1)).collect();
+            let left = kept(&list, f64::from(percent % 101) / 100.0, seed);
+            let mut stream = Stream::new(seed, "neck removal");
+            while list.len() > left.len() {
+                list.remove((stream.uniform() * list.len() as f64) as usize);
+            }
+            left == list
+        }
+
         fn the_floor_of_the_share_is_kept_in_order_and_repeatably(n: u8, percent: u8, seed: u64) -> bool {
             let all: Vec<Neck> = (0..usize::from(n)).map(|i| (i, i + 1)).collect();
             let fraction = f64::from(percent % 101) / 100.0;
