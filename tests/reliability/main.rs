@@ -19,8 +19,9 @@ use std::process::Stdio;
 use std::time::Instant;
 use user::{FILE, RUN, desk, difference, go_on, outcome, told, trials, undisturbed, veridem};
 
-/// Reports all that failed, and fails.
-fn conclude(failures: Vec<String>) {
+/// Says how often something was tried, and fails with all that failed.
+fn conclude(tried: usize, of: &str, failures: Vec<String>) {
+    println!("{tried} {of}, {} failed", failures.len());
     assert!(failures.is_empty(), "{} trials failed:\n{}", failures.len(), failures.join("\n"));
 }
 
@@ -67,12 +68,14 @@ fn a_power_cut_at_any_call_loses_nothing_that_was_checkpointed() {
         (0..trials(50))
             .map(|_| (chance.next_u64() as usize % (journal.len() + 1), Unsynced::Either(chance.next_u64()))),
     );
-    conclude(cuts.into_par_iter().filter_map(|(calls, unsynced)| cut(calls, unsynced)).collect());
+    let tried = cuts.len();
+    conclude(tried, "power cuts", cuts.into_par_iter().filter_map(|(calls, unsynced)| cut(calls, unsynced)).collect());
 }
 
 #[test]
 fn a_power_cut_while_a_run_is_resumed_loses_nothing() {
-    let failures = (0..trials(20)).into_par_iter().filter_map(|trial| {
+    let tried = trials(20);
+    let failures = (0..tried).into_par_iter().filter_map(|trial| {
         let mut chance = ChaCha8Rng::seed_from_u64(trial);
         let (place, mut arguments) = (desk(), vec!["run", FILE]);
         // Every process is interrupted at one of its calls, until one comes to its end.
@@ -94,14 +97,15 @@ fn a_power_cut_while_a_run_is_resumed_loses_nothing() {
         }
         None
     });
-    conclude(failures.collect());
+    conclude(tried as usize, "series of power cuts in resumed runs", failures.collect());
 }
 
 #[test]
 fn a_kill_before_any_call_loses_nothing_that_was_checkpointed() {
     let calls = calls();
     let every = (calls / trials(60)).max(1);
-    let failures = (1..=calls).into_par_iter().filter(|call| call % every == 0).filter_map(|call| {
+    let chosen: Vec<u64> = (1..=calls).filter(|call| call % every == 0).collect();
+    let failures = chosen.par_iter().filter_map(|&call| {
         let place = desk();
         let killed = layer::above(place.path(), &["run", FILE], &[("LAYER_KILL", call.to_string())]);
         if killed.status.signal() != Some(9) {
@@ -109,7 +113,7 @@ fn a_kill_before_any_call_loses_nothing_that_was_checkpointed() {
         }
         go_on(place.path()).err().map(|what| format!("killed before call {call} of {calls}: {what}"))
     });
-    conclude(failures.collect());
+    conclude(chosen.len(), "kills before file calls", failures.collect());
 }
 
 #[test]
@@ -118,7 +122,8 @@ fn a_kill_at_any_moment_loses_nothing_that_was_checkpointed() {
     let begun = Instant::now();
     assert!(veridem(place.path(), &["run", FILE]).output().unwrap().status.success());
     let whole = begun.elapsed();
-    let failures = (0..trials(25)).map(|trial| {
+    let tried = trials(25);
+    let failures = (0..tried).map(|trial| {
         let mut chance = ChaCha8Rng::seed_from_u64(trial);
         let place = desk();
         let mut process =
@@ -128,7 +133,7 @@ fn a_kill_at_any_moment_loses_nothing_that_was_checkpointed() {
         process.wait().unwrap();
         go_on(place.path()).err().map(|what| format!("trial {trial}: {what}"))
     });
-    conclude(failures.flatten().collect());
+    conclude(tried as usize, "kills at random moments", failures.flatten().collect());
 }
 
 /// Number of file calls of the small run.
@@ -154,7 +159,8 @@ fn a_file_call_that_fails_is_reported_and_the_run_goes_on_later() {
     let every = (calls / trials(60)).max(1);
     let kinds = [(EIO, false), (ENOSPC, true)];
     let all = (1..=calls).filter(|call| call % every == 0).flat_map(|call| kinds.map(|kind| (call, kind)));
-    let failures = all.collect::<Vec<_>>().into_par_iter().filter_map(|(call, (error, forever))| {
+    let all: Vec<_> = all.collect();
+    let failures = all.par_iter().filter_map(|&(call, (error, forever))| {
         let place = desk();
         let mut settings = vec![("LAYER_FAIL", call.to_string()), ("LAYER_ERROR", error.to_string())];
         settings.extend(forever.then(|| ("LAYER_FOREVER", "1".to_string())));
@@ -169,7 +175,7 @@ fn a_file_call_that_fails_is_reported_and_the_run_goes_on_later() {
         let complaint = complaint.or_else(|| go_on(place.path()).err());
         complaint.map(|what| format!("call {call} of {calls}, error {error}: {what}"))
     });
-    conclude(failures.collect());
+    conclude(all.len(), "file calls made to fail", failures.collect());
 }
 
 /// Damages a file of a run that was stopped in its second stage. The damage must be noticed or be without effect.
@@ -210,7 +216,8 @@ const READ: [&str; 6] = [
 #[test]
 fn a_flipped_bit_is_noticed_or_has_no_effect() {
     let all = READ.into_iter().flat_map(|file| (0..trials(12)).map(move |trial| (file, trial)));
-    let failures = all.collect::<Vec<_>>().into_par_iter().filter_map(|(file, trial)| {
+    let all: Vec<_> = all.collect();
+    let failures = all.par_iter().filter_map(|&(file, trial)| {
         let mut chance = ChaCha8Rng::seed_from_u64(trial);
         let (place, bit) = (chance.next_u64(), chance.next_u32() % 8);
         let flip = |bytes: &mut Vec<u8>| {
@@ -219,13 +226,14 @@ fn a_flipped_bit_is_noticed_or_has_no_effect() {
         };
         damaged(file, flip).map(|what| format!("{file}, trial {trial}: {what}"))
     });
-    conclude(failures.collect());
+    conclude(all.len(), "flipped bits", failures.collect());
 }
 
 #[test]
 fn a_file_cut_short_or_lengthened_is_noticed_or_has_no_effect() {
     let all = READ.into_iter().flat_map(|file| (0..trials(6)).map(move |trial| (file, trial)));
-    let failures = all.collect::<Vec<_>>().into_par_iter().filter_map(|(file, trial)| {
+    let all: Vec<_> = all.collect();
+    let failures = all.par_iter().filter_map(|&(file, trial)| {
         let mut chance = ChaCha8Rng::seed_from_u64(trial);
         let length = chance.next_u64();
         let change = |bytes: &mut Vec<u8>| match trial % 3 {
@@ -235,7 +243,7 @@ fn a_file_cut_short_or_lengthened_is_noticed_or_has_no_effect() {
         };
         damaged(file, change).map(|what| format!("{file}, trial {trial}: {what}"))
     });
-    conclude(failures.collect());
+    conclude(all.len(), "files of another length", failures.collect());
 }
 
 #[test]
