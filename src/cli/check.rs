@@ -15,16 +15,13 @@ pub(super) struct Arguments {
     case: PathBuf,
 }
 
-/// The key of the plan beside the sections of the case.
-const PLAN: &str = "plan";
-
 /// Checks the case and prints it with its defaults and derived values, and the plan of its run.
 pub(super) fn run(arguments: &Arguments, papers: Papers, excess: bool, manner: OutputMode) -> Result<(), Error> {
     let interrupt = Limits::default().interrupt()?;
     let job = Job { excess, ..papers.read(&arguments.case)? };
     let plan = job.plan(&interrupt)?;
     let mut checked: Mapping = serde_yaml::from_str(&job.resolved).expect("a resolved case is a mapping");
-    checked.insert(PLAN.into(), plan.into());
+    checked.insert("plan".into(), plan.into());
     if manner.json {
         print(&format!("{:#}\n", serde_json::to_value(&checked).expect("a mapping with keys that are words")))
     } else {

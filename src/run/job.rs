@@ -2,7 +2,7 @@
 
 use super::paths::{CasePath, Files};
 use super::places::{free, is_there, outside, savable, unchanged};
-use super::plan::{affordable, moderate, plan};
+use super::plan::{affordable, moderate, plan, stages};
 use super::recorder::Recorder;
 use super::saved::{Resumable, State};
 use super::{Driver, Message, Outcome, Study};
@@ -112,7 +112,7 @@ impl<S: Study> Runnable for S {
             }
             initial => initial.map_err(|error| located(error, &job.file, &job.text))?,
         };
-        moderate(&Driver::new(self, interrupt), self, &initial, job)?;
+        moderate(&stages(&Driver::new(self, interrupt), self, &initial, &job.output), job)?;
         let (folder, _lock, manifest) = job.begin(claim, files, tell)?;
         let findings = from_the_beginning(self, job, &folder, manifest, initial, interrupt, tell)?;
         Ok((folder, findings))

@@ -42,7 +42,7 @@ impl Intervals {
 }
 
 /// The plan of a stage.
-struct StagePlan {
+pub(super) struct StagePlan {
     name: String,
     /// Time step, ns.
     dt: f64,
@@ -91,7 +91,7 @@ impl StagePlan {
 }
 
 /// The stages of a study that begins with these spheres.
-fn stages<S: Study>(driver: &Driver<S>, study: &S, initial: &System, output: &Output) -> Vec<StagePlan> {
+pub(super) fn stages<S: Study>(driver: &Driver<S>, study: &S, initial: &System, output: &Output) -> Vec<StagePlan> {
     let stage = |(number, name)| {
         let dt = driver.settings(number, initial).dt;
         StagePlan { name, dt, steps: study.steps(number, dt), intervals: Intervals::of(output, dt) }
@@ -112,12 +112,11 @@ pub(super) fn affordable<S: Study>(study: &S, job: &Job) -> Result<(), Error> {
 }
 
 /// Refuses a job with more steps, rows or frames than is usual, unless it was requested.
-pub(super) fn moderate<S: Study>(driver: &Driver<S>, study: &S, initial: &System, job: &Job) -> Result<(), Error> {
-    let stages = stages(driver, study, initial, &job.output);
+pub(super) fn moderate(stages: &[StagePlan], job: &Job) -> Result<(), Error> {
     for (number, most, of) in [
-        (total(&stages, |stage| stage.steps), MANY_STEPS, "steps"),
-        (total(&stages, StagePlan::rows), MANY_ROWS, "rows of series.csv"),
-        (total(&stages, StagePlan::frames), MANY_FRAMES, "frames"),
+        (total(stages, |stage| stage.steps), MANY_STEPS, "steps"),
+        (total(stages, StagePlan::rows), MANY_ROWS, "rows of series.csv"),
+        (total(stages, StagePlan::frames), MANY_FRAMES, "frames"),
     ] {
         if number > most && !job.excess {
             return Err(excess(job, &format!("{:.2e} {of}, more than {:.0e}", number as f64, most as f64)));
@@ -147,8 +146,8 @@ pub(super) fn plan<S: Study>(study: &S, job: &Job, interrupt: &Interrupt) -> Res
         initial => initial?,
     };
     let driver = Driver::new(study, interrupt).using(job.instructions);
-    moderate(&driver, study, &initial, job)?;
     let stages = stages(&driver, study, &initial, &job.output);
+    moderate(&stages, job)?;
     let mut stage = driver.set_up(0, initial)?;
     let mut enter = |key: &str, value: Value| plan.insert(key.into(), value);
     enter("spheres", stage.simulation.system().particles.len().into());

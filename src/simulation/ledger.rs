@@ -98,7 +98,7 @@ impl Ledger {
         bounded(energies.into_iter().chain(others).chain(lists.into_iter().flatten()))
     }
 
-    /// Whether it is that of a model with so many causes of stored and of dissipated energy.
+    /// Whether it has an entry for every cause by which a model stores and dissipates energy, of which there are `stored` and `lost`.
     pub(super) fn has_lengths(&self, stored: usize, lost: usize) -> bool {
         let surfaces = &self.surfaces;
         let has = |list: &[f64], length| list.len() == length;

@@ -213,37 +213,35 @@ const READ: [&str; 6] = [
     "events.jsonl",
 ];
 
-#[test]
-fn a_flipped_bit_is_noticed_or_has_no_effect() {
-    let all = READ.into_iter().flat_map(|file| (0..trials(12)).map(move |trial| (file, trial)));
+/// Damages each of these files this many times, every time with other random numbers.
+fn damage_all(few: u64, of: &str, damage: impl Fn(u64, &mut ChaCha8Rng, &mut Vec<u8>) + Sync) {
+    let all = READ.into_iter().flat_map(|file| (0..trials(few)).map(move |trial| (file, trial)));
     let all: Vec<_> = all.collect();
     let failures = all.par_iter().filter_map(|&(file, trial)| {
-        let mut chance = ChaCha8Rng::seed_from_u64(trial);
-        let (place, bit) = (chance.next_u64(), chance.next_u32() % 8);
-        let flip = |bytes: &mut Vec<u8>| {
-            let place = place as usize % bytes.len();
-            bytes[place] ^= 1 << bit;
-        };
-        damaged(file, flip).map(|what| format!("{file}, trial {trial}: {what}"))
+        let once = |bytes: &mut Vec<u8>| damage(trial, &mut ChaCha8Rng::seed_from_u64(trial), bytes);
+        damaged(file, once).map(|what| format!("{file}, trial {trial}: {what}"))
     });
-    conclude(all.len(), "flipped bits", failures.collect());
+    conclude(all.len(), of, failures.collect());
+}
+
+#[test]
+fn a_flipped_bit_is_noticed_or_has_no_effect() {
+    damage_all(12, "flipped bits", |_, chance, bytes| {
+        let (place, bit) = (chance.next_u64() as usize % bytes.len(), chance.next_u32() % 8);
+        bytes[place] ^= 1 << bit;
+    });
 }
 
 #[test]
 fn a_file_cut_short_or_lengthened_is_noticed_or_has_no_effect() {
-    let all = READ.into_iter().flat_map(|file| (0..trials(6)).map(move |trial| (file, trial)));
-    let all: Vec<_> = all.collect();
-    let failures = all.par_iter().filter_map(|&(file, trial)| {
-        let mut chance = ChaCha8Rng::seed_from_u64(trial);
-        let length = chance.next_u64();
-        let change = |bytes: &mut Vec<u8>| match trial % 3 {
-            0 => bytes.truncate(length as usize % bytes.len()),
-            1 => bytes.extend(b"\0".repeat(1 + length as usize % 99)),
+    damage_all(6, "files of another length", |trial, chance, bytes| {
+        let length = chance.next_u64() as usize;
+        match trial % 3 {
+            0 => bytes.truncate(length % bytes.len()),
+            1 => bytes.extend(b"\0".repeat(1 + length % 99)),
             _ => bytes.clear(),
-        };
-        damaged(file, change).map(|what| format!("{file}, trial {trial}: {what}"))
+        }
     });
-    conclude(all.len(), "files of another length", failures.collect());
 }
 
 #[test]
