@@ -1,11 +1,15 @@
 //! Is a value that makes no sense refused by key and line, wherever it stands?
 
+#[path = "common/trials.rs"]
+mod trials;
+
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 use serde_yaml::Value;
 use std::panic::catch_unwind;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
+use trials::setting;
 use veridem::error::Error;
 use veridem::interrupt::Interrupt;
 use veridem::papers::PAPERS;
@@ -111,7 +115,7 @@ fn a_value_that_makes_no_sense_is_refused_by_key_and_line_and_the_others_can_be_
     let (tried, mut accepted) = (numbers.iter().sum::<usize>(), accepted.concat());
     // Placing the spheres of the full sizes takes a minute.
     accepted.retain(|(what, _)| !what.contains("-full.yaml"));
-    let trials = std::env::var("VERIDEM_TRIALS").map_or(1, |trials| trials.parse().expect("a number of trials"));
+    let trials = setting("VERIDEM_TRIALS") as usize;
     println!("{tried} values tried, {} accepted, {} of these run", accepted.len(), TRIED * trials);
     let mut rng = ChaCha8Rng::seed_from_u64(1);
     for _ in 0..TRIED * trials {

@@ -6,6 +6,8 @@
 mod checkpoints;
 mod mutation;
 mod targets;
+#[path = "../common/trials.rs"]
+mod trials;
 
 use mutation::mutated;
 use peak_alloc::PeakAlloc;
@@ -14,6 +16,7 @@ use rand_chacha::rand_core::{Rng, SeedableRng};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 use targets::{TARGETS, call};
+use trials::setting;
 
 #[global_allocator]
 static MEMORY: PeakAlloc = PeakAlloc;
@@ -23,10 +26,6 @@ const LONGEST: Duration = Duration::from_secs(20);
 
 /// Most memory of the process, bytes: what a file announces is not allocated before it is read.
 const MOST: usize = 1 << 30;
-
-fn setting(name: &str) -> u64 {
-    std::env::var(name).map_or(1, |text| text.parse().unwrap_or_else(|_| panic!("{name}={text}: no number")))
-}
 
 /// Calls a reader within the bounds on time and memory. The bytes are kept if it fails.
 fn bounded(name: &str, bytes: &[u8]) -> Result<(), String> {

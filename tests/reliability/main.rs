@@ -7,6 +7,8 @@
 
 mod disk;
 mod layer;
+#[path = "../common/trials.rs"]
+mod setting;
 mod user;
 
 use disk::{Disk, Unsynced};

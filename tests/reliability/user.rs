@@ -1,5 +1,6 @@
 //! A person who runs a small case, meets a fault, and goes on as the program says.
 
+use crate::setting::setting;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
@@ -24,7 +25,7 @@ pub(crate) const RUN: &str = "run/small";
 
 /// Number of trials: as many as a test asks for, times `VERIDEM_TRIALS`.
 pub(crate) fn trials(few: u64) -> u64 {
-    few * std::env::var("VERIDEM_TRIALS").map_or(1, |times| times.parse().expect("VERIDEM_TRIALS is a number"))
+    few * setting("VERIDEM_TRIALS")
 }
 
 /// A folder with the case and nothing else.

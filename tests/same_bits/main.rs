@@ -7,6 +7,8 @@
 mod cases;
 #[path = "../common/mod.rs"]
 mod common;
+#[path = "../common/trials.rs"]
+mod trials;
 
 use cases::Small;
 use common::{instruction_sets, uniform};
@@ -15,6 +17,7 @@ use rand_chacha::rand_core::SeedableRng;
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use trials::setting;
 
 /// How often a run is stopped at most.
 const STOPS: usize = 2;
@@ -28,10 +31,6 @@ const OTHER_OUTPUT: [&str; 3] = [
     "{series: 1 s, frames: 90 steps, checkpoints: 33 steps}",
     "{series: 111 steps, frames: 111 steps, checkpoints: 111 steps}",
 ];
-
-fn setting(name: &str) -> u64 {
-    std::env::var(name).map_or(1, |text| text.parse().unwrap_or_else(|_| panic!("{name}={text}: no number")))
-}
 
 fn veridem(surroundings: &[(&str, String)], arguments: &[String]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_veridem"));
