@@ -92,10 +92,28 @@ impl<R, A: Flat<R>, B: Flat<R>> Flat<R> for (A, B) {
     }
 }
 
-/// Numbers with names: energies by cause.
+/// Numbers with names: energies by cause, and the springs of a contact.
 pub trait Named<R>: Flat<R> {
-    /// The names, in order, in words.
+    /// The names, in order, in words; empty for a single number.
     fn names() -> Vec<String>;
+}
+
+impl<R: Real> Named<R> for R {
+    fn names() -> Vec<String> {
+        vec![String::new()]
+    }
+}
+
+impl<R: Copy + Send + Sync> Named<R> for Vec3<R> {
+    fn names() -> Vec<String> {
+        ["x", "y", "z"].map(String::from).to_vec()
+    }
+}
+
+impl<R: Copy + Send + Sync, const N: usize> Named<R> for [R; N] {
+    fn names() -> Vec<String> {
+        (1..=N).map(|number| number.to_string()).collect()
+    }
 }
 
 impl<R, A: Named<R>, B: Named<R>> Named<R> for (A, B) {
@@ -175,7 +193,7 @@ pub trait PairModel: Sync {
     /// Constants of a pair while its spheres are neighbours.
     type Coefficients<R: Real>: Flat<R>;
     /// The springs of a contact; all zero for a new contact.
-    type Memory<R: Real>: Flat<R>;
+    type Memory<R: Real>: Named<R>;
     /// Energy dissipated in one time step, J, by cause.
     type Losses<R: Real>: Named<R>;
     /// Energy stored in a pair, J, by cause; all zero for spheres far apart.

@@ -295,7 +295,7 @@ fn inspect_finds_what_differs_between_two_runs() {
     assert_eq!((same.status.code(), &*text(&same.stdout)), (Some(0), "identical\n"));
 
     let series = place.path().join("run/two/series.csv");
-    let changed = std::fs::read_to_string(&series).unwrap().replacen(",24,24,18,", ",24,24,18.5,", 1);
+    let changed = std::fs::read_to_string(&series).unwrap().replacen(",24,24,18\n", ",24,24,18.5\n", 1);
     std::fs::write(&series, changed).unwrap();
     let differ = veridem(place.path(), &["inspect", "--diff", "run/one", "run/two"]);
     assert_eq!(differ.status.code(), Some(4));
@@ -303,13 +303,16 @@ fn inspect_finds_what_differs_between_two_runs() {
     assert_eq!(text(&differ.stderr), "run/one and run/two differ\n");
 
     std::fs::write(&series, std::fs::read(place.path().join("run/one/series.csv")).unwrap()).unwrap();
-    let frame = place.path().join("run/two/frames/000001.xyz");
+    let frame = place.path().join("run/two/frames/cohesion.000001.xyz");
     let changed = std::fs::read_to_string(&frame).unwrap().replacen("\n", "0\n", 1);
     std::fs::write(&frame, changed).unwrap();
-    std::fs::remove_file(place.path().join("run/two/frames/000000.xyz")).unwrap();
+    std::fs::remove_file(place.path().join("run/two/frames/cohesion.000000.xyz")).unwrap();
     let differ = veridem(place.path(), &["inspect", "--diff", "run/one", "run/two"]);
     let told = text(&differ.stdout);
-    assert!(told.starts_with("frames/000000.xyz: present and missing\nframes/000001.xyz: line 1: `"), "{told}");
+    assert!(
+        told.starts_with("frames/cohesion.000000.xyz: present and missing\nframes/cohesion.000001.xyz: line 1: `"),
+        "{told}"
+    );
     std::fs::remove_file(&series).unwrap();
     let missing = veridem(place.path(), &["inspect", "run/two"]);
     assert_eq!(missing.status.code(), Some(66));

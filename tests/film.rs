@@ -2,7 +2,7 @@
 
 use std::path::Path;
 use std::process::Command;
-use veridem::output::RunFolder;
+use veridem::output::{RunFolder, Series};
 use veridem::papers::titania::Spectrum;
 
 fn veridem(place: &Path, arguments: &[&str]) -> String {
@@ -25,13 +25,12 @@ fn finding(run: &Path, name: &str) -> f64 {
     results.get(name).unwrap_or_else(|| panic!("no {name}"))["value"].as_f64().unwrap()
 }
 
-/// Two columns of a stage, where both have a number.
-fn columns(run: &Path, stage: &str, names: [&str; 2]) -> Vec<[f64; 2]> {
-    let mut reader = csv::Reader::from_path(run.join("series.csv")).unwrap();
-    let headers = reader.headers().unwrap().clone();
-    let places = names.map(|name| headers.iter().position(|column| column == name).unwrap());
-    let rows = reader.records().map(|row| row.unwrap()).filter(|row| &row[0] == stage);
-    rows.filter_map(|row| Some([row[places[0]].parse().ok()?, row[places[1]].parse().ok()?])).collect()
+/// Two columns of a stage.
+fn columns(run: &Path, stage: &str, [x, y]: [&str; 2]) -> Vec<[f64; 2]> {
+    let series = Series::read(&RunFolder::open(run).unwrap()).unwrap();
+    let points = series.curve_of(stage, x, y);
+    assert!(!points.is_empty(), "no {x} and {y} in {stage}");
+    points.into_iter().map(|(x, y)| [x, y]).collect()
 }
 
 #[test]
@@ -39,7 +38,7 @@ fn the_tip_comes_down_to_its_setpoint_turns_and_pulls_and_the_events_are_those_t
     let place = tempfile::tempdir().unwrap();
     veridem(place.path(), &["--quiet", "--threads", "1", "run", &case(RIGID), "--name", "film"]);
     let run = place.path().join("run/film");
-    let curve = |stage: &str| columns(&run, stage, ["tip moved [nm]", "force on the tip [pN]"]);
+    let curve = |stage: &str| columns(&run, stage, ["tip moved [nm]", "mean force on the tip [pN]"]);
     let (down, up) = (curve("approach"), curve("retraction"));
     let (lowest, setpoint) = (down[down.len() - 1][0], down[down.len() - 1][1]);
     assert!(setpoint >= 40.0 && down[..down.len() - 1].iter().all(|point| point[1] < 40.0));
@@ -89,10 +88,12 @@ fn necks_break_under_the_tip_and_every_break_is_told_counted_and_booked() {
         let of_stage = events.lines().filter(|line| line.contains(&format!("\"stage\":\"{stage}\"")));
         let breaks = of_stage.filter(|line| line.contains("breaks")).count();
         assert_eq!(breaks as f64, finding(&run, &format!("broken necks during {stage}")), "{stage}");
-        let necks = columns(&run, stage, ["necks", "lost to breaking [zJ]"]);
-        let (first, last) = (necks[0], necks[necks.len() - 1]);
-        assert_eq!(first[0] - last[0], breaks as f64);
-        assert!((last[1] - first[1] > 0.0) == (breaks > 0), "{first:?} {last:?}");
+        let change = |column| {
+            let points = columns(&run, stage, ["step", column]);
+            points[points.len() - 1][1] - points[0][1]
+        };
+        assert_eq!(change("necks"), -(breaks as f64));
+        assert!((change("lost to breaking [zJ]") > 0.0) == (breaks > 0), "{stage}");
         told += breaks;
         for [residual, _] in columns(&run, stage, ["relative residual", "step"]) {
             assert!(residual.abs() < 5e-3, "{stage}: {residual}");

@@ -153,7 +153,7 @@ fn missing_folders_are_made_again_and_missing_frames_are_told() {
     }
     let (status, told) = veridem(place.path(), &["resume", "run/run"]);
     assert_eq!(
-        (status, told.contains("missing frame files, the first is run/run/frames/000000.xyz")),
+        (status, told.contains("missing frame files, the first is run/run/frames/compression.000000.bonds")),
         (0, true),
         "{told}"
     );
@@ -163,7 +163,7 @@ fn missing_folders_are_made_again_and_missing_frames_are_told() {
 #[test]
 fn damage_to_the_record_is_found_before_anything_is_computed() {
     let place = tempfile::tempdir().unwrap();
-    for (file, at) in [("series.csv", 100), ("events.jsonl", 10), ("frames/000000.xyz", 50)] {
+    for (file, at) in [("series.csv", 100), ("events.jsonl", 10), ("frames/compression.000000.xyz", 50)] {
         let run = stopped(place.path(), "run", "3");
         flip(&run.join(file), at);
         let (status, told) = veridem(place.path(), &["resume", "run/run"]);

@@ -7,6 +7,7 @@ use common::soot::{DT, RADIUS, SPHERES, between, dry, momentum, plane, settings,
 use std::path::Path;
 use std::process::{Command, Output};
 use veridem::forces::Instructions;
+use veridem::output::{RunFolder, Series};
 use veridem::run::{advance, advance_until};
 use veridem::simulation::{Settings, Simulation};
 use veridem::spec::Vec3;
@@ -147,16 +148,22 @@ fn an_aggregate_from_a_file_is_indented_with_the_bits_of_a_sequence() {
     let deposition = |save: &str| format!("    - deposition: {{velocity: 5 m/s, duration: 4000 steps{save}}}\n");
     let indentation =
         "    - indentation: {gap: 0.01 r, keep_necks: 0.5, duration: 6000 steps, integrator: velocity-verlet}\n";
+    let series = |name: &str| {
+        let folder = RunFolder::open(&place.path().join("run").join(name)).expect("a run");
+        Series::read(&folder).expect("a series")
+    };
+    // A run of one stage has all of its columns in one table.
     let rows = |name: &str| {
-        let series = std::fs::read_to_string(place.path().join("run").join(name).join("series.csv")).expect("a series");
-        series.lines().filter(|line| line.starts_with("indentation")).map(String::from).collect::<Vec<_>>()
+        let (alone, series) = (series("second"), series(name));
+        let columns = alone.tables[0].columns.iter().filter(|column| *column != "stage");
+        columns.map(|column| (column.clone(), series.curve_of("indentation", "step", column))).collect::<Vec<_>>()
     };
     assert!(run("whole", "", &(deposition("") + indentation)).status.success());
     assert!(run("first", "", &deposition(", save: one.sample")).status.success());
     assert!(run("second", ", deposited: one.sample", indentation).status.success());
-    assert_eq!(rows("whole").len(), 13);
+    assert!(rows("whole").iter().all(|(_, points)| points.len() == 13));
     assert_eq!(rows("whole"), rows("second"));
-    assert!(place.path().join("run/whole/frames/000002.obj").exists());
+    assert!(place.path().join("run/whole/frames/deposition.000001.obj").exists());
 
     let veridem = |arguments: &[&str]| {
         let mut command = Command::new(env!("CARGO_BIN_EXE_veridem"));

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use veridem::output::{RunFolder, Series};
 
 fn veridem(place: &Path, arguments: &[&str]) -> String {
     let output =
@@ -24,10 +25,9 @@ fn finding(run: &Path, name: &str) -> f64 {
 
 /// The column of a stage.
 fn column(run: &Path, stage: &str, name: &str) -> Vec<f64> {
-    let mut reader = csv::Reader::from_path(run.join("series.csv")).unwrap();
-    let place = reader.headers().unwrap().iter().position(|column| column == name).unwrap();
-    let rows = reader.records().map(|row| row.unwrap()).filter(|row| &row[0] == stage);
-    rows.map(|row| row[place].parse().unwrap()).collect()
+    let points = Series::read(&RunFolder::open(run).unwrap()).unwrap().curve_of(stage, "step", name);
+    assert!(!points.is_empty(), "no {name} in {stage}");
+    points.into_iter().map(|point| point.1).collect()
 }
 
 #[test]

@@ -106,7 +106,7 @@ impl Study for Plan {
             _ => Progress::Going,
         }
     }
-    fn columns(&self) -> Vec<Column> {
+    fn columns(&self, _: usize) -> Vec<Column> {
         vec![GAP]
     }
     fn watch(&self, _: usize, simulation: &Simulation<Linear>) -> Watch {
@@ -120,7 +120,7 @@ impl Study for Plan {
         let turns = stage == REBOUND && watch.least == before && watch.gap > before;
         if turns { vec!["the overlap is deepest".into()] } else { Vec::new() }
     }
-    fn look(&self, watch: &mut Watch, _: &Simulation<Linear>) -> Vec<Cell> {
+    fn look(&self, _: usize, watch: &mut Watch, _: &Simulation<Linear>) -> Vec<Cell> {
         vec![Cell::Number(watch.gap)]
     }
     fn findings(&self, stage: usize, watch: &Watch, simulation: &Simulation<Linear>) -> Result<Vec<Finding>, Error> {

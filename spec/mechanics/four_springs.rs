@@ -7,7 +7,7 @@ use super::friction::{dynamic_friction, rubbed, static_friction};
 use super::neck_rest::{contact_rest, elongation};
 use super::rotated_spring::{Span, Twist, rotated_spring, stretched};
 use super::spring_force::{energy, force, turning_torque};
-use crate::{Flat, Outcome, Real, Vec3, Wrench, flat_struct};
+use crate::{Flat, Named, Outcome, Real, Vec3, Wrench, flat_struct};
 
 flat_struct! {
     /// Stiffnesses and damping coefficients of the four springs of a contact.
@@ -146,6 +146,16 @@ impl<R: Copy + Send + Sync, O: Flat<R>> Flat<R> for Memory<R, O> {
             _ if k < 6 + O::LEN => self.torsion.at_mut(k - 6),
             _ => &mut self.rest,
         }
+    }
+}
+
+impl<R: Copy + Send + Sync, O: Named<R>> Named<R> for Memory<R, O> {
+    fn names() -> Vec<String> {
+        let vector = |spring: &'static str| {
+            <Vec3<R> as Named<R>>::names().into_iter().map(move |axis| format!("{spring} {axis}"))
+        };
+        let torsion = O::names().into_iter().map(|axis| format!("torsion {axis}").trim_end().to_string());
+        vector("tangential").chain(vector("rolling")).chain(torsion).chain(["rest".into()]).collect()
     }
 }
 

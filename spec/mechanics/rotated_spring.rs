@@ -3,7 +3,7 @@
 //! Equations and sections are numbered as in Demidov, Gor & Khalizov 2024.
 
 use crate::equation::Equation;
-use crate::{Flat, Real, Vec3, equation};
+use crate::{Named, Real, Vec3, equation};
 use std::ops::{Add, Mul, Sub};
 
 /// The length of a spring: a vector of the contact plane, or a number along the normal.
@@ -66,7 +66,7 @@ impl<R: Real> Span<R> for Vec3<R> {
 
 /// The torsion spring of a pair: a number along the normal, which follows the normal ([`rotated_torsion`]), or, following the text of the paper, a vector that every step rotates
 /// into the contact plane.
-pub trait Twist<R: Real>: Span<R> + Flat<R> {
+pub trait Twist<R: Real>: Span<R> + Named<R> {
     /// The spring after the normal has turned.
     fn rotated(self, n: Vec3<R>) -> Self;
     /// The spring of length `along` the normal.

@@ -1,6 +1,7 @@
 //! The language of case files: sections, quantities with units, and the locations of errors. It depends on no paper.
 
 pub mod check;
+mod moments;
 mod outline;
 pub mod quantity;
 mod read;
@@ -9,6 +10,7 @@ pub mod section;
 pub mod springs;
 pub mod units;
 
+pub use moments::Moments;
 pub use outline::{Outline, Words};
 pub use read::{document, located, parse, read_text, unmarked};
-pub use schema::{Case, InSteps, Limits, Output, keys};
+pub use schema::{Case, Digits, Extra, Format, InSteps, Limits, Output, keys};

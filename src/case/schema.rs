@@ -1,7 +1,8 @@
 //! The general sections and keys of every case file, with their defaults. The sections below `model`, `sample` and `experiment` are type parameters.
 
+use super::moments::Moments;
 use super::quantity::{Scaled, Step, Time};
-use super::section::{Field, Key, defaults, section};
+use super::section::{Field, Key, defaults, section, words};
 
 /// A duration, or a number of steps.
 pub type InSteps = Scaled<Time, Step>;
@@ -34,12 +35,50 @@ pub fn keys() -> Vec<Key> {
 section! {
     /// Output intervals.
     pub struct Output {
-        /// Time between rows of series.csv.
+        /// Time between rows of the series.
         series: InSteps = Scaled::times(100.0),
-        /// Time between frames.
-        frames: InSteps = Scaled::times(5000.0),
+        /// Time between frames, or a list of times since the beginning of a stage; the first and the last state of a stage have frames always.
+        frames: Moments = Moments::Every(Scaled::times(5000.0)),
         /// Time between checkpoints.
         checkpoints: InSteps = Scaled::times(10_000.0),
+        /// The formats of frames.
+        format: Vec<Format> = vec![Format::Extxyz],
+        /// Significant digits of the numbers in frames.
+        digits: Digits = Digits::Seven,
+        /// Further columns of frames.
+        columns: Vec<Extra> = Vec::new(),
+    }
+}
+
+words! {
+    /// A format of frames.
+    pub enum Format {
+        /// Extended XYZ for OVITO and ASE, with local dumps of LAMMPS for the pairs and Wavefront files for surfaces.
+        Extxyz = "extxyz",
+        /// VTK poly data with collections for ParaView.
+        Vtp = "vtp",
+    }
+}
+
+words! {
+    /// Digits of the numbers in frames.
+    pub enum Digits {
+        /// Those of single precision.
+        Seven = "seven",
+        /// As many as are needed to read the same numbers back.
+        All = "all",
+    }
+}
+
+words! {
+    /// A column of frames that is written only on request.
+    pub enum Extra {
+        /// Torque of pairs and surfaces, pN nm.
+        Torque = "torque",
+        /// Force over mass, nm/ns²: the acceleration of a sphere that is part of no rigid body or wall.
+        Acceleration = "acceleration",
+        /// Torque over moment of inertia, 1/ns².
+        AngularAcceleration = "angular_acceleration",
     }
 }
 

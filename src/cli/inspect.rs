@@ -3,7 +3,7 @@
 use super::run::table;
 use super::{OutputMode, print};
 use crate::error::Error;
-use crate::output::{Finding, Manifest, RunFolder, Series, read};
+use crate::output::{Finding, Manifest, ReadTable, RunFolder, Series, read};
 use crate::papers::Papers;
 use serde_json::json;
 use std::collections::BTreeSet;
@@ -34,11 +34,10 @@ fn summarise(root: &Path, papers: Papers, manner: OutputMode) -> Result<(), Erro
     let title = papers.read(&folder.case())?.title;
     let manifest = Manifest::read(&folder)?;
     let (series, findings) = (Series::read(&folder)?, Finding::of_run(&folder)?);
-    let last = series.rows.last().map(Vec::as_slice).unwrap_or_default();
-    let state: Vec<(&String, &String)> = series.columns.iter().zip(last).filter(|(_, cell)| !cell.is_empty()).collect();
+    let state = series.last();
     if manner.json {
         let state: serde_json::Map<String, serde_json::Value> =
-            state.into_iter().map(|(column, cell)| (column.clone(), json!(cell))).collect();
+            state.into_iter().map(|(column, cell)| (column.into(), json!(cell))).collect();
         let summary =
             json!({ "title": title, "manifest": manifest, "state": state, "results": Finding::results(&findings) });
         return print(&format!("{summary:#}\n"));
@@ -46,7 +45,7 @@ fn summarise(root: &Path, papers: Papers, manner: OutputMode) -> Result<(), Erro
     let mut text = format!(
         "{title}\n{}, {} rows, commit {}\n\n",
         manifest.status_word(&folder),
-        series.rows.len(),
+        series.tables[0].rows.len(),
         manifest.commit
     );
     for (column, cell) in state {
@@ -94,12 +93,23 @@ fn compare(a: &Path, b: &Path, manner: OutputMode) -> Result<(), Error> {
 /// The first difference of every column of the series, and of every other file that holds results.
 fn differences(folders: &[RunFolder; 2]) -> Result<Vec<Difference>, Error> {
     let [a, b] = folders;
-    let mut found = of_series(&Series::read(a)?, &Series::read(b)?);
+    let mut found = Vec::new();
+    let [ours, theirs] = [Series::read(a)?, Series::read(b)?];
+    for (a, b) in ours.tables.iter().filter_map(|a| Some((a, theirs.tables.iter().find(|b| b.file == a.file)?))) {
+        found.extend(of_tables(a, b));
+    }
+    let compared = |path: &PathBuf| {
+        [&ours, &theirs]
+            .iter()
+            .all(|series| series.tables.iter().any(|table| path.file_name().is_some_and(|name| name == &*table.file)))
+    };
     let name = |folder: &RunFolder, path: &Path| path.strip_prefix(folder.root()).unwrap_or(path).to_path_buf();
     let mut names = BTreeSet::new();
     for folder in folders {
-        let given = [folder.case(), folder.resolved(), folder.series()];
-        names.extend(folder.outputs()?.iter().filter(|path| !given.contains(path)).map(|path| name(folder, path)));
+        let given = [folder.case(), folder.resolved()];
+        let others = folder.outputs()?;
+        let others = others.iter().filter(|path| !given.contains(path) && !compared(path));
+        names.extend(others.map(|path| name(folder, path)));
     }
     for name in names {
         let paths = folders.each_ref().map(|folder| folder.root().join(&name));
@@ -125,16 +135,16 @@ fn differences(folders: &[RunFolder; 2]) -> Result<Vec<Difference>, Error> {
 }
 
 /// The first row of every column that differs, over the rows that both have, and the number of rows.
-fn of_series(a: &Series, b: &Series) -> Vec<Difference> {
-    let difference = |row, column: &str, a: &str, b: &str| Difference {
-        file: "series.csv".into(),
+fn of_tables(a: &ReadTable, b: &ReadTable) -> Vec<Difference> {
+    let difference = |row, column: &str, one: &str, b: &str| Difference {
+        file: a.file.clone(),
         row,
         column: column.into(),
-        a: a.into(),
+        a: one.into(),
         b: b.into(),
     };
     if a.columns != b.columns {
-        let [a, b] = [a, b].map(|series| series.columns.join(","));
+        let [a, b] = [a, b].map(|table| table.columns.join(","));
         return vec![difference(0, "", &a, &b)];
     }
     let rows = || a.rows.iter().zip(&b.rows);
@@ -144,7 +154,7 @@ fn of_series(a: &Series, b: &Series) -> Vec<Difference> {
     };
     let mut found: Vec<Difference> = a.columns.iter().enumerate().filter_map(of_column).collect();
     if a.rows.len() != b.rows.len() {
-        let [a, b] = [a, b].map(|series| format!("{} rows", series.rows.len()));
+        let [a, b] = [a, b].map(|table| format!("{} rows", table.rows.len()));
         found.push(difference(0, "", &a, &b));
     }
     found

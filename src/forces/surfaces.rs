@@ -85,7 +85,7 @@ pub fn surface_forces<M: PairModel>(
 
 impl<M: PairModel> SurfaceTotals<M> {
     /// The forces on a sphere at one contact point of the surface.
-    fn enter(
+    pub fn enter(
         &mut self,
         model: &M,
         surface: &Surface,

@@ -2,6 +2,7 @@
 
 pub mod film;
 pub mod force_curve;
+mod loads;
 pub mod morphology;
 pub mod packing;
 pub mod patch;
@@ -10,6 +11,8 @@ pub mod statistics;
 pub mod strain;
 pub mod stress;
 pub mod third_body;
+
+pub use loads::{ActingPair, Loads, PairKind};
 
 use crate::simulation::Simulation;
 use crate::spec::{PairModel, Vec3};

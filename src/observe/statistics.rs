@@ -20,8 +20,7 @@ impl Mean {
         if sample.len() < 2 {
             return Self { value, margin: f64::NAN };
         }
-        let squares: f64 = sample.iter().map(|x| (x - value) * (x - value)).sum();
-        Self { value, margin: students_t(sample.len() - 1) * (squares / (n - 1.0) / n).sqrt() }
+        Self { value, margin: students_t(sample.len() - 1) * standard_error(sample, value) }
     }
 
     /// Whether a value lies in the interval.
@@ -35,6 +34,13 @@ impl std::fmt::Display for Mean {
         let digits = f.precision().unwrap_or(2);
         write!(f, "{:.digits$} ± {:.digits$}", self.value, self.margin)
     }
+}
+
+/// The standard error of the mean of a sample.
+pub fn standard_error(sample: &[f64], mean: f64) -> f64 {
+    let n = sample.len() as f64;
+    let squares: f64 = sample.iter().map(|x| (x - mean) * (x - mean)).sum();
+    (squares / (n - 1.0) / n).sqrt()
 }
 
 /// The t that Student's distribution of so many degrees of freedom stays below, absolutely, with the probability of confidence.

@@ -1,6 +1,7 @@
 //! The virial stress of a region.
 
 use super::Link;
+use crate::spec::mechanics::solids::sphere_volume;
 use crate::spec::mechanics::virial::{kinetic_stress, pair_stress};
 use crate::spec::{Tensor, Vec3};
 use crate::system::System;
@@ -52,6 +53,12 @@ pub fn stress(system: &System, links: &[Link], slab: Slab) -> Tensor<f64> {
         add(kinetic_stress(volume, p.mass[i], p.v[i] - drift));
     }
     sum
+}
+
+/// The share of a force in the stress of the sphere that it acts on at the end of an arm, MPa, tension positive: xx, yy, zz, xy, xz, yz.
+pub fn of_sphere(radius: f64, arm: Vec3<f64>, force: Vec3<f64>) -> [f64; 6] {
+    let [Vec3([xx, xy, xz]), Vec3([yx, yy, yz]), Vec3([zx, zy, zz])] = pair_stress(sphere_volume(radius), arm, force);
+    [xx, yy, zz, 0.5 * (xy + yx), 0.5 * (xz + zx), 0.5 * (yz + zy)]
 }
 
 #[cfg(test)]

@@ -2,7 +2,8 @@
 
 use super::folder::{CHECKPOINTS, FIGURES, FRAMES, INPUTS};
 use super::lock::LOCK;
-use super::{Lock, Manifest, RunFolder, Status, frame_number, sha256, sync_folder, write_atomically};
+use super::series::is_table;
+use super::{Lock, Manifest, RunFolder, Status, is_of_frames, sha256, sync_folder, write_atomically};
 use crate::error::{AtPath, Error};
 use std::collections::BTreeMap;
 use std::ffi::OsStr;
@@ -155,7 +156,7 @@ fn clear(folder: &RunFolder, Made { graphs, files }: &Made) -> Result<Vec<PathBu
     for name in [CHECKPOINTS, FRAMES, FIGURES, INPUTS] {
         let made: &dyn Fn(&OsStr) -> bool = match name {
             CHECKPOINTS => &is_checkpoint,
-            FRAMES => &|name| frame_number(name).is_some(),
+            FRAMES => &is_of_frames,
             INPUTS => &copy,
             _ => &figure,
         };
@@ -200,7 +201,7 @@ fn entries(path: &Path) -> Result<Vec<PathBuf>, Error> {
 
 /// Whether a run writes a file of this name into the root of its folder.
 fn own(name: &OsStr) -> bool {
-    super::folder::FILES.iter().any(|file| name == *file)
+    name.to_str().is_some_and(|name| super::folder::FILES.contains(&name) || is_table(name))
 }
 
 /// Whether this is the temporary name of a file that is `made`.
@@ -252,12 +253,16 @@ mod tests {
         for name in ["begin.svg", "end", "mine.svg", "shearing after x of 3 parts.svg", "shearing begin.png"] {
             assert!(!is_picture(name), "{name}");
         }
-        let frame = |name: &str| frame_number(OsStr::new(name)).is_some();
-        assert!(frame("000012.xyz") && frame("000012.obj") && frame("1000000.xyz"));
-        assert!(!frame("12.xyz") && !frame("000012.xyz.gz") && !frame("best.xyz"));
         let folder = RunFolder::at(Path::new("run/x"));
         let makes = |name: &str| folder.makes(&Path::new("run/x").join(name));
-        assert!(makes("series.csv") && makes("series.csv.part") && makes("frames/a.bin") && makes("lock"));
+        assert!(
+            makes("series.csv")
+                && makes("series.shear.csv")
+                && makes("windows.csv")
+                && makes("series.csv.part")
+                && makes("frames/a.bin")
+                && makes("lock")
+        );
         assert!(!makes("sample.bin") && !makes("mine/series.csv") && !folder.makes(Path::new("run/series.csv")));
     }
 }

@@ -1,5 +1,6 @@
 //! The layout of a run folder.
 
+use super::series::{SERIES, is_table};
 use super::{Checkpoints, create_folder};
 use crate::error::{AtPath, Error};
 use std::path::{Path, PathBuf};
@@ -10,17 +11,9 @@ pub(super) const CHECKPOINTS: &str = "checkpoints";
 /// The folder of copies of the files that a run reads.
 pub const INPUTS: &str = "inputs";
 
-/// The files that a run writes into its folder, beside those folders and its lock.
-pub(super) const FILES: [&str; 8] = [
-    "case.yaml",
-    "case.resolved.yaml",
-    "manifest.json",
-    "series.csv",
-    "events.jsonl",
-    "results.yaml",
-    "report.html",
-    "halted.xyz",
-];
+/// The files that a run writes into its folder, beside those folders, its lock and its tables.
+pub(super) const FILES: [&str; 7] =
+    ["case.yaml", "case.resolved.yaml", "manifest.json", "events.jsonl", "results.yaml", "report.html", "halted.xyz"];
 
 /// The folder of one run.
 #[derive(Clone, Debug)]
@@ -70,9 +63,26 @@ impl RunFolder {
     pub fn manifest(&self) -> PathBuf {
         self.root.join("manifest.json")
     }
-    /// The time series.
+    /// The time series of all stages.
     pub fn series(&self) -> PathBuf {
-        self.root.join("series.csv")
+        self.root.join(SERIES)
+    }
+    /// The tables, that of all stages first.
+    ///
+    /// # Errors
+    ///
+    /// If the folder cannot be read.
+    pub fn tables(&self) -> Result<Vec<PathBuf>, Error> {
+        let mut found = Vec::new();
+        for entry in std::fs::read_dir(&self.root).at(&self.root)? {
+            let path = entry.at(&self.root)?.path();
+            if path.file_name().and_then(|name| name.to_str()).is_some_and(is_table) {
+                found.push(path);
+            }
+        }
+        found.sort();
+        found.sort_by_key(|path| *path != self.series());
+        Ok(found)
     }
     /// The events, one JSON object per line.
     pub fn events(&self) -> PathBuf {
@@ -116,7 +126,8 @@ impl RunFolder {
     ///
     /// If the folder cannot be read.
     pub fn outputs(&self) -> Result<Vec<PathBuf>, Error> {
-        let mut found = vec![self.case(), self.resolved(), self.series(), self.events(), self.results()];
+        let mut found = vec![self.case(), self.resolved(), self.events(), self.results()];
+        found.extend(self.tables()?);
         for entry in std::fs::read_dir(self.frames()).at(&self.frames())? {
             found.push(entry.at(&self.frames())?.path());
         }

@@ -1,8 +1,10 @@
 //! Reading of a run folder: its time series and its events.
 
+use super::series::{SERIES, WINDOWS, stage_file};
 use super::{Column, RunFolder, read};
 use crate::error::Error;
 use serde::Deserialize;
+use std::path::Path;
 
 /// An event of a run.
 #[derive(Deserialize)]
@@ -29,12 +31,42 @@ impl Event {
     }
 }
 
-/// The time series of a run, as read.
-pub struct Series {
+/// A table of a run, as read.
+pub struct ReadTable {
+    /// Its file, relative to the run folder.
+    pub file: String,
     /// The columns' names.
     pub columns: Vec<String>,
     /// The rows' cells.
     pub rows: Vec<Vec<String>>,
+}
+
+impl ReadTable {
+    /// Reads a table.
+    ///
+    /// # Errors
+    ///
+    /// If the file cannot be read, or is no table.
+    pub fn read(path: &Path) -> Result<Self, Error> {
+        let bytes = read(path)?;
+        let broken = |error: csv::Error| Error::input(path, error.to_string());
+        let mut reader = csv::Reader::from_reader(&*bytes);
+        let line = |record: &csv::StringRecord| record.iter().map(str::to_string).collect::<Vec<_>>();
+        let columns = line(reader.headers().map_err(broken)?);
+        let rows = reader.records().map(|record| record.map(|r| line(&r)).map_err(broken)).collect::<Result<_, _>>()?;
+        let file = path.file_name().unwrap_or_default().to_string_lossy().into();
+        Ok(Self { file, columns, rows })
+    }
+
+    fn place(&self, header: &str) -> Option<usize> {
+        self.columns.iter().position(|column| column == header)
+    }
+}
+
+/// The series of a run, as read: its tables, that of all stages first, and that of windows last if there is one.
+pub struct Series {
+    /// The tables.
+    pub tables: Vec<ReadTable>,
 }
 
 impl Series {
@@ -42,21 +74,18 @@ impl Series {
     ///
     /// # Errors
     ///
-    /// If the series cannot be read.
+    /// If a table cannot be read.
     pub fn read(folder: &RunFolder) -> Result<Self, Error> {
-        let path = folder.series();
-        let bytes = read(&path)?;
-        let broken = |error: csv::Error| Error::input(&path, error.to_string());
-        let mut reader = csv::Reader::from_reader(&*bytes);
-        let line = |record: &csv::StringRecord| record.iter().map(str::to_string).collect::<Vec<_>>();
-        let columns = line(reader.headers().map_err(broken)?);
-        let rows = reader.records().map(|record| record.map(|r| line(&r)).map_err(broken)).collect::<Result<_, _>>()?;
-        Ok(Self { columns, rows })
+        let mut paths = folder.tables()?;
+        if paths.first() != Some(&folder.series()) {
+            paths.insert(0, folder.series());
+        }
+        Ok(Self { tables: paths.iter().map(|path| ReadTable::read(path)).collect::<Result<_, _>>()? })
     }
 
     /// The stages, in their order.
     pub fn stages(&self) -> Vec<&str> {
-        let mut stages: Vec<&str> = self.rows.iter().map(|row| &*row[0]).collect();
+        let mut stages: Vec<&str> = self.tables[0].rows.iter().map(|row| &*row[0]).collect();
         stages.dedup();
         stages
     }
@@ -66,12 +95,30 @@ impl Series {
         self.curve_of(stage, &x.to_string(), &y.to_string())
     }
 
-    /// The same, with columns given by their headers.
+    /// The same, with columns given by their headers: from the first table of the stage that has both.
     pub fn curve_of(&self, stage: &str, x: &str, y: &str) -> Vec<(f64, f64)> {
-        let place = |header: &str| self.columns.iter().position(|column| column == header);
-        let (Some(x), Some(y)) = (place(x), place(y)) else { return Vec::new() };
-        let of_stage = self.rows.iter().filter(|row| stage.is_empty() || row[0] == stage);
-        of_stage.filter_map(|row| Some((row[x].parse().ok()?, row[y].parse().ok()?))).collect()
+        let own = stage_file(stage);
+        for table in self.tables.iter().filter(|table| table.file == own || [SERIES, WINDOWS].contains(&&*table.file)) {
+            if let (Some(x), Some(y)) = (table.place(x), table.place(y)) {
+                let every = stage.is_empty() || table.file == own;
+                let rows = table.rows.iter().filter(|row| every || row[0] == stage);
+                return rows.filter_map(|row| Some((row[x].parse().ok()?, row[y].parse().ok()?))).collect();
+            }
+        }
+        Vec::new()
+    }
+
+    /// The last value of every column of the last stage that was written.
+    pub fn last(&self) -> Vec<(&str, &str)> {
+        let own = stage_file(self.stages().last().copied().unwrap_or_default());
+        let mut state: Vec<(&str, &str)> = Vec::new();
+        for table in self.tables.iter().filter(|table| table.file == own || table.file == SERIES) {
+            let row = table.rows.last().map(Vec::as_slice).unwrap_or_default();
+            let cells = table.columns.iter().map(String::as_str).zip(row.iter().map(String::as_str));
+            let known: Vec<&str> = state.iter().map(|cell| cell.0).collect();
+            state.extend(cells.filter(|cell| !known.contains(&cell.0)));
+        }
+        state
     }
 }
 

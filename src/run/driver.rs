@@ -1,10 +1,11 @@
 //! The driver: set-up, steps, interventions, observation and end of every stage. All steps are taken here.
 
 use super::{Progress, Sink, Step, Study};
+use crate::case::Output;
 use crate::error::{Error, Halt};
 use crate::forces::Instructions;
 use crate::interrupt::Interrupt;
-use crate::output::Finding;
+use crate::output::{Finding, Frame};
 use crate::simulation::{Settings, Simulation};
 use crate::spec::PairModel;
 use crate::system::System;
@@ -25,6 +26,13 @@ pub struct RunningStage<'a, S: Study> {
 }
 
 impl<S: Study> RunningStage<'_, S> {
+    /// Its state as a frame.
+    pub fn frame(&self, output: &Output) -> Frame<'_> {
+        let kind = |contact: &_| self.study.kind(contact);
+        let flags = self.study.flags(&self.watch, &self.simulation);
+        Frame::of(&self.simulation, &self.name, kind, flags, output.digits, &output.columns)
+    }
+
     /// Its largest number of steps.
     pub fn last_step(&self) -> u64 {
         self.study.steps(self.number, self.simulation.settings().dt)

@@ -155,7 +155,7 @@ impl<S: Study> Runnable for S {
             let what = format!("{} missing frame files, the first is {}", missing.len(), first.display());
             tell(Message::Note(format!("warning: {what}; frames before the checkpoint are not written again")));
         }
-        let mut sink = Recorder::resume(folder, origin, &job.output, recorded, tell)?;
+        let mut sink = Recorder::resume(self, folder, origin, &job.output, recorded, tell)?;
         manifest.resume();
         manifest.write(folder)?;
         job.conclude(folder, manifest, || driver.resume(stage, run, &mut sink))

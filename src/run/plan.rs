@@ -2,10 +2,10 @@
 
 use super::{Driver, Job, RunningStage, Study, columns};
 use crate::case::units::{in_unit, significant};
-use crate::case::{InSteps, Output};
+use crate::case::{InSteps, Moments, Output};
 use crate::error::{Error, Halt};
 use crate::interrupt::Interrupt;
-use crate::output::{encoded_size, extended_xyz, row, wavefront};
+use crate::output::{encoded_size, row};
 use crate::spec::{Named, PairModel};
 use crate::system::System;
 use serde_yaml::{Mapping, Value};
@@ -25,19 +25,49 @@ const MANY_SPHERES: f64 = 1e8;
 /// Memory of a sphere with its neighbours, in bytes.
 const BYTES: f64 = 1000.0;
 
-/// Output intervals of a stage, in steps: rows, frames and checkpoints.
+/// A time as a number of steps.
+fn in_steps(time: &InSteps, dt: f64) -> u64 {
+    (time.value(dt) / dt).round() as u64
+}
+
+/// An interval as a number of steps.
+fn every(interval: &InSteps, dt: f64) -> u64 {
+    in_steps(interval, dt).max(1)
+}
+
+/// Output intervals of a stage, in steps: rows and checkpoints.
 #[derive(Clone, Copy)]
 pub(super) struct Intervals {
     pub(super) series: u64,
-    pub(super) frames: u64,
     pub(super) checkpoints: u64,
 }
 
 impl Intervals {
     /// The intervals with a time step, ns.
-    pub(super) fn of(Output { series, frames, checkpoints }: &Output, dt: f64) -> Self {
-        let every = |interval: &InSteps| ((interval.value(dt) / dt).round() as u64).max(1);
-        Self { series: every(series), frames: every(frames), checkpoints: every(checkpoints) }
+    pub(super) fn of(Output { series, checkpoints, .. }: &Output, dt: f64) -> Self {
+        Self { series: every(series, dt), checkpoints: every(checkpoints, dt) }
+    }
+}
+
+/// Whether a frame is due after this number of steps, each of `dt`, ns.
+pub(super) fn frame_due(frames: &Moments, dt: f64, taken: u64) -> bool {
+    match frames {
+        Moments::Every(interval) => taken.is_multiple_of(every(interval, dt)),
+        Moments::At(times) => times.iter().any(|time| in_steps(time, dt) == taken),
+    }
+}
+
+/// Number of frames of a stage: at the start, when they are due, and at the end.
+fn frames(moments: &Moments, dt: f64, steps: u64) -> u64 {
+    match moments {
+        Moments::Every(interval) => 1 + steps.div_ceil(every(interval, dt)),
+        Moments::At(times) => {
+            let mut due: Vec<u64> = times.iter().map(|time| in_steps(time, dt)).chain([0, steps]).collect();
+            due.retain(|&step| step <= steps);
+            due.sort_unstable();
+            due.dedup();
+            due.len() as u64
+        }
     }
 }
 
@@ -49,20 +79,13 @@ pub(super) struct StagePlan {
     /// Largest number of steps.
     steps: u64,
     intervals: Intervals,
+    frames: u64,
 }
 
 impl StagePlan {
-    /// Number of rows or frames: at the start, at each interval, and at the end.
-    fn number(&self, every: u64) -> u64 {
-        1 + self.steps.div_ceil(every)
-    }
-
+    /// Number of rows: at the start, at each interval, and at the end.
     fn rows(&self) -> u64 {
-        self.number(self.intervals.series)
-    }
-
-    fn frames(&self) -> u64 {
-        self.number(self.intervals.frames)
+        1 + self.steps.div_ceil(self.intervals.series)
     }
 
     /// The plan for people and programs, with the intervals that differ from those asked for.
@@ -74,12 +97,13 @@ impl StagePlan {
         enter("largest number of steps", (*steps).into());
         enter("largest duration", in_unit(*steps as f64 * dt, "ns").into());
         enter("rows of series.csv", self.rows().into());
-        enter("frames", self.frames().into());
-        for (name, asked, every) in [
-            ("series", &output.series, intervals.series),
-            ("frames", &output.frames, intervals.frames),
-            ("checkpoints", &output.checkpoints, intervals.checkpoints),
-        ] {
+        enter("frames", self.frames.into());
+        let mut asked = vec![("series", &output.series, intervals.series)];
+        if let Moments::Every(interval) = &output.frames {
+            asked.push(("frames", interval, every(interval, *dt)));
+        }
+        asked.push(("checkpoints", &output.checkpoints, intervals.checkpoints));
+        for (name, asked, every) in asked {
             let (asked, used) = (asked.value(*dt), every as f64 * dt);
             if (used / asked - 1.0).abs() > 1e-9 {
                 let text = format!("{} = {every} steps, rounded from {}", in_unit(used, "ns"), in_unit(asked, "ns"));
@@ -94,7 +118,9 @@ impl StagePlan {
 pub(super) fn stages<S: Study>(driver: &Driver<S>, study: &S, initial: &System, output: &Output) -> Vec<StagePlan> {
     let stage = |(number, name)| {
         let dt = driver.settings(number, initial).dt;
-        StagePlan { name, dt, steps: study.steps(number, dt), intervals: Intervals::of(output, dt) }
+        let steps = study.steps(number, dt);
+        let frames = frames(&output.frames, dt, steps);
+        StagePlan { name, dt, steps, intervals: Intervals::of(output, dt), frames }
     };
     study.names().into_iter().enumerate().map(stage).collect()
 }
@@ -116,7 +142,7 @@ pub(super) fn moderate(stages: &[StagePlan], job: &Job) -> Result<(), Error> {
     for (number, most, of) in [
         (total(stages, |stage| stage.steps), MANY_STEPS, "steps"),
         (total(stages, StagePlan::rows), MANY_ROWS, "rows of series.csv"),
-        (total(stages, StagePlan::frames), MANY_FRAMES, "frames"),
+        (total(stages, |stage| stage.frames), MANY_FRAMES, "frames"),
     ] {
         if number > most && !job.excess {
             return Err(excess(job, &format!("{:.2e} {of}, more than {:.0e}", number as f64, most as f64)));
@@ -162,8 +188,8 @@ pub(super) fn plan<S: Study>(study: &S, job: &Job, interrupt: &Interrupt) -> Res
     if let Some(stability) = stage.simulation.stability() {
         enter("stability", stability.to_string().into());
     }
-    let [rows, frames] = [StagePlan::rows, StagePlan::frames].map(|number| total(&stages, number));
-    enter("size of the run folder without figures", size(folder_size(study, &mut stage, rows, frames)?).into());
+    let (rows, frames) = (total(&stages, StagePlan::rows), total(&stages, |stage| stage.frames));
+    enter("size of the run folder without figures", size(folder_size(&mut stage, &job.output, rows, frames)?).into());
     let (taken, each) = measure(&driver, &mut stage)?;
     enter("memory", size(memory_of_process()).into());
     let threads = rayon::current_num_threads();
@@ -177,12 +203,15 @@ pub(super) fn plan<S: Study>(study: &S, job: &Job, interrupt: &Interrupt) -> Res
 }
 
 /// Size of the output without figures, in bytes.
-fn folder_size<S: Study>(study: &S, stage: &mut RunningStage<'_, S>, rows: u64, frames: u64) -> Result<f64, Halt> {
-    let header = columns(study).join(",").len();
+fn folder_size<S: Study>(
+    stage: &mut RunningStage<'_, S>,
+    output: &Output,
+    rows: u64,
+    frames: u64,
+) -> Result<f64, Halt> {
+    let header = columns(stage.study, stage.number).join(",").len();
     let row = row(&stage.measure()?.cells).len().max(header);
-    let system = stage.simulation.system();
-    let surfaces = if system.surfaces.is_empty() { 0 } else { wavefront(system).len() };
-    let frame = extended_xyz(system, &stage.name).len() + surfaces;
+    let frame: usize = stage.frame(output).files(&output.format).iter().map(|(_, bytes)| bytes.len()).sum();
     let checkpoints = 2 * encoded_size(&stage.simulation.snapshot());
     Ok(rows as f64 * row as f64 + frames as f64 * frame as f64 + checkpoints as f64)
 }
@@ -235,9 +264,14 @@ mod tests {
 
     #[test]
     fn the_first_and_the_last_state_have_rows_of_their_own() {
-        let intervals = Intervals { series: 100, frames: 1000, checkpoints: 1 };
-        let rows = |steps| StagePlan { name: String::new(), dt: 1.0, steps, intervals }.rows();
+        let intervals = Intervals { series: 100, checkpoints: 1 };
+        let rows = |steps| StagePlan { name: String::new(), dt: 1.0, steps, intervals, frames: 0 }.rows();
         assert_eq!([1, 99, 100, 101, 200].map(rows), [2, 2, 2, 3, 3]);
+        let moments = |text: &str| serde_yaml::from_str::<Moments>(text).expect("moments");
+        assert_eq!([1, 99, 100, 101].map(|steps| frames(&moments("100 steps"), 0.5, steps)), [2, 2, 2, 3]);
+        let listed = moments("[1, 10, 100 steps]");
+        assert_eq!([1, 50, 100, 101].map(|steps| frames(&listed, 0.5, steps)), [2, 4, 4, 5]);
+        assert_eq!((0..200).filter(|&step| frame_due(&listed, 0.5, step)).collect::<Vec<_>>(), [1, 10, 100]);
     }
 
     #[test]

@@ -1,9 +1,9 @@
 //! Writes the output of a run as it proceeds.
 
+use crate::case::Format;
 use crate::error::{AtPath, Error};
 use crate::output::{
-    Appending, Cell, Fingerprint, RunFolder, SURFACES, extended_xyz, frame_name, frame_number, row, wavefront,
-    write_atomically,
+    Appending, Cell, Fingerprint, Frame, FrameName, Layout, RunFolder, collected, collection, write_atomically,
 };
 use crate::system::System;
 use serde::{Deserialize, Serialize};
@@ -11,25 +11,38 @@ use serde_json::json;
 use std::path::PathBuf;
 
 /// The record at a checkpoint, to which its files are truncated when the run is resumed.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(super) struct Recorded {
-    series: Fingerprint,
+    /// Of each table.
+    tables: Vec<Fingerprint>,
     events: Fingerprint,
-    /// Of each frame, and of the surfaces beside it.
-    frames: Vec<(Fingerprint, Option<Fingerprint>)>,
+    frames: Vec<Framed>,
+}
+
+/// A frame that has been written: its files.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+struct Framed {
+    name: FrameName,
+    /// Time, ns.
+    time: f64,
+    files: Vec<(String, Fingerprint)>,
 }
 
 impl Recorded {
-    /// Checks that the record of a folder begins with this one; returns the frames that are missing, which a run does not need to be
+    /// Checks that the record of a folder begins with this one; returns the files of frames that are missing, which a run does not need to be
     /// resumed.
-    pub(super) fn check(&self, folder: &RunFolder) -> Result<Vec<PathBuf>, Error> {
-        self.series.check(&folder.series())?;
+    pub(super) fn check(&self, folder: &RunFolder, layout: &Layout) -> Result<Vec<PathBuf>, Error> {
+        if self.tables.len() != layout.tables.len() {
+            return Err(Error::input(folder.root(), "has other tables than the checkpoint knows"));
+        }
+        for (fingerprint, table) in self.tables.iter().zip(&layout.tables) {
+            fingerprint.check(&folder.root().join(&table.file))?;
+        }
         self.events.check(&folder.events())?;
         let mut missing = Vec::new();
-        for (number, (frame, surfaces)) in (0..).zip(&self.frames) {
-            let path = frame_path(folder, number);
-            let files = [(path.with_extension(SURFACES), *surfaces), (path, Some(*frame))];
-            for (path, fingerprint) in files.into_iter().filter_map(|(path, of)| Some((path, of?))) {
+        for Framed { name, files, .. } in &self.frames {
+            for (ending, fingerprint) in files {
+                let path = folder.frames().join(name.file(ending));
                 if path.exists() { fingerprint.check(&path)? } else { missing.push(path) }
             }
         }
@@ -37,44 +50,56 @@ impl Recorded {
     }
 }
 
-fn frame_path(folder: &RunFolder, number: usize) -> PathBuf {
-    folder.frames().join(frame_name(number as u64))
-}
-
 /// The growing files of a run folder.
 pub(super) struct Record {
     folder: RunFolder,
-    series: Appending,
+    layout: Layout,
+    tables: Vec<Appending>,
     events: Appending,
-    frames: Vec<(Fingerprint, Option<Fingerprint>)>,
+    frames: Vec<Framed>,
 }
 
 impl Record {
     /// Creates the record of a new run.
-    pub(super) fn begin(folder: &RunFolder, columns: &[String]) -> Result<Self, Error> {
-        remove_frames_after(folder, 0)?;
-        let mut series = Appending::create(folder.series())?;
-        series.line(&columns.join(","))?;
-        Ok(Self { folder: folder.clone(), series, events: Appending::create(folder.events())?, frames: Vec::new() })
+    pub(super) fn begin(folder: &RunFolder, layout: Layout) -> Result<Self, Error> {
+        remove_frames_but(folder, &[])?;
+        let mut tables = Vec::new();
+        for table in &layout.tables {
+            let mut file = Appending::create(folder.root().join(&table.file))?;
+            file.line(&table.columns.join(","))?;
+            tables.push(file);
+        }
+        let events = Appending::create(folder.events())?;
+        Ok(Self { folder: folder.clone(), layout, tables, events, frames: Vec::new() })
     }
 
     /// Restores a record to its state at a checkpoint.
-    pub(super) fn resume(folder: &RunFolder, recorded: Recorded) -> Result<Self, Error> {
-        let Recorded { series, events, frames } = recorded;
-        let series = Appending::resume(folder.series(), &series)?;
+    pub(super) fn resume(folder: &RunFolder, layout: Layout, recorded: Recorded) -> Result<Self, Error> {
+        let Recorded { tables, events, frames } = recorded;
+        let file = |(then, table): (&Fingerprint, &crate::output::Table)| {
+            Appending::resume(folder.root().join(&table.file), then)
+        };
+        let tables = tables.iter().zip(&layout.tables).map(file).collect::<Result<_, _>>()?;
         let events = Appending::resume(folder.events(), &events)?;
-        remove_frames_after(folder, frames.len())?;
-        Ok(Self { folder: folder.clone(), series, events, frames })
+        remove_frames_but(folder, &frames)?;
+        Ok(Self { folder: folder.clone(), layout, tables, events, frames })
     }
 
     /// Makes the record survive a power failure; returns its present state.
     pub(super) fn sync(&self) -> Result<Recorded, Error> {
-        Ok(Recorded { series: self.series.sync()?, events: self.events.sync()?, frames: self.frames.clone() })
+        let tables = self.tables.iter().map(Appending::sync).collect::<Result<_, _>>()?;
+        Ok(Recorded { tables, events: self.events.sync()?, frames: self.frames.clone() })
     }
 
-    /// Appends a row to the series.
-    pub(super) fn row(&mut self, cells: &[Cell]) -> Result<(), Error> {
-        self.series.line(&row(cells))
+    /// Appends a row of a stage to the series.
+    pub(super) fn row(&mut self, stage: usize, cells: &[Cell]) -> Result<(), Error> {
+        self.layout.lines(stage, cells).into_iter().try_for_each(|(table, line)| self.tables[table].line(&line))
+    }
+
+    /// Appends a row to the table of windows.
+    pub(super) fn window(&mut self, cells: &[Cell]) -> Result<(), Error> {
+        let table = self.layout.windows().expect("a study with windows has columns of them");
+        self.tables[table].line(&crate::output::row(cells))
     }
 
     /// Appends an event.
@@ -83,25 +108,39 @@ impl Record {
         self.events.line(&event.to_string())
     }
 
-    /// Writes the next frame, and next to it the surfaces.
-    pub(super) fn frame(&mut self, stage: &str, system: &System) -> Result<(), Error> {
-        let path = frame_path(&self.folder, self.frames.len());
-        let write = |path: PathBuf, text: String| {
-            write_atomically(&path, text.as_bytes()).map(|()| Fingerprint::of(text.as_bytes()))
-        };
-        // Surfaces are written first, so that an existing frame is complete.
-        let drawn = (!system.surfaces.is_empty()).then(|| write(path.with_extension(SURFACES), wavefront(system)));
-        let surfaces = drawn.transpose()?;
-        self.frames.push((write(path, extended_xyz(system, stage))?, surfaces));
+    /// Writes the next frame of a stage in the formats asked for.
+    pub(super) fn frame(&mut self, frame: &Frame, formats: &[Format]) -> Result<(), Error> {
+        let name = FrameName::after(self.frames.last().map(|frame| &frame.name), frame.stage());
+        let mut files = Vec::new();
+        // That of the spheres comes last, so that an existing frame is complete.
+        for (ending, bytes) in frame.files(formats) {
+            write_atomically(&self.folder.frames().join(name.file(&ending)), &bytes)?;
+            files.push((ending, Fingerprint::of(&bytes)));
+        }
+        self.frames.push(Framed { name, time: frame.time(), files });
+        self.collections(frame.stage(), formats)
+    }
+
+    /// Writes the collections of a stage: the files that list its frames with their times.
+    fn collections(&self, stage: &str, formats: &[Format]) -> Result<(), Error> {
+        for ending in formats.iter().flat_map(|format| collected(*format)) {
+            let of_stage = self.frames.iter().filter(|frame| frame.name.is_of(stage));
+            let listed = of_stage.filter(|frame| frame.files.iter().any(|(one, _)| one == ending));
+            let (name, text) = collection(stage, ending, listed.map(|frame| (&frame.name, frame.time)));
+            write_atomically(&self.folder.frames().join(name), text.as_bytes())?;
+        }
         Ok(())
     }
 }
 
 /// Removes the frames that a process wrote after the checkpoint from which the run is resumed.
-fn remove_frames_after(folder: &RunFolder, count: usize) -> Result<(), Error> {
+fn remove_frames_but(folder: &RunFolder, kept: &[Framed]) -> Result<(), Error> {
+    let kept: std::collections::BTreeSet<String> =
+        kept.iter().flat_map(|frame| frame.files.iter().map(|(ending, _)| frame.name.file(ending))).collect();
     for entry in std::fs::read_dir(folder.frames()).at(&folder.frames())? {
         let path = entry.at(&folder.frames())?.path();
-        if path.file_name().and_then(frame_number).is_some_and(|number| number >= count as u64) {
+        let name = path.file_name().unwrap_or_default();
+        if FrameName::of_file(name).is_some() && name.to_str().is_none_or(|name| !kept.contains(name)) {
             std::fs::remove_file(&path).at(&path)?;
         }
     }

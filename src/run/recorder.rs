@@ -1,13 +1,14 @@
 //! The sink that is a run folder: rows, frames, pictures, events and checkpoints.
 
-use super::plan::Intervals;
+use super::plan::{Intervals, frame_due};
 use super::record::{Record, Recorded};
+use super::row::layout;
 use super::saved::State;
-use super::{RunState, RunningStage, Sink, Step, Study, columns};
-use crate::case::Output;
+use super::{RunState, RunningStage, Sink, Step, Study};
+use crate::case::{Format, Output};
 use crate::error::{Error, Halt};
 use crate::figures::picture;
-use crate::output::{Origin, RunFolder, extended_xyz, write_atomically};
+use crate::output::{Origin, RunFolder, write_atomically};
 use crate::simulation::Settings;
 use std::ops::ControlFlow;
 
@@ -57,19 +58,27 @@ impl<'a> Recorder<'a> {
         output: &'a Output,
         tell: &'a mut dyn FnMut(Message),
     ) -> Result<Self, Error> {
-        let record = Record::begin(folder, &columns(study))?;
+        let record = Record::begin(folder, layout(study))?;
         Ok(Self { folder, origin, output, record, tell, seen: (0.0, 0.0) })
     }
 
     /// Restores the record to its state at a checkpoint.
-    pub(super) fn resume(
+    pub(super) fn resume<S: Study>(
+        study: &S,
         folder: &'a RunFolder,
         origin: Origin,
         output: &'a Output,
         recorded: Recorded,
         tell: &'a mut dyn FnMut(Message),
     ) -> Result<Self, Error> {
-        Ok(Self { folder, origin, output, record: Record::resume(folder, recorded)?, tell, seen: (0.0, 0.0) })
+        Ok(Self {
+            folder,
+            origin,
+            output,
+            record: Record::resume(folder, layout(study), recorded)?,
+            tell,
+            seen: (0.0, 0.0),
+        })
     }
 
     fn event<S: Study>(&mut self, stage: &RunningStage<'_, S>, event: &str) -> Result<(), Error> {
@@ -85,13 +94,18 @@ impl<'a> Recorder<'a> {
     fn row<S: Study>(&mut self, stage: &mut RunningStage<'_, S>) -> Result<(), Error> {
         let row = stage.measure().map_err(|halt| self.halt(stage, halt))?;
         self.seen = (row.residual, row.overlap);
-        self.record.row(&row.cells)
+        self.record.row(stage.number, &row.cells)
     }
 
     /// Writes the next frame.
     fn frame<S: Study>(&mut self, stage: &mut RunningStage<'_, S>) -> Result<(), Error> {
-        stage.simulation.check_frame().map_err(|halt| self.halt(stage, halt))?;
-        self.record.frame(&stage.name, stage.simulation.system())
+        let frame = stage.frame(self.output);
+        if let Err(quantity) = frame.check() {
+            drop(frame);
+            let halt = stage.simulation.not_a_number(quantity);
+            return Err(self.halt(stage, halt));
+        }
+        self.record.frame(&frame, &self.output.format)
     }
 
     fn show<S: Study>(&mut self, stage: &RunningStage<'_, S>) {
@@ -131,18 +145,23 @@ impl<S: Study> Sink<S> for Recorder<'_> {
         for event in step.events {
             self.event(stage, event)?;
         }
-        let Intervals { series, frames, checkpoints } = Intervals::of(self.output, stage.simulation.settings().dt);
+        let dt = stage.simulation.settings().dt;
+        let Intervals { series, checkpoints } = Intervals::of(self.output, dt);
         let parts = stage.study.parts(stage.number);
         let part = (stage.last_step() / parts).max(1);
         let (taken, last) = (stage.simulation.system().step, step.last);
-        if last || [series, frames, part].iter().any(|&interval| taken.is_multiple_of(interval)) {
+        let framed = last || frame_due(&self.output.frames, dt, taken);
+        if framed || [series, part].iter().any(|&interval| taken.is_multiple_of(interval)) {
             stage.simulation.place_members();
+        }
+        if let Some(cells) = stage.window().map_err(|halt| self.halt(stage, halt))? {
+            self.record.window(&cells)?;
         }
         if last || taken.is_multiple_of(series) {
             self.row(stage)?;
             self.show(stage);
         }
-        if last || taken.is_multiple_of(frames) {
+        if framed {
             self.frame(stage)?;
         }
         if taken.is_multiple_of(part) && !last {
@@ -179,8 +198,9 @@ impl<S: Study> Sink<S> for Recorder<'_> {
         stage.simulation.place_members();
         let dumped = self.event(stage, &format!("halted at {halt}")).and_then(|()| {
             self.record.sync()?;
-            let frame = extended_xyz(stage.simulation.system(), &stage.name);
-            write_atomically(&self.folder.halted(), frame.as_bytes())
+            let files = stage.frame(self.output).files(&[Format::Extxyz]);
+            let (_, spheres) = files.last().expect("the spheres come last");
+            write_atomically(&self.folder.halted(), spheres)
         });
         match dumped {
             Ok(()) => Error::Halted(halt, Some(self.folder.halted())),

@@ -1,4 +1,4 @@
-//! The columns that every row of the series has, whatever the stage.
+//! The tables of a run: a row of the series, and the files into which it goes.
 
 use super::{RunningStage, Study};
 use crate::error::Halt;
@@ -6,7 +6,7 @@ use crate::output::columns::{
     DISCRETE_RESIDUAL, KINETIC, LARGEST_OVERLAP, LOST_TO_BREAKING, LOST_TO_DRAG, PHYSICAL_RESIDUAL, RELATIVE_RESIDUAL,
     SIDES, STAGE, STEP, STRESS, TIME, WORK_OF_BOX, WORK_OF_LOADS, WORK_OF_WALLS, lost, stored,
 };
-use crate::output::{Cell, Column};
+use crate::output::{Cell, Column, Layout};
 use crate::spec::{Named, PairModel};
 
 /// The columns of the energy balance, between the energies of pairs and the stress.
@@ -22,13 +22,22 @@ const ACCOUNTS: [Column; 9] = [
     LARGEST_OVERLAP,
 ];
 
-/// The headers of the series.
-pub fn columns<S: Study>(study: &S) -> Vec<String> {
+/// The headers of a row of a stage: those of every stage, and those of its observer.
+pub fn columns<S: Study>(study: &S, stage: usize) -> Vec<String> {
     let held = <S::Model as PairModel>::Stored::<f64>::names().into_iter().map(|cause| stored(&cause));
     let gone = <S::Model as PairModel>::Losses::<f64>::names().into_iter().map(|cause| lost(&cause));
     let first = [STAGE, STEP, TIME, KINETIC].into_iter().map(|column| column.to_string());
-    let last = ACCOUNTS.into_iter().chain(STRESS).chain(SIDES).chain(study.columns()).map(|column| column.to_string());
+    let own = study.columns(stage);
+    let last = ACCOUNTS.into_iter().chain(STRESS).chain(SIDES).chain(own).map(|column| column.to_string());
     first.chain(held).chain(gone).chain(last).collect()
+}
+
+/// The files of the tables of a run, and their columns.
+pub(super) fn layout<S: Study>(study: &S) -> Layout {
+    let names = study.names();
+    let stages = (0..names.len()).map(|stage| columns(study, stage)).collect();
+    let windows = study.windows().iter().map(Column::to_string).collect();
+    Layout::new(&names, stages, windows)
 }
 
 /// A row of the series, and its numbers that are shown as progress.
@@ -68,11 +77,27 @@ impl<S: Study> RunningStage<'_, S> {
         let numbers = energies.chain(accounts).chain(simulation.stress()).chain(system.domain.sides);
         let mut cells = vec![Cell::Name(self.name.clone()), Cell::Count(system.step)];
         cells.extend(numbers.map(Cell::Number));
-        cells.extend(self.study.look(&mut self.watch, simulation));
+        cells.extend(self.study.look(self.number, &mut self.watch, simulation));
+        self.finite(&cells, || columns(self.study, self.number))?;
+        Ok(Row { cells, residual, overlap })
+    }
+
+    /// The row of a window that has closed in this step.
+    ///
+    /// # Errors
+    ///
+    /// The first quantity that is not finite.
+    pub fn window(&self) -> Result<Option<Vec<Cell>>, Halt> {
+        let Some(own) = self.study.window(&self.watch, &self.simulation) else { return Ok(None) };
+        self.finite(&own, || self.study.windows().iter().map(Column::to_string).collect())?;
+        let system = self.simulation.system();
+        let place = [Cell::Name(self.name.clone()), Cell::Count(system.step), Cell::Number(system.time)];
+        Ok(Some(place.into_iter().chain(own).collect()))
+    }
+
+    /// Refuses cells that are not finite, by their columns.
+    fn finite(&self, cells: &[Cell], columns: impl FnOnce() -> Vec<String>) -> Result<(), Halt> {
         let wrong = cells.iter().position(|cell| matches!(cell, Cell::Number(number) if !number.is_finite()));
-        match wrong {
-            Some(place) => Err(simulation.not_a_number(&columns(self.study)[place])),
-            None => Ok(Row { cells, residual, overlap }),
-        }
+        wrong.map_or(Ok(()), |place| Err(self.simulation.not_a_number(&columns()[place])))
     }
 }

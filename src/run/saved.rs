@@ -1,6 +1,7 @@
 //! The state of a run as a checkpoint holds it, and whether a study can be resumed from it.
 
 use super::record::Recorded;
+use super::row::layout;
 use super::{Driver, RunState, RunningStage, Study};
 use crate::error::Error;
 use crate::output::RunFolder;
@@ -63,7 +64,7 @@ impl<W> State<W> {
         if settings_drifted || system.step > study.steps(stage, dt) {
             return Err(unfit());
         }
-        let missing = recorded.check(folder)?;
+        let missing = recorded.check(folder, &layout(study))?;
         let settings = Settings { dt, damping, skin, ..settings };
         let simulation = Simulation::resume(study.model(stage), settings, snapshot)
             .map_err(|halt| Error::input(path, format!("cannot be resumed: {halt}")))?;

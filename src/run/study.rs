@@ -2,9 +2,10 @@
 
 use crate::error::{Error, Halt};
 use crate::interrupt::Interrupt;
+use crate::observe::PairKind;
 use crate::output::{Cell, Column, Finding};
 use crate::simulation::{Settings, Simulation};
-use crate::spec::PairModel;
+use crate::spec::{Contact, PairModel};
 use crate::system::System;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -99,8 +100,12 @@ pub trait Study {
         1
     }
 
-    /// The columns added to the series by observers.
-    fn columns(&self) -> Vec<Column> {
+    /// The columns that the observer of a stage adds to the series.
+    fn columns(&self, _stage: usize) -> Vec<Column> {
+        Vec::new()
+    }
+    /// The columns of the table of windows, the same in all stages that have any.
+    fn windows(&self) -> Vec<Column> {
         Vec::new()
     }
     /// Starts observing a stage.
@@ -122,9 +127,21 @@ pub trait Study {
     fn follow(&self, _stage: usize, _watch: &mut Self::Watch, _simulation: &Simulation<Self::Model>) -> Vec<String> {
         Vec::new()
     }
-    /// Measures a row: the cells of the columns of all observers, empty for other stages.
-    fn look(&self, _watch: &mut Self::Watch, _simulation: &Simulation<Self::Model>) -> Vec<Cell> {
+    /// Measures a row: the cells of the columns of the stage.
+    fn look(&self, _stage: usize, _watch: &mut Self::Watch, _simulation: &Simulation<Self::Model>) -> Vec<Cell> {
         Vec::new()
+    }
+    /// The kind of a pair that no neck joins, if it is one that frames list.
+    fn kind(&self, contact: &Contact<f64>) -> Option<PairKind> {
+        (contact.gap <= 0.0).then_some(PairKind::Contact)
+    }
+    /// Further columns of frames: names and flags of spheres, by place.
+    fn flags(&self, _watch: &Self::Watch, _simulation: &Simulation<Self::Model>) -> Vec<(&'static str, Vec<bool>)> {
+        Vec::new()
+    }
+    /// The cells of a window that has closed in this step, such as means over its steps.
+    fn window(&self, _watch: &Self::Watch, _simulation: &Simulation<Self::Model>) -> Option<Vec<Cell>> {
+        None
     }
     /// The findings of a stage.
     ///

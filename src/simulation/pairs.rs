@@ -19,6 +19,8 @@ pub struct Pair<M: PairModel> {
     pub branch: Vec3<f64>,
     /// The contact kinematics.
     pub contact: Contact<f64>,
+    /// The springs of the contact before that step.
+    pub memory: M::Memory<f64>,
     /// The forces of the next step.
     pub outcome: Outcome<f64, M::Memory<f64>, M::Losses<f64>>,
     /// The energy stored in the pair.
@@ -70,7 +72,7 @@ impl<M: PairModel> Simulation<M> {
         };
         let outcome = self.model.pair(&contact, &coefficients, memory, self.settings.dt);
         let stored = self.model.stored(&contact, &coefficients, &memory);
-        Pair { i, j, branch: contact.n * contact.distance, contact, outcome, stored }
+        Pair { i, j, branch: contact.n * contact.distance, contact, memory, outcome, stored }
     }
 
     /// Where the listed pairs are.

@@ -46,6 +46,24 @@ impl<M: PairModel> Simulation<M> {
         if ratio > limit { Err(self.halt(Reason::Sunk { particle, ratio, limit })) } else { Ok(of_surface) }
     }
 
+    /// Shows force and torque of the surfaces in the next step on each sphere that they act on: its place, the arm from its centre to the surface, nm, and the
+    /// load, pN and pN nm.
+    pub fn each_load_by_surfaces(&self, mut show: impl FnMut(usize, Vec3<f64>, (Vec3<f64>, Vec3<f64>))) {
+        let (particles, dt) = (&self.system.particles, self.settings.dt);
+        let mut seen = Vec::new();
+        for surface in &self.system.surfaces {
+            for p in 0..particles.len() {
+                let finder = (&mut NearTriangles::default(), &mut seen);
+                each_touch(&self.model, surface, particles, p, finder, |at, touch, springs, share| {
+                    let mut totals = SurfaceTotals::default();
+                    let load = totals.enter(&self.model, surface, (particles.id[p], at, share), touch, springs, dt);
+                    let [fx, fy, fz, tx, ty, tz, ..] = load.0;
+                    show(p, -touch.n * (touch.r + touch.gap), (Vec3([fx, fy, fz]), Vec3([tx, ty, tz])));
+                });
+            }
+        }
+    }
+
     /// Energy stored at the surfaces, zJ, by cause.
     pub(super) fn stored_at_surfaces(&self) -> Vec<f64> {
         let mut sums = vec![0.0; M::Stored::<f64>::LEN];

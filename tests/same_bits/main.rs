@@ -18,6 +18,7 @@ use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use trials::setting;
+use veridem::output::RunFolder;
 
 /// How often a run is stopped at most.
 const STOPS: usize = 2;
@@ -40,10 +41,7 @@ fn veridem(surroundings: &[(&str, String)], arguments: &[String]) -> Output {
 
 /// The files that hold results, by name.
 fn results(root: &Path) -> Vec<(PathBuf, Vec<u8>)> {
-    let frames = std::fs::read_dir(root.join("frames")).expect("frames").map(|entry| entry.expect("a frame").path());
-    let others = ["series.csv", "events.jsonl", "results.yaml", "case.resolved.yaml"].map(|name| root.join(name));
-    let mut all: Vec<PathBuf> = frames.chain(others).filter(|path| path.exists()).collect();
-    all.sort();
+    let all = RunFolder::at(root).outputs().expect("a run folder");
     let read = |path: PathBuf| {
         let bytes = std::fs::read(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
         (path.strip_prefix(root).expect("a file of the run").to_path_buf(), bytes)

@@ -6,14 +6,17 @@ use super::stage::{self, Ground};
 use super::watch::{self, Watch};
 use crate::error::{Error, Halt};
 use crate::geometry::Sphere;
+use crate::initial::aggregate::NEIGHBOURLY;
 use crate::interrupt::Interrupt;
+use crate::observe::PairKind;
 use crate::output::{Cell, Column, Finding, load_sample, save_sample, sha256_file};
 use crate::random::Stream;
 use crate::run::Study;
 use crate::simulation::{EXAMINED, Settings, Simulation};
-use crate::spec::Vec3;
 use crate::spec::mechanics::sphere::sphere_mass;
+use crate::spec::soot::eq26_coordination::are_neighbours;
 use crate::spec::soot::{self, Reading};
+use crate::spec::{Contact, Vec3};
 use crate::system::{Domain, Particles, System};
 use std::path::PathBuf;
 
@@ -159,8 +162,8 @@ impl<S: Reading> Study for Plan<S> {
         if matches!(self.stages[stage], SootStage::Indentation(_)) { 4 } else { 2 }
     }
 
-    fn columns(&self) -> Vec<Column> {
-        watch::columns::ALL.into()
+    fn columns(&self, stage: usize) -> Vec<Column> {
+        watch::columns_of(&self.stages[stage])
     }
 
     fn watch(&self, stage: usize, simulation: &Simulation<soot::Soot<S>>) -> Watch {
@@ -193,8 +196,15 @@ impl<S: Reading> Study for Plan<S> {
         Vec::new()
     }
 
-    fn look(&self, watch: &mut Watch, simulation: &Simulation<soot::Soot<S>>) -> Vec<Cell> {
+    fn look(&self, _: usize, watch: &mut Watch, simulation: &Simulation<soot::Soot<S>>) -> Vec<Cell> {
         watch.look(simulation)
+    }
+
+    /// Spheres touch by the criterion of their coordination number.
+    fn kind(&self, contact: &Contact<f64>) -> Option<PairKind> {
+        let &Contact { n, distance, r_i, r_j, .. } = contact;
+        let near = are_neighbours(n * distance, Vec3::zero(), r_i, r_j, NEIGHBOURLY) > 0.0;
+        near.then_some(PairKind::Contact)
     }
 
     fn findings(

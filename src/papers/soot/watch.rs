@@ -7,7 +7,7 @@ use crate::geometry::{SphereExtent, gyration_radius};
 use crate::initial::aggregate::NEIGHBOURLY;
 use crate::observe::force_curve::ForceCurve;
 use crate::observe::morphology::{convexity, coordination_number};
-use crate::output::{Cell, Finding};
+use crate::output::{Cell, Column, Finding};
 use crate::simulation::Simulation;
 use crate::spec::Vec3;
 use crate::spec::soot::{Reading, Soot};
@@ -35,8 +35,8 @@ pub mod columns {
     /// The same force, filtered by the cantilever.
     pub const READING: Column = Column::new("cantilever reading", "pN");
 
-    /// All columns.
-    pub const ALL: [Column; 19] = [
+    /// Columns of all stages.
+    pub const AGGREGATE: [Column; 8] = [
         COORDINATION,
         CONVEXITY,
         GYRATION_RADIUS,
@@ -45,10 +45,16 @@ pub mod columns {
         AT_SURFACES,
         LOST_AT_SURFACES,
         Column::new("work of surfaces", "zJ"),
+    ];
+    /// Columns of stages with a substrate.
+    pub const ON_SUBSTRATE: [Column; 4] = [
         Column::pure("spheres on the substrate"),
         Column::new("contact on the substrate", "pN"),
         Column::new("friction on the substrate", "pN"),
         Column::new("van der Waals on the substrate", "pN"),
+    ];
+    /// Columns of an indentation.
+    pub const ON_TIP: [Column; 7] = [
         TIP_DISPLACEMENT,
         Column::pure("spheres on the tip"),
         Column::new("contact on the tip", "pN"),
@@ -57,6 +63,16 @@ pub mod columns {
         PULL,
         READING,
     ];
+}
+
+/// The columns of a stage.
+pub(super) fn columns_of(stage: &SootStage) -> Vec<Column> {
+    use columns::{AGGREGATE, ON_SUBSTRATE, ON_TIP};
+    match stage {
+        SootStage::Deposition(_) => [&AGGREGATE[..], &ON_SUBSTRATE].concat(),
+        SootStage::Indentation(_) => [&AGGREGATE[..], &ON_SUBSTRATE, &ON_TIP].concat(),
+        SootStage::Restructuring(_) => AGGREGATE.into(),
+    }
 }
 
 /// The shape of an aggregate: coordination number, convexity, radius of gyration.
@@ -116,23 +132,17 @@ impl Watch {
         cells.push(Cell::Count(system.necks.len() as u64));
         let energies = [account.stored.iter().sum(), account.lost.iter().sum(), account.work];
         cells.extend(energies.map(Cell::Number));
-        match surface(system, SUBSTRATE) {
-            Some(substrate) => {
-                cells.push(Cell::Count(spheres_on(&system.particles, substrate)));
-                // The friction of a level substrate has no vertical part.
-                let Forces { contact, friction, van_der_waals } = substrate.force;
-                cells.extend([contact.0[2], friction.norm(), van_der_waals.0[2]].map(Cell::Number));
-            }
-            None => cells.extend(vec![Cell::Nothing; 4]),
+        if let Some(substrate) = surface(system, SUBSTRATE) {
+            cells.push(Cell::Count(spheres_on(&system.particles, substrate)));
+            // The friction of a level substrate has no vertical part.
+            let Forces { contact, friction, van_der_waals } = substrate.force;
+            cells.extend([contact.0[2], friction.norm(), van_der_waals.0[2]].map(Cell::Number));
         }
-        match (surface(system, TIP), &self.curve) {
-            (Some(tip), Some(curve)) => {
-                cells.extend([Cell::Number(tip.way.0[2]), Cell::Count(spheres_on(&system.particles, tip))]);
-                let Forces { contact, friction, van_der_waals } = tip.force;
-                cells.extend([contact, friction, van_der_waals].map(|force| Cell::Number(force.0[2])));
-                cells.extend([-tip.force.total().0[2], curve.reading()].map(Cell::Number));
-            }
-            _ => cells.extend(vec![Cell::Nothing; 7]),
+        if let (Some(tip), Some(curve)) = (surface(system, TIP), &self.curve) {
+            cells.extend([Cell::Number(tip.way.0[2]), Cell::Count(spheres_on(&system.particles, tip))]);
+            let Forces { contact, friction, van_der_waals } = tip.force;
+            cells.extend([contact, friction, van_der_waals].map(|force| Cell::Number(force.0[2])));
+            cells.extend([-tip.force.total().0[2], curve.reading()].map(Cell::Number));
         }
         cells
     }

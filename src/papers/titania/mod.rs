@@ -29,7 +29,7 @@ use crate::spec::titania::Tabulated;
 use case::{Case, Experiment, Model, Sample, TitaniaTest};
 use film::spectrum::{FORCE, MOVED as TIP_MOVED};
 use std::path::PathBuf;
-use watch::columns::{CONTACTS, DISTANCE, FRICTION, MOVED, PULL, PULLED, ROLLING_RESISTANCE};
+use watch::columns::{CONTACTS, DISTANCE, FRICTION, MEAN_PULL, MOVED, PULLED, ROLLING_RESISTANCE};
 
 /// The paper.
 pub struct Titania;
@@ -45,7 +45,7 @@ impl Paper for Titania {
         Graph { name: "approach", stages: &["approach"], x: TIME, y: DISTANCE, marks: &[] },
         Graph { name: "sliding friction", stages: &["sliding"], x: MOVED, y: FRICTION, marks: &[] },
         Graph { name: "rolling resistance", stages: &["rolling"], x: MOVED, y: ROLLING_RESISTANCE, marks: &[] },
-        Graph { name: "pulling force", stages: &["pulling"], x: PULLED, y: PULL, marks: MARKS },
+        Graph { name: "pulling force", stages: &["pulling"], x: PULLED, y: MEAN_PULL, marks: MARKS },
         Graph { name: "contacts", stages: &["pulling"], x: PULLED, y: CONTACTS, marks: &[] },
         Graph { name: "spectroscopy", stages: &["approach", "retraction"], x: TIP_MOVED, y: FORCE, marks: MARKS },
     ];

@@ -5,7 +5,7 @@ use super::case::Case;
 use super::stage::StageAct;
 use crate::error::Error;
 use crate::interrupt::Interrupt;
-use crate::run::{Driver, Each, Study};
+use crate::run::{Driver, Each};
 use std::ops::ControlFlow;
 
 /// The result of stretching an agglomerate.
@@ -20,21 +20,19 @@ pub struct Pull {
 }
 
 impl Pull {
-    /// Runs a case of a stretched agglomerate; forces are means over `every`, ns.
+    /// Runs a case of a stretched agglomerate.
     ///
     /// # Errors
     ///
     /// A halt, or an interruption.
-    pub fn of(case: &Case, every: f64, interrupt: &Interrupt) -> Result<Self, Error> {
+    pub fn of(case: &Case, interrupt: &Interrupt) -> Result<Self, Error> {
         let (plan, mut pull) = (Plan::of(case), Self::default());
-        let rows = plan.steps_in(every);
         let mut see = Each(|stage: &mut crate::run::RunningStage<'_, Plan>, step: &crate::run::Step| {
             if matches!(plan.stages[stage.number].act, StageAct::Pull { .. }) {
-                let (watch, simulation) = (&mut stage.watch, &stage.simulation);
+                let (watch, simulation) = (&stage.watch, &stage.simulation);
                 pull.events.extend(step.events.iter().map(|event| (watch.pulled(simulation), event.clone())));
-                if simulation.system().step.is_multiple_of(rows) {
-                    plan.look(watch, simulation);
-                    pull.curve.push((watch.pulled(simulation), watch.mean_pull()));
+                if let Some(mean) = watch.mean_pull() {
+                    pull.curve.push((watch.pulled(simulation), mean));
                     pull.largest = watch.largest_pull().unwrap_or(0.0);
                 }
             }

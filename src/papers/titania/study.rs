@@ -7,11 +7,12 @@ use super::stage::{Stage, StageAct};
 use super::watch::{self, Watch};
 use crate::error::Error;
 use crate::interrupt::Interrupt;
+use crate::observe::PairKind;
 use crate::output::{Cell, Column, Finding};
 use crate::run::Study;
 use crate::simulation::{Settings, Simulation};
-use crate::spec::Vec3;
 use crate::spec::titania::Titania;
+use crate::spec::{Contact, Vec3};
 use crate::system::{Domain, Particles, System};
 
 /// The plan of a case.
@@ -48,11 +49,6 @@ impl Plan {
             _ => None,
         };
         Self { titania: titania.clone(), dt, overlap: case.limits.overlap, chain, stages }
-    }
-
-    /// Number of steps in a time, at least one.
-    pub(super) fn steps_in(&self, time: f64) -> u64 {
-        ((time / self.dt).round() as u64).max(1)
     }
 
     /// The chain, in a box large enough for its stretching.
@@ -122,8 +118,12 @@ impl Study for Plan {
         if matches!(self.stages[stage].act, StageAct::Pull { .. }) { 4 } else { 1 }
     }
 
-    fn columns(&self) -> Vec<Column> {
-        watch::columns::ALL.into()
+    fn columns(&self, stage: usize) -> Vec<Column> {
+        watch::columns_of(&self.stages[stage].act)
+    }
+
+    fn windows(&self) -> Vec<Column> {
+        if self.chain.is_some() { watch::columns::WINDOW.into() } else { Vec::new() }
     }
 
     fn watch(&self, _: usize, simulation: &Simulation<Titania>) -> Watch {
@@ -140,8 +140,16 @@ impl Study for Plan {
         watch.follow(&self.stages[stage].act, simulation)
     }
 
-    fn look(&self, watch: &mut Watch, simulation: &Simulation<Titania>) -> Vec<Cell> {
-        watch.look(simulation)
+    fn look(&self, stage: usize, watch: &mut Watch, simulation: &Simulation<Titania>) -> Vec<Cell> {
+        watch.look(&self.stages[stage].act, simulation)
+    }
+
+    fn window(&self, watch: &Watch, simulation: &Simulation<Titania>) -> Option<Vec<Cell>> {
+        watch.window(simulation)
+    }
+
+    fn kind(&self, contact: &Contact<f64>) -> Option<PairKind> {
+        Some(if contact.gap < 0.0 { PairKind::Contact } else { PairKind::Meniscus })
     }
 
     fn findings(&self, stage: usize, watch: &Watch, simulation: &Simulation<Titania>) -> Result<Vec<Finding>, Error> {

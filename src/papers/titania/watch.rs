@@ -2,7 +2,7 @@
 
 use super::stage::StageAct;
 use crate::case::units::in_unit;
-use crate::output::{Cell, Finding};
+use crate::output::{Cell, Column, Finding};
 use crate::simulation::{Pair, Simulation};
 use crate::spec::Vec3;
 use crate::spec::mechanics::rolling::rolled_path;
@@ -26,26 +26,41 @@ pub(super) mod columns {
     pub(crate) const ROLLING_RESISTANCE: Column = Column::new("rolling resistance", "pN");
     /// Displacement of the far end of the spring.
     pub(crate) const PULLED: Column = Column::new("pulled", "nm");
-    /// Mean force of the spring.
+    /// Force of the spring.
     pub(crate) const PULL: Column = Column::new("pulling force", "pN");
     /// Number of contacts.
     pub(crate) const CONTACTS: Column = Column::pure("contacts");
 
-    /// All columns.
-    pub(crate) const ALL: [Column; 12] = [
-        DISTANCE,
-        MOVED,
-        FRICTION,
-        ROLLING_RESISTANCE,
-        PULLED,
-        Column::new("elongation", "nm"),
-        PULL,
+    /// Force of the spring, averaged over a window.
+    pub(crate) const MEAN_PULL: Column = Column::new("mean pulling force", "pN");
+
+    /// Columns of a pair.
+    pub(crate) const PAIR: [Column; 1] = [DISTANCE];
+    /// Columns of a pair of which one particle is dragged.
+    pub(crate) const DRAGGED: [Column; 3] = [MOVED, FRICTION, ROLLING_RESISTANCE];
+    /// Columns of a chain that is stretched.
+    pub(crate) const STRETCHED: [Column; 3] = [PULLED, Column::new("elongation", "nm"), PULL];
+    /// Columns of all stages.
+    pub(crate) const COUNTS: [Column; 5] = [
         CONTACTS,
         Column::pure("menisci"),
         Column::pure("slidings"),
         Column::pure("rollings"),
         Column::pure("detachments"),
     ];
+    /// Columns of a window of a chain that is stretched.
+    pub(crate) const WINDOW: [Column; 2] = [PULLED, MEAN_PULL];
+}
+
+/// The columns of a stage.
+pub(super) fn columns_of(act: &StageAct) -> Vec<Column> {
+    let own: &[&[Column]] = match act {
+        StageAct::Approach { .. } | StageAct::Press { .. } => &[&columns::PAIR],
+        StageAct::Drag { .. } => &[&columns::PAIR, &columns::DRAGGED],
+        StageAct::Relax { .. } => &[],
+        StageAct::Pull { .. } => &[&columns::STRETCHED],
+    };
+    [own.concat(), columns::COUNTS.into()].concat()
 }
 
 /// Index of the pulling spring of a chain; spring 0 holds the other end.
@@ -65,13 +80,11 @@ pub struct Watch {
     slips: Vec<Slip>,
     rollings: u64,
     detachments: Vec<Detachment>,
-    /// Force of the pulling spring, summed over the steps since the last row.
-    pull: (f64, u64),
-    /// Its mean between the last two rows.
-    mean_pull: f64,
-    /// The same force, summed since the last mean was taken, and the last mean.
+    /// Force of the pulling spring, summed since the last mean was taken, and the last mean.
     window: (f64, u64),
     mean: f64,
+    /// Whether a mean has been taken in the last step.
+    closed: bool,
     /// The largest of these means after the initial oscillation of the pulled particles.
     largest_pull: Option<f64>,
     /// Sums of the measured rolling resistance and of its value by the law, and the number of summands.
@@ -176,10 +189,10 @@ impl Watch {
             StageAct::Pull { .. } => {
                 let spring = &system.steerings[DRAWN];
                 let force = spring.force.0[0];
-                self.pull = (self.pull.0 + force, self.pull.1 + 1);
                 self.window = (self.window.0 + force, self.window.1 + 1);
                 let every = ((AVERAGE / simulation.settings().dt).round() as u64).max(1);
-                if system.step.is_multiple_of(every) {
+                self.closed = system.step.is_multiple_of(every);
+                if self.closed {
                     self.mean = self.window.0 / self.window.1 as f64;
                     self.window = (0.0, 0);
                     if spring.age > spring.swing(&system.particles) {
@@ -191,9 +204,9 @@ impl Watch {
         }
     }
 
-    /// Mean force of the pulling spring between the last two rows, pN.
-    pub fn mean_pull(&self) -> f64 {
-        self.mean_pull
+    /// Mean force of the pulling spring over a window that has closed in this step, pN.
+    pub fn mean_pull(&self) -> Option<f64> {
+        self.closed.then_some(self.mean)
     }
 
     /// The largest mean force over 50 ps after the initial oscillation of the pulled particles, pN.
@@ -206,28 +219,29 @@ impl Watch {
         simulation.system().steerings.get(DRAWN).map_or(0.0, |spring| spring.drawn().0[0])
     }
 
-    /// The cells of the columns.
-    pub fn look(&mut self, simulation: &Simulation<Titania>) -> Vec<Cell> {
+    /// The cells of the columns of the stage.
+    pub fn look(&self, act: &StageAct, simulation: &Simulation<Titania>) -> Vec<Cell> {
         let system = simulation.system();
-        let mut cells = vec![Cell::Nothing; 7];
-        if system.particles.len() == 2 {
-            cells[0] = Cell::Number(distance(simulation));
-        }
-        if let Some(spring) = system.steerings.get(DRAWN) {
-            if self.pull.1 > 0 {
-                self.mean_pull = self.pull.0 / self.pull.1 as f64;
-                self.pull = (0.0, 0);
+        let own: Vec<f64> = match act {
+            StageAct::Approach { .. } | StageAct::Press { .. } => vec![distance(simulation)],
+            StageAct::Drag { .. } => {
+                let wall = &system.walls[1];
+                vec![distance(simulation), wall.travel.0[0], -wall.force.0[0], rolling_resistance(simulation)]
             }
-            let numbers = [self.pulled(simulation), spring.travel.0[0], self.mean_pull];
-            cells.splice(4..7, numbers.map(Cell::Number));
-        } else if let (Some(wall), 2) = (system.walls.get(1), system.particles.len()) {
-            let numbers = [wall.travel.0[0], -wall.force.0[0], rolling_resistance(simulation)];
-            cells.splice(1..4, numbers.map(Cell::Number));
-        }
+            StageAct::Relax { .. } => Vec::new(),
+            StageAct::Pull { .. } => {
+                let spring = &system.steerings[DRAWN];
+                vec![self.pulled(simulation), spring.travel.0[0], spring.force.0[0]]
+            }
+        };
         let contacts = simulation.pairs().filter(|pair| pair.contact.gap < 0.0).count();
         let counts = [contacts, self.bonds.len(), self.slips.len(), self.rollings as usize, self.detachments.len()];
-        cells.extend(counts.map(|count| Cell::Count(count as u64)));
-        cells
+        own.into_iter().map(Cell::Number).chain(counts.map(|count| Cell::Count(count as u64))).collect()
+    }
+
+    /// The cells of a window that has closed in this step.
+    pub fn window(&self, simulation: &Simulation<Titania>) -> Option<Vec<Cell>> {
+        self.mean_pull().map(|mean| [self.pulled(simulation), mean].map(Cell::Number).into())
     }
 
     /// The findings of the stage.

@@ -19,9 +19,9 @@ pub struct Row {
     pub window: f64,
     /// Distance between the surfaces of the two bodies: the initial height of the junction plus the rise of the upper wall, nm.
     pub separation: f64,
-    /// Friction force on the upper wall, pN: positive if it resists the sliding.
+    /// Mean friction force on the upper wall, pN: positive if it resists the sliding.
     pub friction: f64,
-    /// Normal force of the spheres on the upper wall, pN.
+    /// Mean normal force of the spheres on the upper wall, pN.
     pub normal: f64,
     /// Number of spheres in the third body.
     pub third_size: usize,
@@ -52,6 +52,10 @@ pub struct Witness {
     start: [f64; 3],
     mark: [f64; 3],
     before: Vec<[f64; 3]>,
+    /// Friction and normal force, summed over the steps of the window, and their number.
+    forces: ([f64; 2], u64),
+    /// Ids of the third body in the last window, in ascending order.
+    members: Vec<u32>,
     /// The rows so far.
     pub rows: Vec<Row>,
 }
@@ -60,7 +64,8 @@ impl Witness {
     /// Starts observing; `height` is the initial distance between the bodies, nm.
     pub fn new(system: &System, height: f64) -> Self {
         let start = upper_wall(system).0;
-        Self { height, start, mark: start, before: by_id(system), rows: Vec::new() }
+        let (forces, members) = (([0.0; 2], 0), Vec::new());
+        Self { height, start, mark: start, before: by_id(system), forces, members, rows: Vec::new() }
     }
 
     /// Number of spheres that it observes.
@@ -68,7 +73,19 @@ impl Witness {
         self.before.len()
     }
 
-    /// Closes a window and opens the next.
+    /// Observes a step.
+    pub fn follow(&mut self, system: &System) {
+        let [x, y, _] = system.walls[1].force.0;
+        let ([friction, normal], steps) = self.forces;
+        self.forces = ([friction - x, normal + y], steps + 1);
+    }
+
+    /// Ids of the third body in the last window, in ascending order.
+    pub fn members(&self) -> &[u32] {
+        &self.members
+    }
+
+    /// Closes a window, after its last step has been observed, and opens the next.
     pub fn look(&mut self, system: &System, links: &[Link]) -> &Row {
         let now = upper_wall(system);
         let slid = now - Vec3(self.mark);
@@ -78,13 +95,15 @@ impl Witness {
         let rolled = third.map_or(0.0, |t| t.rolled);
         let members = third.map_or(&[][..], |t| &t.members);
         let turned = self.rows.last().map_or(0.0, |row| row.turns);
-        let wall = system.walls[1].force;
+        let ([friction, normal], steps) = std::mem::take(&mut self.forces);
+        self.members = members.iter().map(|&i| system.particles.id[i]).collect();
+        self.members.sort_unstable();
         self.rows.push(Row {
             slid: (now - Vec3(self.start)).0[0],
             window: slid.0[0],
             separation: self.height + (now - Vec3(self.start)).0[1],
-            friction: -wall.0[0],
-            normal: wall.0[1],
+            friction: friction / steps as f64,
+            normal: normal / steps as f64,
             third_size: members.len(),
             third_from_junction: members
                 .iter()

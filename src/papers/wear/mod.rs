@@ -25,7 +25,7 @@ use crate::run::Runnable;
 use case::{Case, Experiment, Model, Sample};
 use std::path::PathBuf;
 use watch::columns::{
-    FRICTION, NORMAL_STRAIN, NORMAL_STRESS, SEPARATION, SHEAR_STRAIN, SHEAR_STRESS, SLID, TURNS, VOLUME_FRACTION,
+    MEAN_FRICTION, NORMAL_STRAIN, NORMAL_STRESS, SEPARATION, SHEAR_STRAIN, SHEAR_STRESS, SLID, TURNS, VOLUME_FRACTION,
 };
 
 /// The paper.
@@ -36,7 +36,7 @@ impl Paper for Wear {
     const REFERENCE: &'static str = "Pham-Ba & Molinari 2022";
     const TITLE: &'static str = "Adhesive wear with a coarse-grained discrete element model: claims and results";
     const GRAPHS: &'static [Graph] = &[
-        Graph { name: "friction", stages: &["shearing"], x: SLID, y: FRICTION, marks: &[] },
+        Graph { name: "friction", stages: &["shearing"], x: SLID, y: MEAN_FRICTION, marks: &[] },
         Graph { name: "separation", stages: &["shearing"], x: SLID, y: SEPARATION, marks: &[] },
         Graph { name: "turns", stages: &["shearing"], x: SLID, y: TURNS, marks: &[] },
         Graph { name: "compression", stages: &["compression"], x: NORMAL_STRAIN, y: NORMAL_STRESS, marks: &[] },

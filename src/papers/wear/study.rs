@@ -10,9 +10,11 @@ use crate::error::Error;
 use crate::initial::lattice::hcp_cells;
 use crate::initial::{Sizes, hcp, random_packing};
 use crate::interrupt::Interrupt;
+use crate::observe::PairKind;
 use crate::output::{Cell, Column, Finding, load_sample, save_sample};
 use crate::run::{Progress, Study};
 use crate::simulation::{Settings, Simulation};
+use crate::spec::Contact;
 use crate::spec::wear::{Interaction, Wear};
 use crate::system::System;
 
@@ -144,9 +146,13 @@ impl Study for Plan {
         if matches!(self.stages[stage].setup, Setup::Junction(_)) { 3 } else { 1 }
     }
 
-    fn columns(&self) -> Vec<Column> {
-        use watch::columns::{JUNCTION, RELAXATION, TEST};
-        [&RELAXATION[..], &TEST, &JUNCTION].concat()
+    fn columns(&self, stage: usize) -> Vec<Column> {
+        watch::columns_of(&self.stages[stage].setup).into()
+    }
+
+    fn windows(&self) -> Vec<Column> {
+        let has_junction = self.stages.iter().any(|stage| matches!(stage.setup, Setup::Junction(_)));
+        if has_junction { watch::columns::WINDOW.into() } else { Vec::new() }
     }
 
     fn watch(&self, stage: usize, simulation: &Simulation<Wear>) -> Watch {
@@ -165,8 +171,21 @@ impl Study for Plan {
         system.walls.len() == walls && (1..=walls as u32).all(has_spheres) && watch.belongs_to(setup, system)
     }
 
-    fn look(&self, watch: &mut Watch, simulation: &Simulation<Wear>) -> Vec<Cell> {
+    fn look(&self, _: usize, watch: &mut Watch, simulation: &Simulation<Wear>) -> Vec<Cell> {
         watch.look(simulation)
+    }
+
+    fn window(&self, watch: &Watch, _: &Simulation<Wear>) -> Option<Vec<Cell>> {
+        watch.window()
+    }
+
+    /// Cohesion holds a contact together until it is broken.
+    fn kind(&self, _: &Contact<f64>) -> Option<PairKind> {
+        Some(PairKind::Contact)
+    }
+
+    fn flags(&self, watch: &Watch, simulation: &Simulation<Wear>) -> Vec<(&'static str, Vec<bool>)> {
+        watch.flags(simulation.system())
     }
 
     fn findings(&self, stage: usize, watch: &Watch, simulation: &Simulation<Wear>) -> Result<Vec<Finding>, Error> {

@@ -6,8 +6,9 @@ use super::fate::{Fate, Row, WINDOW, Witness};
 use super::protocol::{Setup, Stage};
 use crate::case::units::{in_unit, rounded};
 use crate::observe::patch::{Elasticity, Gauge};
+use crate::observe::statistics::standard_error;
 use crate::observe::{Link, links, packing, upper_wall};
-use crate::output::{Cell, Finding};
+use crate::output::{Cell, Column, Finding};
 use crate::simulation::Simulation;
 use crate::spec::Vec3;
 use crate::spec::wear::Wear;
@@ -60,13 +61,13 @@ pub struct Sheared {
     start: [f64; 3],
     /// Sliding distance at which the next window closes, nm.
     next: f64,
-    /// Friction force, summed over all steps, and their number.
-    friction: (f64, u64),
-    /// Number of windows that have been written.
-    written: usize,
+    /// Whether a window has closed in the last step.
+    closed: bool,
+    /// Friction and normal force, summed over all steps, and their number.
+    forces: ([f64; 2], u64),
 }
 
-/// The columns of all observers; a stage fills its own.
+/// The columns of the observers.
 pub(super) mod columns {
     use crate::output::Column;
 
@@ -86,6 +87,8 @@ pub(super) mod columns {
     pub(crate) const SEPARATION: Column = Column::new("separation", "nm");
     /// Friction force.
     pub(crate) const FRICTION: Column = Column::new("friction", "pN");
+    /// Friction force, averaged over a window.
+    pub(crate) const MEAN_FRICTION: Column = Column::new("mean friction", "pN");
     /// Revolutions of the third body.
     pub(crate) const TURNS: Column = Column::pure("third body turns");
 
@@ -101,11 +104,13 @@ pub(super) mod columns {
         Column::new("peak stress", "MPa"),
     ];
     /// Columns of a sheared junction.
-    pub(crate) const JUNCTION: [Column; 13] = [
+    pub(crate) const JUNCTION: [Column; 4] = [SLID, SEPARATION, FRICTION, Column::new("normal force", "pN")];
+    /// Columns of a window of a sheared junction.
+    pub(crate) const WINDOW: [Column; 13] = [
         SLID,
         SEPARATION,
-        FRICTION,
-        Column::new("normal force", "pN"),
+        MEAN_FRICTION,
+        Column::new("mean normal force", "pN"),
         Column::pure("third body size"),
         Column::pure("third body from junction"),
         Column::new("third body mass", "ag"),
@@ -117,7 +122,15 @@ pub(super) mod columns {
         Column::pure("links between bodies"),
     ];
 }
-use columns::{JUNCTION, RELAXATION, TEST};
+
+/// The columns of a stage.
+pub(super) fn columns_of(setup: &Setup) -> &'static [Column] {
+    match setup {
+        Setup::None => &columns::RELAXATION,
+        Setup::Walls { .. } => &columns::TEST,
+        Setup::Junction(_) => &columns::JUNCTION,
+    }
+}
 
 impl Watch {
     /// Starts observing a stage.
@@ -139,8 +152,8 @@ impl Watch {
                 height: junction.height,
                 start: upper_wall(system).0,
                 next: WINDOW,
-                friction: (0.0, 0),
-                written: 0,
+                closed: false,
+                forces: ([0.0; 2], 0),
             }),
         }
     }
@@ -166,18 +179,25 @@ impl Watch {
         }
     }
 
-    /// Measures a row: the cells of the columns of all observers, empty for other stages.
-    pub fn look(&mut self, simulation: &Simulation<Wear>) -> Vec<Cell> {
-        let system = simulation.system();
-        let nothing = |columns: usize| vec![Cell::Nothing; columns];
-        let (mut relaxation, mut test, mut junction) =
-            (nothing(RELAXATION.len()), nothing(TEST.len()), nothing(JUNCTION.len()));
+    /// Measures a row: the cells of the columns of the stage.
+    pub fn look(&self, simulation: &Simulation<Wear>) -> Vec<Cell> {
         match self {
-            Self::Relaxation => relaxation = vec![Cell::Number(packing::volume_fraction(system))],
-            Self::Test(watch) => test = watch.look(simulation, &links(simulation)),
-            Self::Junction(watch) => junction = watch.look(simulation),
+            Self::Relaxation => vec![Cell::Number(packing::volume_fraction(simulation.system()))],
+            Self::Test(watch) => watch.look(simulation, &links(simulation)),
+            Self::Junction(watch) => watch.look(simulation),
         }
-        [relaxation, test, junction].concat()
+    }
+
+    /// The cells of a window that has closed in this step.
+    pub fn window(&self) -> Option<Vec<Cell>> {
+        if let Self::Junction(sheared) = self { sheared.window() } else { None }
+    }
+
+    /// The third body in the last window.
+    pub fn flags(&self, system: &System) -> Vec<(&'static str, Vec<bool>)> {
+        let Self::Junction(sheared) = self else { return Vec::new() };
+        let members = sheared.witness.members();
+        vec![("third_body", system.particles.id.iter().map(|id| members.binary_search(id).is_ok()).collect())]
     }
 
     /// Whether the stage may end early.
@@ -193,7 +213,7 @@ impl Watch {
                 vec![Finding::number(name, packing::volume_fraction(simulation.system()), "")]
             }
             Self::Test(test) => test.findings(case, simulation),
-            Self::Junction(sheared) => sheared.findings(simulation),
+            Self::Junction(sheared) => sheared.findings(material(case).density.value, simulation),
         }
     }
 }
@@ -266,54 +286,71 @@ impl Test {
 impl Sheared {
     fn follow(&mut self, simulation: &Simulation<Wear>) {
         let system = simulation.system();
-        self.friction = (self.friction.0 - system.walls[1].force.0[0], self.friction.1 + 1);
-        if (upper_wall(system).0[0] - self.start[0]).abs() >= self.next {
+        self.witness.follow(system);
+        let ([friction, normal], steps) = self.forces;
+        let [x, y, _] = system.walls[1].force.0;
+        self.forces = ([friction - x, normal + y], steps + 1);
+        self.closed = (upper_wall(system).0[0] - self.start[0]).abs() >= self.next;
+        if self.closed {
             self.next += WINDOW;
             self.witness.look(system, &links(simulation));
         }
     }
 
-    /// The cells; those of the third body in the first row after a window has closed.
-    fn look(&mut self, simulation: &Simulation<Wear>) -> Vec<Cell> {
+    fn look(&self, simulation: &Simulation<Wear>) -> Vec<Cell> {
         let system = simulation.system();
         let now = upper_wall(system).0;
         let (slid, separation) = (now[0] - self.start[0], self.height + now[1] - self.start[1]);
         let wall = system.walls[1].force.0;
-        let mut cells: Vec<Cell> = [slid, separation, -wall[0], wall[1]].map(Cell::Number).into();
-        let closed = self.witness.rows.len();
-        if let Some(row) = self.witness.rows.last().filter(|_| closed > self.written) {
-            cells.extend([Cell::Count(row.third_size as u64), Cell::Count(row.third_from_junction as u64)]);
-            cells.extend([row.third_mass, row.third_height, row.turns, row.rigidity].map(Cell::Number));
-            cells.extend([row.links_to_bottom, row.links_to_top, row.links_direct].map(|n| Cell::Count(n as u64)));
-            self.written = closed;
-        }
-        cells.resize(JUNCTION.len(), Cell::Nothing);
-        cells
+        [slid, separation, 0.0 - wall[0], wall[1]].map(Cell::Number).into()
     }
 
-    fn findings(&self, simulation: &Simulation<Wear>) -> Vec<Finding> {
+    fn window(&self) -> Option<Vec<Cell>> {
+        let row = self.witness.rows.last().filter(|_| self.closed)?;
+        let mut cells: Vec<Cell> = [row.slid, row.separation, row.friction, row.normal].map(Cell::Number).into();
+        cells.extend([row.third_size, row.third_from_junction].map(|n| Cell::Count(n as u64)));
+        cells.extend([row.third_mass, row.third_height, row.turns, row.rigidity].map(Cell::Number));
+        cells.extend([row.links_to_bottom, row.links_to_top, row.links_direct].map(|n| Cell::Count(n as u64)));
+        Some(cells)
+    }
+
+    fn findings(&self, density: f64, simulation: &Simulation<Wear>) -> Vec<Finding> {
         let fate = match self.witness.fate() {
             Fate::Flattened => "squeezed flat",
             Fate::Rolls => "detached and rolling",
             Fate::Cut => "cut",
             Fate::Attached => "still attached",
         };
-        let short = format!("slid by less than {}", in_unit(WINDOW, "nm"));
-        let last = self.witness.rows.last();
-        let of =
-            |name: &str, value: fn(&Row) -> f64, unit: &str| Finding::reached(name, last.map(value), unit, &*short);
+        let rows = &self.witness.rows;
+        let short = format!("slid by less than {}", in_unit(2.0 * WINDOW, "nm"));
+        let last = rows.last();
         let [slid, risen, _] = (upper_wall(simulation.system()) - Vec3(self.start)).0;
-        let (friction, steps) = self.friction;
+        let ([friction, normal], steps) = self.forces;
+        let load = normal / steps as f64;
+        let peak = rows.iter().map(|row| row.friction / load).reduce(f64::max);
+        // A sliding junction is judged by the second half of its way: the first has the static peak in it.
+        let late: Vec<&Row> = rows.iter().filter(|row| row.slid > 0.5 * slid).collect();
+        let over = |name: &str, unit: &str, value: &dyn Fn(&Row) -> f64, why: &str| {
+            let values: Vec<f64> = late.iter().map(|row| value(row)).collect();
+            if values.len() < 2 || !why.is_empty() {
+                return Finding::reached(name, None, unit, if why.is_empty() { &*short } else { why });
+            }
+            let mean = values.iter().sum::<f64>() / values.len() as f64;
+            Finding::number(name, mean, unit).spread(standard_error(&values, mean))
+        };
+        let none = if late.iter().any(|row| row.third_size > 0) { "" } else { "no third body in the second half" };
         vec![
             Finding::words("fate of the junction", last.map_or(&*short, |_| fate)),
             Finding::number("sliding distance", slid, "nm"),
             Finding::number("distance between the bodies", self.height + risen, "nm"),
             Finding::number("mean friction force", friction / steps as f64, "nN"),
-            last.map_or(of("particles in the third body", |_| 0.0, ""), |row| {
-                Finding::count("particles in the third body", row.third_size as u64)
-            }),
-            of("turns of the third body", |row| row.turns, ""),
-            of("rigidity of the third body's motion", |row| row.rigidity, ""),
+            Finding::reached("peak friction coefficient", peak, "", &*short),
+            over("kinetic friction coefficient", "", &|row| row.friction / load, ""),
+            over("wear volume", "nm^3", &|row| row.third_mass / density, none),
+            over("wear rate", "nm^2", &|row| row.third_mass / density / row.slid, none),
+            over("particles in the third body", "", &|row| row.third_size as f64, none),
+            Finding::reached("turns of the third body", last.map(|row| row.turns), "", &*short),
+            over("rigidity of the third body's motion", "", &|row| row.rigidity, none),
         ]
     }
 }

@@ -15,8 +15,6 @@ const CASE: &str = include_str!("../../../../cases/titania/agglomerate.yaml");
 const WATERS: [(&str, &str); 2] = [("experimental", "experimental"), ("tip3p", "TIP3P")];
 /// The contact events.
 const EVENTS: [&str; 3] = ["sliding", "rolling", "detachment"];
-/// Forces are means over this time, ns.
-const EVERY: f64 = 0.05;
 
 /// The pulling force of a chain, for both waters.
 ///
@@ -28,7 +26,7 @@ pub fn chapter(setting: &Setting) -> Result<Evidence, Error> {
         .into_par_iter()
         .map(|(word, _)| {
             let text = CASE.replace("surface_tension: experimental", &format!("surface_tension: {word}"));
-            Pull::of(&parse::<Titania>(Path::new("agglomerate.yaml"), &text)?, EVERY, setting.interrupt)
+            Pull::of(&parse::<Titania>(Path::new("agglomerate.yaml"), &text)?, setting.interrupt)
         })
         .collect::<Result<_, Error>>()?;
     let mut chapter = Evidence::default();

@@ -13,12 +13,13 @@ use super::case::{self, Case, Spectroscopy, TitaniaTest, checked};
 use crate::error::{Error, Halt};
 use crate::initial::film::{DepositedFilm, FilmSphere};
 use crate::interrupt::Interrupt;
+use crate::observe::PairKind;
 use crate::observe::film::Structure;
 use crate::output::{Cell, Column, Finding, load_sample, save_sample};
 use crate::run::{Progress, Study};
 use crate::simulation::{EXAMINED, Settings, Simulation};
-use crate::spec::Vec3;
 use crate::spec::titania::Tabulated;
+use crate::spec::{Contact, Vec3};
 use crate::system::{Motion, System};
 use std::sync::OnceLock;
 use watch::Watch;
@@ -237,8 +238,12 @@ impl<M: Law> Study for Plan<M> {
         2
     }
 
-    fn columns(&self) -> Vec<Column> {
-        watch::COLUMNS.into()
+    fn columns(&self, stage: usize) -> Vec<Column> {
+        watch::columns_of(self.stages[stage], M::BONDING)
+    }
+
+    fn windows(&self) -> Vec<Column> {
+        watch::WINDOW.into()
     }
 
     fn watch(&self, _: usize, simulation: &Simulation<M>) -> Watch {
@@ -263,8 +268,16 @@ impl<M: Law> Study for Plan<M> {
         watch.follow(self.stages[stage], self.test.average.value, simulation)
     }
 
-    fn look(&self, watch: &mut Watch, simulation: &Simulation<M>) -> Vec<Cell> {
+    fn look(&self, _: usize, watch: &mut Watch, simulation: &Simulation<M>) -> Vec<Cell> {
         watch.look(simulation)
+    }
+
+    fn window(&self, watch: &Watch, _: &Simulation<M>) -> Option<Vec<Cell>> {
+        watch.window()
+    }
+
+    fn kind(&self, contact: &Contact<f64>) -> Option<PairKind> {
+        Some(if contact.gap < 0.0 { PairKind::Contact } else { PairKind::Meniscus })
     }
 
     fn findings(&self, stage: usize, watch: &Watch, simulation: &Simulation<M>) -> Result<Vec<Finding>, Error> {

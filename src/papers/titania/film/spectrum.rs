@@ -25,7 +25,7 @@ pub struct Spectrum {
 /// Displacement of the tip.
 pub const MOVED: Column = Column::new("tip moved", "nm");
 /// Mean force on the tip.
-pub const FORCE: Column = Column::new("force on the tip", "pN");
+pub const FORCE: Column = Column::new("mean force on the tip", "pN");
 /// Name of a finding: the largest pulling force.
 pub const LARGEST: &str = "largest pulling force on the tip";
 /// Another.
@@ -41,11 +41,11 @@ impl Spectrum {
         self.last.and_then(nearest).map_or(0.0, |point| point.0)
     }
 
-    /// Reads a finished run, the rows of whose series must be as close as the averaging time of the force.
+    /// Reads a finished run.
     ///
     /// # Errors
     ///
-    /// If the series cannot be read, or its rows are too far apart.
+    /// If the series cannot be read.
     pub fn read(folder: &RunFolder) -> Result<Self, Error> {
         let (series, findings) = (Series::read(folder)?, Finding::of_run(folder)?);
         let up = FilmStage::Retraction.name();

@@ -10,17 +10,25 @@ use crate::simulation::Simulation;
 use crate::system::System;
 use serde::{Deserialize, Serialize};
 
-/// The columns of the series.
-pub(super) const COLUMNS: [Column; 8] = [
-    MOVED,
-    FORCE,
-    Column::pure("menisci"),
-    Column::pure("bodies on the tip"),
-    Column::pure("slidings"),
-    Column::pure("rollings"),
-    Column::pure("detachments"),
-    Column::pure("necks"),
-];
+/// Columns of stages with a tip.
+const TIPPED: [Column; 3] = [MOVED, Column::new("force on the tip", "pN"), Column::pure("bodies on the tip")];
+/// Columns of all stages.
+const COUNTS: [Column; 3] = [Column::pure("menisci"), Column::pure("slidings"), Column::pure("detachments")];
+/// The column of a film of rigid aggregates, and that of a film with necks.
+const ROLLINGS: Column = Column::pure("rollings");
+const NECKS: Column = Column::pure("necks");
+/// Columns of a window.
+pub(super) const WINDOW: [Column; 2] = [MOVED, FORCE];
+
+/// The columns of a stage.
+pub(super) fn columns_of(stage: FilmStage, bonding: Bonding) -> Vec<Column> {
+    let tip: &[Column] = if stage == FilmStage::Relaxation { &[] } else { &TIPPED };
+    let own = match bonding {
+        Bonding::Rigid => ROLLINGS,
+        Bonding::Necks => NECKS,
+    };
+    [tip, &COUNTS, &[own]].concat()
+}
 
 /// Interval at which all contacts are examined, ns.
 const LOOK: f64 = 0.05;
@@ -37,6 +45,8 @@ pub struct Watch {
     window: (f64, u64),
     /// Displacement of the tip, and the mean force on it.
     curve: Vec<(f64, f64)>,
+    /// Whether a mean has been taken in the last step.
+    closed: bool,
     /// Displacement of the tip when the stage began.
     from: f64,
     /// Number of necks when the stage began.
@@ -63,7 +73,8 @@ impl Watch {
         let mut events = if due(LOOK) { self.contacts.look(simulation) } else { Vec::new() };
         let Some(tip) = system.walls.get(TIP) else { return events };
         self.window = (self.window.0 + tip.force.0[2], self.window.1 + 1);
-        if due(average) {
+        self.closed = due(average);
+        if self.closed {
             self.curve.push((tip.travel.0[2], self.window.0 / self.window.1 as f64));
             self.window = (0.0, 0);
             self.hang_together(simulation);
@@ -105,19 +116,27 @@ impl Watch {
         self.mean_force().is_some_and(|force| force >= setpoint)
     }
 
-    /// The cells of the columns.
+    /// The cells of the columns of the stage.
     pub fn look<M: Law>(&self, simulation: &Simulation<M>) -> Vec<Cell> {
         let Contacts { slidings, rollings, detachments, .. } = self.contacts;
         let System { walls, necks, .. } = simulation.system();
-        let number = |cell: Option<f64>| cell.map_or(Cell::Nothing, Cell::Number);
-        let tip = [walls.get(TIP).map(|tip| tip.travel.0[2]), self.curve.last().map(|mean| mean.1)].map(number);
-        let [menisci, on_tip, slidings, detachments] =
-            [self.contacts.count() as u64, self.on_tip, slidings, detachments].map(Cell::Count);
-        let (rollings, necks) = match M::BONDING {
-            Bonding::Rigid => (Cell::Count(rollings), Cell::Nothing),
-            Bonding::Necks => (Cell::Nothing, Cell::Count(necks.len() as u64)),
+        let mut cells = Vec::new();
+        if let Some(tip) = walls.get(TIP) {
+            cells.extend([tip.travel.0[2], tip.force.0[2]].map(Cell::Number));
+            cells.push(Cell::Count(self.on_tip));
+        }
+        let own = match M::BONDING {
+            Bonding::Rigid => rollings,
+            Bonding::Necks => necks.len() as u64,
         };
-        tip.into_iter().chain([menisci, on_tip, slidings, rollings, detachments, necks]).collect()
+        cells.extend([self.contacts.count() as u64, slidings, detachments, own].map(Cell::Count));
+        cells
+    }
+
+    /// The cells of a window that has closed in this step.
+    pub fn window(&self) -> Option<Vec<Cell>> {
+        let &(moved, force) = self.curve.last().filter(|_| self.closed)?;
+        Some([moved, force].map(Cell::Number).into())
     }
 
     /// The findings of the stage.

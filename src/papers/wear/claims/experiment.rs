@@ -208,6 +208,9 @@ pub fn shear_junction(
             every = (window / (junction.velocity * simulation.settings().dt)).round().max(1.0) as u64;
             Witness::new(system, junction.height)
         });
+        if system.step > 0 {
+            witness.follow(system);
+        }
         if system.step > 0 && system.step % every == 0 {
             let links = links(simulation);
             witness.look(system, &links);

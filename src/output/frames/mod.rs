@@ -1,0 +1,232 @@
+//! Frames: the state of all particles, pairs and surfaces at one moment, in the formats that are asked for.
+
+mod name;
+mod surfaces;
+mod vtp;
+mod xyz;
+
+pub use name::{FrameName, is_of_frames};
+pub use vtp::collection;
+
+use crate::case::{Digits, Extra, Format};
+use crate::motion::inertia;
+use crate::observe::{ActingPair, Loads, PairKind};
+use crate::simulation::Simulation;
+use crate::spec::mechanics::newton::{acceleration, angular_acceleration};
+use crate::spec::{Contact, Named, PairModel, Vec3};
+use crate::system::System;
+
+/// A column of a frame: a quantity of every sphere, in the order of ids.
+struct FrameColumn {
+    /// Its name.
+    name: &'static str,
+    /// Its values.
+    values: Values,
+}
+
+/// The values of a column.
+enum Values {
+    /// Counts, numbers of things, and flags.
+    Counts(Vec<u32>),
+    /// Numbers.
+    Numbers(Vec<f64>),
+    /// Vectors.
+    Vectors(Vec<Vec3<f64>>),
+    /// Symmetric tensors: xx, yy, zz, xy, xz, yz.
+    Tensors(Vec<[f64; 6]>),
+}
+
+impl Values {
+    /// How many numbers it has for every sphere.
+    fn width(&self) -> usize {
+        match self {
+            Self::Counts(_) | Self::Numbers(_) => 1,
+            Self::Vectors(_) => 3,
+            Self::Tensors(_) => 6,
+        }
+    }
+    /// The numbers of a sphere; counts are exact.
+    fn of(&self, k: usize) -> [f64; 6] {
+        match self {
+            Self::Counts(values) => [f64::from(values[k]), 0.0, 0.0, 0.0, 0.0, 0.0],
+            Self::Numbers(values) => [values[k], 0.0, 0.0, 0.0, 0.0, 0.0],
+            Self::Vectors(values) => {
+                let [x, y, z] = values[k].0;
+                [x, y, z, 0.0, 0.0, 0.0]
+            }
+            Self::Tensors(values) => values[k],
+        }
+    }
+    /// Its numbers, sphere by sphere.
+    fn numbers(&self) -> impl Iterator<Item = f64> {
+        let (count, width) = match self {
+            Self::Counts(values) => (values.len(), 1),
+            Self::Numbers(values) => (values.len(), 1),
+            Self::Vectors(values) => (values.len(), 3),
+            Self::Tensors(values) => (values.len(), 6),
+        };
+        (0..count).flat_map(move |k| self.of(k).into_iter().take(width))
+    }
+}
+
+/// The endings of the files of a format that are listed in collections.
+pub fn collected(format: Format) -> &'static [&'static str] {
+    match format {
+        Format::Extxyz => &[],
+        Format::Vtp => &["vtp", "pairs.vtp", "surfaces.vtp"],
+    }
+}
+
+/// The position column.
+const POSITION: &str = "pos";
+
+/// The state at one moment.
+pub struct Frame<'a> {
+    stage: &'a str,
+    system: &'a System,
+    digits: Digits,
+    /// The columns of spheres, in the order of ids.
+    columns: Vec<FrameColumn>,
+    /// The pairs, by ids.
+    pairs: Vec<ActingPair>,
+    /// The names of their springs.
+    springs: Vec<String>,
+}
+
+impl<'a> Frame<'a> {
+    /// The state of a simulation. `kind` tells the kind of a pair that no neck joins, if it has one; `flags` are further columns by place.
+    pub fn of<M: PairModel>(
+        simulation: &'a Simulation<M>,
+        stage: &'a str,
+        kind: impl Fn(&Contact<f64>) -> Option<PairKind>,
+        flags: Vec<(&'static str, Vec<bool>)>,
+        digits: Digits,
+        extra: &[Extra],
+    ) -> Self {
+        let (system, loads) = (simulation.system(), Loads::of(simulation, kind));
+        let (p, domain) = (&system.particles, &system.domain);
+        let mut order: Vec<usize> = (0..p.len()).collect();
+        order.sort_by_key(|&k| p.id[k]);
+        let counts = |values: &[u32]| Values::Counts(order.iter().map(|&k| values[k]).collect());
+        let numbers = |values: &[f64]| Values::Numbers(order.iter().map(|&k| values[k]).collect());
+        let vectors = |value: &dyn Fn(usize) -> Vec3<f64>| Values::Vectors(order.iter().map(|&k| value(k)).collect());
+        let mut columns = Vec::new();
+        let mut add = |name, values| columns.push(FrameColumn { name, values });
+        add("id", counts(&p.id));
+        add("body", counts(&p.tag));
+        add("wall", counts(&p.wall));
+        add("radius", numbers(&p.radius));
+        add("mass", numbers(&p.mass));
+        add(POSITION, vectors(&|k| domain.folded(p.x[k])));
+        add("velo", vectors(&|k| p.v[k]));
+        add("angular_velocity", vectors(&|k| p.w[k]));
+        add("force", vectors(&|k| loads.force[k]));
+        add("coordination", counts(&loads.coordination));
+        add("necks", counts(&loads.necks));
+        for (name, flags) in flags {
+            add(name, Values::Counts(order.iter().map(|&k| u32::from(flags[k])).collect()));
+        }
+        add("stress", Values::Tensors(order.iter().map(|&k| loads.stress[k]).collect()));
+        for extra in extra {
+            match extra {
+                Extra::Torque => add("torque", vectors(&|k| loads.torque[k])),
+                Extra::Acceleration => {
+                    add("acceleration", vectors(&|k| acceleration(loads.force[k], p.mass[k])));
+                }
+                Extra::AngularAcceleration => {
+                    add("angular_acceleration", vectors(&|k| angular_acceleration(loads.torque[k], inertia(p, k))))
+                }
+            }
+        }
+        let names = <M::Memory<f64> as Named<f64>>::names();
+        let springs = names.into_iter().map(|name| format!("spring {name}").trim_end().replace(' ', "_")).collect();
+        Self { stage, system, digits, columns, pairs: loads.pairs, springs }
+    }
+
+    /// The stage.
+    pub fn stage(&self) -> &str {
+        self.stage
+    }
+
+    /// The time, ns.
+    pub fn time(&self) -> f64 {
+        self.system.time
+    }
+
+    /// Checks that every number is finite, also in single precision if it is written so.
+    ///
+    /// # Errors
+    ///
+    /// The quantity that is not.
+    pub fn check(&self) -> Result<(), String> {
+        let bad = |number: f64| match self.digits {
+            Digits::Seven => !(number as f32).is_finite(),
+            Digits::All => !number.is_finite(),
+        };
+        for FrameColumn { name, values } in &self.columns {
+            if let Some(place) = values.numbers().position(bad) {
+                let id = self.ids()[place / values.width()];
+                return Err(format!("{} of particle {id}", name.replace('_', " ")));
+            }
+        }
+        let of_pair = |pair: &&ActingPair| self.numbers(pair).into_iter().any(bad);
+        match self.pairs.iter().find(of_pair) {
+            Some(ActingPair { ids: [i, j], .. }) => Err(format!("force or energy of the pair {i} and {j}")),
+            None => Ok(()),
+        }
+    }
+
+    fn ids(&self) -> &[u32] {
+        match &self.columns[0].values {
+            Values::Counts(ids) => ids,
+            _ => unreachable!("the first column are the ids"),
+        }
+    }
+
+    /// The names of the numbers of a pair: gap in nm, forces in pN, energy in zJ, springs in nm.
+    fn numbers_of_pairs(&self) -> Vec<&str> {
+        let first = ["gap", "normal_force", "force_x", "force_y", "force_z", "energy"];
+        first.into_iter().chain(self.springs.iter().map(String::as_str)).collect()
+    }
+
+    /// The numbers of a pair.
+    fn numbers(&self, pair: &ActingPair) -> Vec<f64> {
+        let [x, y, z] = pair.force.0;
+        [pair.gap, pair.normal_force, x, y, z, pair.energy].into_iter().chain(pair.springs.iter().copied()).collect()
+    }
+
+    /// A number as text.
+    fn text(&self, number: f64) -> String {
+        let plain = number == 0.0 || (1e-4..1e15).contains(&number.abs());
+        match (self.digits, plain) {
+            (Digits::Seven, true) => (number as f32).to_string(),
+            (Digits::Seven, false) => format!("{:e}", number as f32),
+            (Digits::All, true) => number.to_string(),
+            (Digits::All, false) => format!("{number:e}"),
+        }
+    }
+
+    /// Its files: ending and content, that of the spheres last.
+    pub fn files(&self, formats: &[Format]) -> Vec<(String, Vec<u8>)> {
+        let mut files: Vec<(String, Vec<u8>)> = Vec::new();
+        for format in formats {
+            match format {
+                Format::Extxyz => {
+                    if !self.system.surfaces.is_empty() {
+                        files.push(("obj".into(), surfaces::wavefront(self.system).into_bytes()));
+                    }
+                    files.push(("bonds".into(), self.bonds().into_bytes()));
+                    files.push(("xyz".into(), self.extended_xyz().into_bytes()));
+                }
+                Format::Vtp => {
+                    if !self.system.surfaces.is_empty() {
+                        files.push(("surfaces.vtp".into(), self.vtp_of_surfaces().into_bytes()));
+                    }
+                    files.push(("pairs.vtp".into(), self.vtp_of_pairs().into_bytes()));
+                    files.push(("vtp".into(), self.vtp().into_bytes()));
+                }
+            }
+        }
+        files
+    }
+}
