@@ -57,14 +57,14 @@ fn the_tip_comes_down_to_its_setpoint_turns_and_pulls_and_the_events_are_those_t
     assert_eq!(rounded(spectrum.largest), largest);
     assert!(spectrum.events.iter().all(|event| (deepest..=up[up.len() - 1][0]).contains(&event.0)));
     let detachments = spectrum.events.iter().filter(|event| event.1.starts_with("detachment of")).count();
-    assert_eq!(detachments as f64, finding(&run, "detachments during retraction"));
+    assert_eq!(detachments as f64, finding(&run, "retraction: detachments"));
 
     let events = std::fs::read_to_string(run.join("events.jsonl")).unwrap();
     for (what, name) in [("sliding of", "slidings"), ("rolling of", "rollings"), ("detachment of", "detachments")] {
         for stage in ["relaxation", "approach", "retraction"] {
             let lines =
                 events.lines().filter(|line| line.contains(what) && line.contains(&format!("\"stage\":\"{stage}\"")));
-            assert_eq!(lines.count() as f64, finding(&run, &format!("{name} during {stage}")), "{name} {stage}");
+            assert_eq!(lines.count() as f64, finding(&run, &format!("{stage}: {name}")), "{name} {stage}");
         }
     }
     for stage in ["relaxation", "approach", "retraction"] {
@@ -87,7 +87,7 @@ fn necks_break_under_the_tip_and_every_break_is_told_counted_and_booked() {
     for stage in ["relaxation", "approach", "retraction"] {
         let of_stage = events.lines().filter(|line| line.contains(&format!("\"stage\":\"{stage}\"")));
         let breaks = of_stage.filter(|line| line.contains("breaks")).count();
-        assert_eq!(breaks as f64, finding(&run, &format!("broken necks during {stage}")), "{stage}");
+        assert_eq!(breaks as f64, finding(&run, &format!("{stage}: broken necks")), "{stage}");
         let change = |column| {
             let points = columns(&run, stage, ["step", column]);
             points[points.len() - 1][1] - points[0][1]

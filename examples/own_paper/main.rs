@@ -22,6 +22,7 @@ use veridem::case::check::{Found, expect};
 use veridem::case::units::{decimal, in_unit, rounded};
 use veridem::error::Error;
 use veridem::figures::{Curve, Graph, Mark};
+use veridem::output::Column;
 use veridem::output::columns::TIME;
 use veridem::papers::{CaseOf, Paper, Papers, parse};
 use veridem::reproduce::{Chapter, Claim, Evidence, Figure, Setting, near};
@@ -39,6 +40,7 @@ impl Paper for LinearContacts {
     const NAME: &'static str = "linear";
     const REFERENCE: &'static str = "Cundall & Strack 1979";
     const TITLE: &'static str = "Linear springs and dashpots: claims and results";
+    const QUANTITIES: &'static [(&'static str, &'static [Column])] = &[("Columns and results", study::ALL)];
     const GRAPHS: &'static [Graph] =
         &[Graph { name: "gap", stages: &["approach", "rebound"], x: TIME, y: GAP, marks: &["deepest"] }];
     const CHAPTERS: &'static [Chapter] =

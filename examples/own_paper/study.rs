@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use veridem::case::{Case, InSteps};
 use veridem::error::Error;
 use veridem::interrupt::Interrupt;
+use veridem::output::columns::columns;
 use veridem::output::{Cell, Column, Finding};
 use veridem::run::{Progress, Study};
 use veridem::simulation::{Settings, Simulation};
@@ -28,8 +29,17 @@ pub(super) struct Plan {
 
 /// The number of the second stage.
 const REBOUND: usize = 1;
-/// The gap between the spheres.
-pub(super) const GAP: Column = Column::new("gap", "nm");
+columns! {
+    /// Columns and results.
+    pub(super) const ALL {
+        /// Distance of the surfaces.
+        GAP = "gap" in "nm";
+        /// Relative velocity after the collision over that before.
+        RESTITUTION = "restitution";
+        /// Largest overlap of the spheres.
+        DEEPEST = "largest overlap" in "nm";
+    }
+}
 
 /// The state of the observer: the present gap and the smallest one so far, nm.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -129,8 +139,8 @@ impl Study for Plan {
         }
         let expected = restitution(self.law.damping_ratio);
         Ok(vec![
-            Finding::number("restitution", self.bounce(simulation.system()), "").target(expected),
-            Finding::number("largest overlap", -watch.least, "nm"),
+            Finding::number(RESTITUTION, self.bounce(simulation.system())).target(expected),
+            Finding::number(DEEPEST, -watch.least),
         ])
     }
 }

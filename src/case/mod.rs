@@ -1,6 +1,7 @@
 //! The language of case files: sections, quantities with units, and the locations of errors. It depends on no paper.
 
 pub mod check;
+pub mod json_schema;
 mod moments;
 mod outline;
 pub mod quantity;
@@ -12,5 +13,5 @@ pub mod units;
 
 pub use moments::Moments;
 pub use outline::{Outline, Words};
-pub use read::{document, located, parse, read_text, unmarked};
+pub use read::{document, located, parse, problems, read_text, unmarked};
 pub use schema::{Case, Digits, Extra, Format, InSteps, Limits, Output, keys};

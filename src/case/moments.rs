@@ -32,6 +32,10 @@ impl Field for Moments {
     fn expects() -> String {
         format!("{}, or a list of such times as `[1, 10, 100 steps]`", InSteps::expects())
     }
+    fn schema() -> serde_json::Value {
+        let items = serde_json::json!({ "anyOf": [InSteps::schema(), { "type": "number" }] });
+        serde_json::json!({ "anyOf": [InSteps::schema(), { "type": "array", "items": items, "minItems": 1 }] })
+    }
 }
 
 impl<'de> Deserialize<'de> for Moments {

@@ -32,7 +32,10 @@ macro_rules! kinds {
             const DIMENSION: Dimension = Dimension($dimension);
             const EXAMPLE: &'static str = $example;
         }
-    )*};
+    )*
+        /// The kinds of quantities: names and examples.
+        pub const KINDS: &[(&str, &str)] = &[$(($text, $example)),*];
+    };
 }
 kinds! {
     Length: "a length" [0, 1, 0, 0] "14 nm";

@@ -43,6 +43,14 @@ pub(super) fn wrong(found: Found, file: &Path, text: &str) -> Error {
     located(Error::Input(found.into_iter().map(problem).collect()), file, text)
 }
 
+/// The messages about keys, with the lines of their values.
+pub fn problems(found: Found, file: &Path, text: &str) -> Vec<Problem> {
+    match wrong(found, file, text) {
+        Error::Input(problems) => problems,
+        _ => unreachable!("wrong input is told by problems"),
+    }
+}
+
 /// The text without the byte order mark that some editors put before it.
 pub fn unmarked(text: &str) -> &str {
     text.strip_prefix('\u{feff}').unwrap_or(text)

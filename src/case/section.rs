@@ -2,9 +2,11 @@
 //!
 //! From one declaration come the Rust structure, the reader that knows its keys, and the listing of `veridem schema`.
 
+use super::json_schema;
 use super::quantity::{Kind, Quantity, Scale, Scaled, in_range};
 use super::units::{decimal, number_and_unit, shifted};
 use serde::de::{Deserialize, DeserializeOwned, DeserializeSeed, Deserializer, Error, MapAccess, Unexpected, Visitor};
+use serde_json::json;
 use std::fmt;
 use std::path::PathBuf;
 
@@ -23,6 +25,9 @@ pub struct Key {
     /// The keys below it.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub keys: Vec<Key>,
+    /// The JSON Schema of its values.
+    #[serde(skip)]
+    pub schema: serde_json::Value,
 }
 
 /// A type that the value of a key may have.
@@ -41,13 +46,18 @@ pub trait Field: serde::Serialize + DeserializeOwned {
     fn keys() -> Vec<Key> {
         Vec::new()
     }
+    /// The JSON Schema of its values.
+    fn schema() -> serde_json::Value;
 }
 
 macro_rules! plain_fields {
-    ($($type:ty: $expects:literal),*) => {$(
+    ($($type:ty: $schema:literal $expects:literal),*) => {$(
         impl Field for $type {
             fn expects() -> String {
                 $expects.into()
+            }
+            fn schema() -> serde_json::Value {
+                json!({ "type": $schema })
             }
         }
     )*};
@@ -57,13 +67,19 @@ impl Field for () {
     fn expects() -> String {
         "a section".into()
     }
+    fn schema() -> serde_json::Value {
+        json!({ "type": "object" })
+    }
 }
 
-plain_fields!(bool: "`true` or `false`", u64: "a whole number", String: "a text", PathBuf: "a path, from the folder of the case unless it is absolute");
+plain_fields!(bool: "boolean" "`true` or `false`", u64: "integer" "a whole number", String: "string" "a text", PathBuf: "string" "a path, from the folder of the case unless it is absolute");
 
 impl Field for f64 {
     fn expects() -> String {
         "a number".into()
+    }
+    fn schema() -> serde_json::Value {
+        json!({ "type": "number" })
     }
     fn read<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         deserializer.deserialize_any(PlainNumber)
@@ -109,10 +125,16 @@ impl<K: Kind> Field for Quantity<K> {
     fn expects() -> String {
         format!("{} such as `{}`", K::NAME, K::EXAMPLE)
     }
+    fn schema() -> serde_json::Value {
+        json_schema::quantity::<K>()
+    }
 }
 impl<K: Kind, S: Scale> Field for Scaled<K, S> {
     fn expects() -> String {
         format!("{} such as `{}` or `1.5 {}`", K::NAME, K::EXAMPLE, S::SYMBOL)
+    }
+    fn schema() -> serde_json::Value {
+        json_schema::scaled::<K, S>()
     }
 }
 impl<T: Field> Field for Option<T> {
@@ -125,6 +147,9 @@ impl<T: Field> Field for Option<T> {
     fn keys() -> Vec<Key> {
         T::keys()
     }
+    fn schema() -> serde_json::Value {
+        json!({ "anyOf": [T::schema(), { "type": "null" }] })
+    }
 }
 impl<T: Field> Field for Vec<T> {
     fn read<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
@@ -135,6 +160,9 @@ impl<T: Field> Field for Vec<T> {
     }
     fn keys() -> Vec<Key> {
         T::keys()
+    }
+    fn schema() -> serde_json::Value {
+        json!({ "type": "array", "items": T::schema() })
     }
 }
 impl<T: Field> Field for [T; 2]
@@ -147,6 +175,9 @@ where
     fn expects() -> String {
         format!("two of: {}", T::expects())
     }
+    fn schema() -> serde_json::Value {
+        json!({ "type": "array", "items": T::schema(), "minItems": 2, "maxItems": 2 })
+    }
 }
 impl<T: Field> Field for [T; 3]
 where
@@ -157,6 +188,9 @@ where
     }
     fn expects() -> String {
         format!("three of: {}", T::expects())
+    }
+    fn schema() -> serde_json::Value {
+        json!({ "type": "array", "items": T::schema(), "minItems": 3, "maxItems": 3 })
     }
 }
 
@@ -304,7 +338,11 @@ macro_rules! section {
                     expects: <$type as $crate::case::section::Field>::expects(),
                     default: $crate::case::section::section!(@default $type $(, $default)?),
                     keys: <$type as $crate::case::section::Field>::keys(),
+                    schema: <$type as $crate::case::section::Field>::schema(),
                 }),*]
+            }
+            fn schema() -> serde_json::Value {
+                $crate::case::json_schema::section(&<Self as $crate::case::section::Field>::keys())
             }
         }
     };
@@ -369,7 +407,11 @@ macro_rules! choice {
                     expects: <$type as $crate::case::section::Field>::expects(),
                     default: None,
                     keys: <$type as $crate::case::section::Field>::keys(),
+                    schema: <$type as $crate::case::section::Field>::schema(),
                 }),*]
+            }
+            fn schema() -> serde_json::Value {
+                $crate::case::json_schema::choice(&<Self as $crate::case::section::Field>::keys())
             }
         }
     };
@@ -405,6 +447,9 @@ macro_rules! words {
         impl $crate::case::section::Field for $name {
             fn expects() -> String {
                 format!("one of `{}`", [$($word),*].join("`, `"))
+            }
+            fn schema() -> serde_json::Value {
+                serde_json::json!({ "enum": [$($word),*] })
             }
         }
     };

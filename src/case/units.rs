@@ -19,8 +19,11 @@ impl Dimension {
 pub const BOLTZMANN: f64 = 1.380649e-2;
 
 /// Units that may carry a prefix: symbol, dimension, power of ten of the coherent SI unit.
-const UNITS: [(&str, Dimension, i32); 7] = [
+const UNITS: [(&str, Dimension, i32); 9] = [
     ("m", Dimension([0, 1, 0, 0]), 0),
+    ("Å", Dimension([0, 1, 0, 0]), -10),
+    // The sign of the unit looks like the letter.
+    ("\u{212b}", Dimension([0, 1, 0, 0]), -10),
     ("s", Dimension([0, 0, 1, 0]), 0),
     ("g", Dimension([1, 0, 0, 0]), -3),
     ("N", Dimension([1, 1, -2, 0]), 0),
@@ -55,6 +58,21 @@ fn symbol(text: &str) -> Option<(Dimension, i32)> {
             Some((dimension, power + unit))
         })
     })
+}
+
+/// The single symbols of a dimension, with every prefix.
+pub fn simple_units(dimension: Dimension) -> Vec<String> {
+    let of_dimension = UNITS.iter().filter(|unit| unit.1 == dimension);
+    let with_prefixes = |&(symbol, ..): &(&'static str, Dimension, i32)| {
+        let prefixed = PREFIXES.iter().map(move |(prefix, _)| format!("{prefix}{symbol}"));
+        std::iter::once(symbol.to_string()).chain(prefixed)
+    };
+    of_dimension.flat_map(with_prefixes).collect()
+}
+
+/// The symbols that may carry a prefix, and the prefixes with their powers of ten.
+pub fn symbols() -> (Vec<&'static str>, &'static [(&'static str, i32)]) {
+    (UNITS.iter().map(|unit| unit.0).collect(), &PREFIXES)
 }
 
 /// A product of powers such as `kg m^2/s`; a slash divides by the one factor after it.

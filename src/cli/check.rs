@@ -22,6 +22,13 @@ pub(super) fn run(arguments: &Arguments, papers: Papers, excess: bool, manner: O
     let plan = job.plan(&interrupt)?;
     let mut checked: Mapping = serde_yaml::from_str(&job.resolved).expect("a resolved case is a mapping");
     checked.insert("plan".into(), plan.into());
+    for doubt in &job.doubts {
+        manner.say(format!("warning: {doubt}"));
+    }
+    if !job.doubts.is_empty() {
+        let doubts = job.doubts.iter().map(|doubt| doubt.to_string().into());
+        checked.insert("warnings".into(), serde_yaml::Value::Sequence(doubts.collect()));
+    }
     if manner.json {
         print(&format!("{:#}\n", serde_json::to_value(&checked).expect("a mapping with keys that are words")))
     } else {

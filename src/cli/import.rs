@@ -1,5 +1,6 @@
 //! `veridem import`: describes an aggregate from another program, and writes its spheres as extended XYZ.
 
+use super::run::table;
 use super::{OutputMode, print};
 use crate::case::quantity::{Length, Quantity};
 use crate::error::{Error, notice};
@@ -7,7 +8,8 @@ use crate::geometry::centred;
 use crate::initial::aggregate::import::{Options, extended_xyz, read, read_necks};
 use crate::initial::aggregate::necks::{NECK_DISTANCE, NeckLength, missing_necks, necks};
 use crate::interrupt::Interrupt;
-use crate::output::write_atomically;
+use crate::observe::aggregate::AggregateShape;
+use crate::output::{Finding, write_atomically};
 use crate::papers::{AtStart, Papers};
 use std::path::PathBuf;
 
@@ -82,9 +84,9 @@ pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> 
         }
     }
     let (format, report) = (imported.format, imported.report());
+    let shape = AggregateShape::of(&spheres).findings();
     if manner.json {
-        let described =
-            serde_json::json!({ "format": format, "necks": necks.len(), "report": report, "at_start": starts });
+        let described = serde_json::json!({ "format": format, "necks": necks.len(), "report": report, "shape": Finding::results(&shape), "at_start": starts });
         return print(&format!("{described:#}\n"));
     }
     let start = |AtStart { paper, necks, springs, .. }: &AtStart| {
@@ -93,7 +95,7 @@ pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> 
         )
     };
     let starts: String = starts.iter().map(start).collect();
-    print(&format!("{format:?}\n{report}\nnecks            {}{which}\n{starts}", necks.len()))
+    print(&format!("{format:?}\n{report}\nnecks            {}{which}\n{starts}\n{}", necks.len(), table(&shape)))
 }
 
 /// A word that an option may have.

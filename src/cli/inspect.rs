@@ -3,6 +3,9 @@
 use super::run::table;
 use super::{OutputMode, print};
 use crate::error::Error;
+use crate::initial::aggregate::import::{self, Options};
+use crate::interrupt::Interrupt;
+use crate::observe::aggregate::AggregateShape;
 use crate::output::{Finding, Manifest, ReadTable, RunFolder, Series, read};
 use crate::papers::Papers;
 use serde_json::json;
@@ -12,7 +15,7 @@ use std::path::{Path, PathBuf};
 /// The arguments.
 #[derive(clap::Args)]
 pub(super) struct Arguments {
-    /// The run folder
+    /// The run folder, or one of its frames (`.xyz`), of which the shape of the aggregate is measured
     #[arg(required_unless_present = "diff")]
     run: Option<PathBuf>,
     /// Compare two run folders; the exit status is 4 if they differ
@@ -24,9 +27,24 @@ pub(super) struct Arguments {
 pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
     match (&arguments.run, &arguments.diff) {
         (_, Some(pair)) => compare(&pair[0], &pair[1], manner),
+        (Some(frame), None) if frame.is_file() => measure(frame, manner),
         (Some(run), None) => summarise(run, papers, manner),
         (None, None) => unreachable!("the command line demands one of the two"),
     }
+}
+
+/// The shape of the spheres of a frame.
+fn measure(frame: &Path, manner: OutputMode) -> Result<(), Error> {
+    let options = Options { unit: Some(1.0), disconnected: true, ..Options::default() };
+    let imported = import::read(frame, &options, &Interrupt::default())?;
+    let shape = AggregateShape::of(&imported.spheres).findings();
+    if manner.json {
+        return print(&format!(
+            "{:#}\n",
+            json!({ "spheres": imported.spheres.len(), "shape": Finding::results(&shape) })
+        ));
+    }
+    print(&format!("{} spheres\n\n{}", imported.spheres.len(), table(&shape)))
 }
 
 fn summarise(root: &Path, papers: Papers, manner: OutputMode) -> Result<(), Error> {

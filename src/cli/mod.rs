@@ -13,6 +13,7 @@ mod resume;
 mod run;
 mod schema;
 mod sweep;
+mod units;
 
 use crate::error::{Error, message, silence};
 use crate::forces::Instructions;
@@ -72,6 +73,8 @@ enum Command {
     Golden(golden::Arguments),
     /// List the keys of a case file
     Schema(schema::Arguments),
+    /// List the units of quantities
+    Units(units::Arguments),
     /// Write completions for a shell
     Completions(completions::Arguments),
 }
@@ -148,6 +151,7 @@ fn execute(papers: Papers) -> ExitCode {
         #[cfg(feature = "verify")]
         Command::Golden(arguments) => golden::run(&arguments, manner),
         Command::Schema(arguments) => schema::run(&arguments, papers, manner),
+        Command::Units(arguments) => units::run(&arguments, manner),
         Command::Completions(arguments) => completions::run(&arguments, papers, manner),
     });
     exit(done, manner.json)

@@ -1,17 +1,31 @@
 //! `veridem schema`: every key of a case file, from the declarations by which it is read.
 
 use super::{OutputMode, print};
+use crate::case::json_schema::document;
 use crate::case::section::Key;
 use crate::error::Error;
 use crate::papers::Papers;
 
 /// The arguments.
 #[derive(clap::Args)]
-pub(super) struct Arguments {}
+pub(super) struct Arguments {
+    /// Print a JSON Schema (draft 2020-12), with which editors complete and check case files
+    #[arg(long, conflicts_with = "results")]
+    json_schema: bool,
+    /// List the columns and results of runs instead, as Markdown
+    #[arg(long)]
+    results: bool,
+}
 
 /// Lists the keys.
-pub(super) fn run(_: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
+pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
+    if arguments.results {
+        return print(&papers.quantities());
+    }
     let keys = papers.keys();
+    if arguments.json_schema {
+        return print(&format!("{:#}\n", document(&keys)));
+    }
     if manner.json {
         let json = serde_json::to_string_pretty(&keys).expect("keys are plain data");
         return print(&format!("{json}\n"));
@@ -22,7 +36,7 @@ pub(super) fn run(_: &Arguments, papers: Papers, manner: OutputMode) -> Result<(
 }
 
 fn list(keys: &[Key], depth: usize, text: &mut String) {
-    for Key { key, about, expects, default, keys } in keys {
+    for Key { key, about, expects, default, keys, .. } in keys {
         let indent = "  ".repeat(depth);
         let expects = if keys.is_empty() { format!(" Expects {expects}.") } else { String::new() };
         let written = match default {

@@ -8,14 +8,15 @@ use crate::spec::mechanics::capacity::{self as spec, return_cosine, return_proba
 /// A walk has hit when it is this near a surface, as a part of the radius of the sphere on which it began.
 const SKIN: f64 = 1e-6;
 
-/// The capacity (nm): `walks` Brownian walks from a sphere about the spheres hit them or escape. Its relative standard error is the
-/// root of `(1 - p) / (p walks)`, where `p` is the share that hits.
-pub fn capacity(spheres: &[Sphere], walks: usize, stream: &mut Stream) -> f64 {
+/// The capacity and its standard error, nm: `walks` Brownian walks from a sphere about the spheres hit them or escape.
+pub fn capacity(spheres: &[Sphere], walks: usize, stream: &mut Stream) -> [f64; 2] {
     let centre = centre_of_mass(spheres);
     let about: Vec<Sphere> = spheres.iter().map(|s| Sphere { centre: s.centre - centre, ..*s }).collect();
     let begin = about.iter().map(|s| s.centre.norm() + s.radius).fold(0.0, f64::max);
     let hits = (0..walks).filter(|_| walk_hits(&about, begin, stream)).count();
-    spec::capacity(hits as f64 / walks as f64, begin)
+    let share = hits as f64 / walks as f64;
+    // The number of hits has a binomial distribution.
+    [share, (share * (1.0 - share) / walks as f64).sqrt()].map(|share| spec::capacity(share, begin))
 }
 
 /// One walk: each step leads to anywhere on the largest ball that is free.
@@ -50,7 +51,7 @@ mod tests {
     /// Five standard errors.
     fn agrees(spheres: &[Sphere], exact: f64, begin: f64) {
         let walks = 20_000;
-        let found = capacity(spheres, walks, &mut Stream::new(3, "test"));
+        let [found, _] = capacity(spheres, walks, &mut Stream::new(3, "test"));
         let p = exact / begin;
         let error = 5.0 * begin * (p * (1.0 - p) / walks as f64).sqrt();
         assert!((found - exact).abs() < error, "{found} is not {exact} within {error}");
@@ -59,7 +60,7 @@ mod tests {
     #[test]
     fn the_capacity_of_a_sphere_is_its_radius() {
         let one = [Sphere { centre: Vec3([5.0, -3.0, 1.0]), radius: 2.5 }];
-        assert_eq!(capacity(&one, 10, &mut Stream::new(1, "test")), 2.5);
+        assert_eq!(capacity(&one, 10, &mut Stream::new(1, "test")), [2.5, 0.0]);
     }
 
     #[test]
@@ -78,6 +79,6 @@ mod tests {
     #[test]
     fn a_hidden_sphere_changes_nothing() {
         let shell = [Sphere { centre: Vec3::zero(), radius: 3.0 }, Sphere { centre: Vec3::zero(), radius: 1.0 }];
-        assert_eq!(capacity(&shell, 10, &mut Stream::new(1, "test")), 3.0);
+        assert_eq!(capacity(&shell, 10, &mut Stream::new(1, "test")), [3.0, 0.0]);
     }
 }

@@ -1,7 +1,9 @@
 //! Measurements: stress, strain, elasticity, packing, clusters, and the motion of bodies.
 
+pub mod aggregate;
 pub mod film;
 pub mod force_curve;
+pub mod fractal;
 mod loads;
 pub mod morphology;
 pub mod packing;

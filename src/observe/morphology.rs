@@ -16,7 +16,7 @@ pub fn coordination_number(spheres: &[Sphere]) -> f64 {
 }
 
 /// A value and a bound of its error.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Bounded {
     /// Middle of the interval that holds the true value.
     pub value: f64,

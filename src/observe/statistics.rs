@@ -43,6 +43,13 @@ pub fn standard_error(sample: &[f64], mean: f64) -> f64 {
     (squares / (n - 1.0) / n).sqrt()
 }
 
+/// The standard error of an estimate, from the estimates without each of equal parts of the sample in turn.
+pub fn jackknife(without: &[f64]) -> f64 {
+    let n = without.len() as f64;
+    let mean = without.iter().sum::<f64>() / n;
+    ((n - 1.0) / n * without.iter().map(|x| (x - mean) * (x - mean)).sum::<f64>()).sqrt()
+}
+
 /// The t that Student's distribution of so many degrees of freedom stays below, absolutely, with the probability of confidence.
 fn students_t(freedom: usize) -> f64 {
     let (mut low, mut high) = (0.0, std::f64::consts::FRAC_PI_2);
@@ -89,6 +96,14 @@ mod tests {
         // Five standard deviations of the binomial distribution.
         let n = f64::from(trials);
         assert!((covering as f64 - 0.95 * n).abs() < 5.0 * (0.95 * 0.05 * n).sqrt(), "{covering}");
+    }
+
+    #[test]
+    fn leaving_out_one_value_after_the_other_gives_the_standard_error_of_a_mean() {
+        let sample = [1.0, 4.0, 2.0, 8.0, 5.0];
+        let without = |k: usize| (sample.iter().sum::<f64>() - sample[k]) / 4.0;
+        let error = jackknife(&std::array::from_fn::<f64, 5, _>(without));
+        assert!((error - standard_error(&sample, 4.0)).abs() < 1e-12, "{error}");
     }
 
     #[test]

@@ -1,25 +1,16 @@
-//! The columns of the time series: constants shared by their writers, plots and readers.
+//! The columns of the tables of a run and its results: constants shared by their writers, plots and readers.
 
 use std::fmt;
 
-/// A column of the time series: a quantity and its unit.
+/// A quantity that a run writes: a column of a table, or a result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Column {
-    /// The quantity.
+    /// Its name.
     pub name: &'static str,
-    /// Its unit; empty for a pure number.
+    /// Its unit; empty for a pure number or words.
     pub unit: &'static str,
-}
-
-impl Column {
-    /// A quantity with its unit.
-    pub const fn new(name: &'static str, unit: &'static str) -> Self {
-        Self { name, unit }
-    }
-    /// A pure number.
-    pub const fn pure(name: &'static str) -> Self {
-        Self { name, unit: "" }
-    }
+    /// Its definition.
+    pub about: &'static str,
 }
 
 impl fmt::Display for Column {
@@ -28,41 +19,80 @@ impl fmt::Display for Column {
     }
 }
 
-/// Name of the stage.
-pub const STAGE: Column = Column::pure("stage");
-/// Number of steps of the stage.
-pub const STEP: Column = Column::pure("step");
-/// Simulated time.
-pub const TIME: Column = Column::new("time", "ns");
-/// Kinetic energy of all free spheres and bodies.
-pub const KINETIC: Column = Column::new("kinetic energy", "zJ");
-/// Energy dissipated by the global damping.
-pub const LOST_TO_DRAG: Column = Column::new("lost to drag", "zJ");
-/// Energy stored in necks when they broke.
-pub const LOST_TO_BREAKING: Column = Column::new("lost to breaking", "zJ");
-/// Work done by walls of prescribed velocity.
-pub const WORK_OF_WALLS: Column = Column::new("work of walls", "zJ");
-/// Work done by loads.
-pub const WORK_OF_LOADS: Column = Column::new("work of loads", "zJ");
-/// Work done by the deformation of the box.
-pub const WORK_OF_BOX: Column = Column::new("work of box", "zJ");
-/// Residual of the discrete energy balance.
-pub const DISCRETE_RESIDUAL: Column = Column::new("discrete residual", "zJ");
-/// Residual of the physical energy balance.
-pub const PHYSICAL_RESIDUAL: Column = Column::new("physical residual", "zJ");
-/// The physical residual relative to the energy that was converted.
-pub const RELATIVE_RESIDUAL: Column = Column::pure("relative residual");
-/// Largest overlap, relative to the sum of the radii.
-pub const LARGEST_OVERLAP: Column = Column::pure("largest overlap");
+/// Declares a list of quantities, and a constant for each: name, unit, and the definition as its documentation.
+#[macro_export]
+macro_rules! columns {
+    ($(#[doc = $of:literal])* $vis:vis const $all:ident {
+        $($(#[doc = $about:literal])* $name:ident = $text:literal $(in $unit:literal)?;)*
+    }) => {
+        $($(#[doc = $about])* $vis const $name: $crate::output::Column = $crate::output::Column {
+            name: $text,
+            unit: concat!("" $(, $unit)?),
+            about: concat!($($about,)*),
+        };)*
+        $(#[doc = $of])* $vis const $all: &[$crate::output::Column] = &[$($name),*];
+    };
+}
+pub use columns;
+
+columns! {
+    /// The columns of every run, beside the energies and losses of pairs by cause.
+    pub const EVERY {
+        /// Name of the stage.
+        STAGE = "stage";
+        /// Number of steps of the stage.
+        STEP = "step";
+        /// Simulated time.
+        TIME = "time" in "ns";
+        /// Kinetic energy of all free spheres and bodies.
+        KINETIC = "kinetic energy" in "zJ";
+        /// Energy dissipated by the global damping.
+        LOST_TO_DRAG = "lost to drag" in "zJ";
+        /// Energy stored in necks when they broke.
+        LOST_TO_BREAKING = "lost to breaking" in "zJ";
+        /// Work done by walls of prescribed velocity.
+        WORK_OF_WALLS = "work of walls" in "zJ";
+        /// Work done by loads.
+        WORK_OF_LOADS = "work of loads" in "zJ";
+        /// Work done by the deformation of the box.
+        WORK_OF_BOX = "work of box" in "zJ";
+        /// Residual of the discrete energy balance.
+        DISCRETE_RESIDUAL = "discrete residual" in "zJ";
+        /// Residual of the physical energy balance.
+        PHYSICAL_RESIDUAL = "physical residual" in "zJ";
+        /// The physical residual relative to the energy that was converted.
+        RELATIVE_RESIDUAL = "relative residual";
+        /// Largest overlap, relative to the sum of the radii.
+        LARGEST_OVERLAP = "largest overlap";
+        /// Normal stress of the whole box along x, positive in tension.
+        STRESS_XX = "stress xx" in "MPa";
+        /// The same along y.
+        STRESS_YY = "stress yy" in "MPa";
+        /// The same along z.
+        STRESS_ZZ = "stress zz" in "MPa";
+        /// Length of the box along x.
+        SIDE_X = "side x" in "nm";
+        /// The same along y.
+        SIDE_Y = "side y" in "nm";
+        /// The same along z.
+        SIDE_Z = "side z" in "nm";
+    }
+}
+
+columns! {
+    /// The columns of stages with surfaces.
+    pub const OF_SURFACES {
+        /// Energy stored in contacts with surfaces, and of the attraction by surfaces.
+        AT_SURFACES = "energy at surfaces" in "zJ";
+        /// Energy dissipated at surfaces.
+        LOST_AT_SURFACES = "lost at surfaces" in "zJ";
+    }
+}
+
 /// Normal stresses of the whole box.
-pub const STRESS: [Column; 3] =
-    [Column::new("stress xx", "MPa"), Column::new("stress yy", "MPa"), Column::new("stress zz", "MPa")];
+pub const STRESS: [Column; 3] = [STRESS_XX, STRESS_YY, STRESS_ZZ];
 /// Side lengths of the box.
-pub const SIDES: [Column; 3] = [Column::new("side x", "nm"), Column::new("side y", "nm"), Column::new("side z", "nm")];
-/// Energy stored in contacts with surfaces, and of the attraction by surfaces.
-pub const AT_SURFACES: Column = Column::new("energy at surfaces", "zJ");
-/// Energy dissipated at surfaces.
-pub const LOST_AT_SURFACES: Column = Column::new("lost at surfaces", "zJ");
+pub const SIDES: [Column; 3] = [SIDE_X, SIDE_Y, SIDE_Z];
 
 /// Header of the energy stored in pairs, by cause.
 pub fn stored(cause: &str) -> String {

@@ -1,6 +1,6 @@
 //! Final quantities of a run: numbers with their significant digits, verdicts, and what was not reached.
 
-use super::{RunFolder, read};
+use super::{Column, RunFolder, read};
 use crate::case::units::{from_engine, significant};
 use crate::error::Error;
 use serde::{Deserialize, Serialize};
@@ -24,6 +24,8 @@ pub struct Finding {
 pub enum Found {
     /// A number in the unit of the finding, and its standard error if known.
     Number(f64, Option<f64>),
+    /// Numbers in the unit of the finding.
+    Numbers(Vec<f64>),
     /// A count.
     Count(u64),
     /// A verdict.
@@ -36,27 +38,39 @@ pub enum Found {
 const DIGITS: usize = 4;
 
 impl Finding {
-    fn new(name: impl Into<String>, unit: &str, found: Found) -> Self {
-        Self { name: name.into(), unit: unit.into(), found, target: None }
+    fn new(result: Column, found: Found) -> Self {
+        Self { name: result.name.into(), unit: result.unit.into(), found, target: None }
     }
-    /// A number in engine units, stated in `unit`.
-    pub fn number(name: impl Into<String>, value: f64, unit: &str) -> Self {
-        Self::new(name, unit, Found::Number(from_engine(value, unit), None))
+    /// A number, given in engine units.
+    pub fn number(result: Column, value: f64) -> Self {
+        Self::new(result, Found::Number(from_engine(value, result.unit), None))
+    }
+    /// Numbers, given in engine units.
+    pub fn numbers(result: Column, values: impl IntoIterator<Item = f64>) -> Self {
+        Self::new(result, Found::Numbers(values.into_iter().map(|value| from_engine(value, result.unit)).collect()))
     }
     /// A count.
-    pub fn count(name: impl Into<String>, count: u64) -> Self {
-        Self::new(name, "", Found::Count(count))
+    pub fn count(result: Column, count: u64) -> Self {
+        Self::new(result, Found::Count(count))
     }
     /// A verdict in words.
-    pub fn words(name: impl Into<String>, verdict: impl Into<String>) -> Self {
-        Self::new(name, "", Found::Words(verdict.into()))
+    pub fn words(result: Column, verdict: impl Into<String>) -> Self {
+        Self::new(result, Found::Words(verdict.into()))
     }
-    /// A number, in engine units and stated in `unit`, that an event defines; `otherwise` says why there was none.
-    pub fn reached(name: impl Into<String>, value: Option<f64>, unit: &str, otherwise: impl Into<String>) -> Self {
+    /// A number, given in engine units, that an event defines; `otherwise` says why there was none.
+    pub fn reached(result: Column, value: Option<f64>, otherwise: impl Into<String>) -> Self {
         match value {
-            Some(value) => Self::number(name, value, unit),
-            None => Self::new(name, unit, Found::NotReached(otherwise.into())),
+            Some(value) => Self::number(result, value),
+            None => Self::new(result, Found::NotReached(otherwise.into())),
         }
+    }
+    /// The same at one of several moments.
+    pub fn at(self, moment: &str) -> Self {
+        Self { name: format!("{moment} {}", self.name), ..self }
+    }
+    /// The same, found in one of several stages that have such a result.
+    pub fn during(self, stage: &str) -> Self {
+        Self { name: format!("{stage}: {}", self.name), ..self }
     }
     /// The same with a target in engine units.
     pub fn target(self, target: f64) -> Self {
@@ -74,14 +88,15 @@ impl Finding {
         match self.found {
             Found::Number(value, _) => Some(value),
             Found::Count(count) => Some(count as f64),
-            Found::Words(_) | Found::NotReached(_) => None,
+            Found::Numbers(_) | Found::Words(_) | Found::NotReached(_) => None,
         }
     }
 
     /// Whether all its numbers are finite.
     pub fn is_finite(&self) -> bool {
         let spread = if let Found::Number(_, spread) = self.found { spread } else { None };
-        [self.value(), spread, self.target].into_iter().flatten().all(f64::is_finite)
+        let several = if let Found::Numbers(values) = &self.found { &values[..] } else { &[] };
+        [self.value(), spread, self.target].iter().flatten().chain(several).all(|number| number.is_finite())
     }
 
     /// Number of significant digits: two of the error if it is known.
@@ -100,6 +115,10 @@ impl Finding {
     pub fn text(&self) -> String {
         match &self.found {
             Found::Number(value, _) => significant(*value, self.digits()),
+            Found::Numbers(values) if values.is_empty() => "none".into(),
+            Found::Numbers(values) => {
+                values.iter().map(|value| significant(*value, DIGITS)).collect::<Vec<_>>().join(", ")
+            }
             Found::Count(count) => count.to_string(),
             Found::Words(words) | Found::NotReached(words) => words.clone(),
         }
@@ -116,7 +135,8 @@ impl Finding {
         if let Found::Number(_, Some(spread)) = self.found {
             text.push_str(&format!(" ± {}", significant(spread, 2)));
         }
-        if self.value().is_some() && !self.unit.is_empty() {
+        let several = matches!(&self.found, Found::Numbers(values) if !values.is_empty());
+        if (several || self.value().is_some()) && !self.unit.is_empty() {
             text.push_str(&format!(" {}", self.unit));
         }
         text
@@ -135,6 +155,11 @@ impl Finding {
                 fields.insert("value".into(), json!(rounded(self.text())));
                 fields.insert("digits".into(), json!(self.digits()));
                 spread.map(|spread| fields.insert("spread".into(), json!(rounded(significant(spread, 2)))));
+            }
+            Found::Numbers(values) => {
+                let values: Vec<f64> = values.iter().map(|value| rounded(significant(*value, DIGITS))).collect();
+                fields.insert("values".into(), json!(values));
+                fields.insert("digits".into(), json!(DIGITS));
             }
             Found::Count(count) => {
                 fields.insert("value".into(), json!(count));
@@ -162,7 +187,10 @@ impl Finding {
             (Some(Value::Null), Some(reason)) => Found::NotReached(reason),
             (Some(value), _) if fields.get("digits").is_none() => Found::Count(value.as_u64()?),
             (Some(value), _) => Found::Number(value.as_f64()?, number("spread")),
-            (None, None) => return None,
+            (None, None) => {
+                let values = fields.get("values").and_then(Value::as_array)?;
+                Found::Numbers(values.iter().map(Value::as_f64).collect::<Option<_>>()?)
+            }
         };
         Some(Self { name: name.into(), unit: text("unit").unwrap_or_default(), found, target: number("target") })
     }
@@ -190,35 +218,44 @@ impl Finding {
 mod tests {
     use super::*;
 
+    const FORCE: Column = Column { name: "force", unit: "nN", about: "A force." };
+    const PURE: Column = Column { name: "ratio", unit: "", about: "A ratio." };
+
     #[test]
     fn a_number_has_the_digits_of_its_error_or_four() {
-        assert_eq!(Finding::number("force", 269_440.656, "nN").sentence(), "269.4 nN");
-        assert_eq!(Finding::number("force", 269_440.656, "nN").spread(1230.0).sentence(), "269.4 ± 1.2 nN");
-        assert_eq!(Finding::number("force", 4000.0, "nN").sentence(), "4.000 nN");
-        assert_eq!(Finding::number("ratio", 0.0, "").sentence(), "0");
-        assert_eq!(Finding::count("necks", 123_456).sentence(), "123456");
+        assert_eq!(Finding::number(FORCE, 269_440.656).sentence(), "269.4 nN");
+        assert_eq!(Finding::number(FORCE, 269_440.656).spread(1230.0).sentence(), "269.4 ± 1.2 nN");
+        assert_eq!(Finding::number(FORCE, 4000.0).sentence(), "4.000 nN");
+        assert_eq!(Finding::number(PURE, 0.0).sentence(), "0");
+        assert_eq!(Finding::count(PURE, 123_456).sentence(), "123456");
+        assert_eq!(Finding::numbers(FORCE, [4000.0, 250.0]).sentence(), "4.000, 0.2500 nN");
+        assert_eq!(Finding::numbers(FORCE, []).sentence(), "none");
     }
 
     #[test]
     fn what_an_event_defines_has_no_value_without_it() {
-        let settled = |time| Finding::reached("time to settle", time, "ns", "not within 1 ns");
+        let time = Column { name: "time to settle", unit: "ns", about: "A time." };
+        let settled = |value| Finding::reached(time, value, "not within 1 ns");
         assert_eq!((settled(None).sentence().as_str(), settled(None).value()), ("not within 1 ns", None));
         assert_eq!((settled(Some(0.5)).sentence().as_str(), settled(Some(0.5)).value()), ("0.5000 ns", Some(0.5)));
     }
 
     #[test]
     fn results_are_a_map_by_name_that_is_read_back() {
+        let named = |name, unit| Column { name, unit, about: "" };
         let findings = [
-            Finding::number("strength", 3980.0, "GPa").target(4000.0).spread(20.0),
-            Finding::count("necks", 3),
-            Finding::words("fate", "cut"),
-            Finding::reached("rupture height", None, "nm", "the tip is attached"),
+            Finding::number(named("strength", "GPa"), 3980.0).target(4000.0).spread(20.0),
+            Finding::count(named("necks", ""), 3).during("pulling"),
+            Finding::words(named("fate", ""), "cut"),
+            Finding::numbers(FORCE, [1000.0, 2000.0]),
+            Finding::reached(named("rupture height", "nm"), None, "the tip is attached"),
         ];
         let results = Finding::results(&findings);
         assert_eq!(
             results["strength"],
             json!({"value": 3.98, "digits": 4, "spread": 0.02, "unit": "GPa", "target": 4.0})
         );
+        assert_eq!(results["force"], json!({"values": [1.0, 2.0], "digits": 4, "unit": "nN"}));
         assert_eq!(results["rupture height"], json!({"value": null, "verdict": "the tip is attached", "unit": "nm"}));
         let again = results.as_object().unwrap().iter().map(|(name, fields)| Finding::of(name, fields).unwrap());
         assert_eq!(again.collect::<Vec<_>>(), findings);

@@ -1,5 +1,6 @@
 //! The run folder: the output of a run, written so that an incomplete file is never mistaken for a result.
 
+pub mod aggregate;
 mod appending;
 mod checkpoint;
 mod claim;
@@ -7,7 +8,7 @@ pub mod columns;
 mod files;
 mod finding;
 mod folder;
-mod frames;
+pub mod frames;
 mod lock;
 mod manifest;
 mod reading;

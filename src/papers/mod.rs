@@ -1,5 +1,6 @@
 //! The papers' additions to the engine: one module and one entry of a list per paper.
 
+mod quantities;
 pub mod soot;
 pub mod titania;
 pub mod wear;
@@ -11,6 +12,7 @@ use crate::error::Error;
 use crate::figures::Graph;
 use crate::geometry::Sphere;
 use crate::initial::aggregate::necks::{Neck, NeckLength};
+use crate::output::Column;
 #[cfg(feature = "cli")]
 use crate::reproduce::Chapter;
 use crate::run::{Job, Paths, Runnable};
@@ -42,6 +44,8 @@ pub trait Paper: Sync {
     const TITLE: &'static str;
     /// The graphs in its reports.
     const GRAPHS: &'static [Graph] = &[];
+    /// The columns of its tables and its results, by heading.
+    const QUANTITIES: &'static [(&'static str, &'static [Column])] = &[];
     /// The chapters of its claims.
     #[cfg(feature = "cli")]
     const CHAPTERS: &'static [Chapter] = &[];
@@ -57,6 +61,8 @@ pub trait Paper: Sync {
     fn complete(_case: &mut CaseOf<Self>) {}
     /// Finds the problems of a case beyond its grammar.
     fn check(_case: &CaseOf<Self>, _found: &mut Found) {}
+    /// Finds values of a checked case that are accepted but may not mean what their author thinks.
+    fn doubts(_case: &CaseOf<Self>, _found: &mut Found) {}
     /// The keys that a case has but does not use, such as `sample.aggregate.spheres`.
     fn unused(_case: &CaseOf<Self>) -> &'static [&'static str] {
         &[]
@@ -102,6 +108,8 @@ pub trait AnyPaper: Sync {
     fn reference(&self) -> &'static str;
     /// [`Paper::TITLE`].
     fn title(&self) -> &'static str;
+    /// [`Paper::QUANTITIES`].
+    fn quantities(&self) -> &'static [(&'static str, &'static [Column])];
     /// [`Paper::CHAPTERS`].
     #[cfg(feature = "cli")]
     fn chapters(&self) -> &'static [Chapter];
@@ -127,6 +135,9 @@ impl<P: Paper> AnyPaper for P {
     fn title(&self) -> &'static str {
         P::TITLE
     }
+    fn quantities(&self) -> &'static [(&'static str, &'static [Column])] {
+        P::QUANTITIES
+    }
     #[cfg(feature = "cli")]
     fn chapters(&self) -> &'static [Chapter] {
         P::CHAPTERS
@@ -141,6 +152,8 @@ impl<P: Paper> AnyPaper for P {
         let mut case = parse::<P>(file, text)?;
         let written = serde_yaml::to_value(&case).expect("a case is plain data");
         let paths = Paths::of(file);
+        let mut doubts = Found::new();
+        P::doubts(&case, &mut doubts);
         let reads = P::reads(&mut case).into_iter().map(|path| paths.lead(path)).collect();
         let saves = P::saves(&mut case).into_iter().map(|(section, path)| (section, paths.lead(path))).collect();
         Ok(Job {
@@ -155,6 +168,7 @@ impl<P: Paper> AnyPaper for P {
             graphs: P::GRAPHS,
             instructions: None,
             excess: false,
+            doubts: case::problems(doubts, file, text),
             study: P::study(case),
         })
     }
@@ -220,6 +234,7 @@ impl Papers {
             key.keys = self.0.iter().flat_map(|paper| std::mem::take(&mut paper.sections()[place])).collect();
             let names: Vec<&str> = key.keys.iter().map(|key| key.key).collect();
             key.expects = case::section::one_of_these(&names);
+            key.schema = case::json_schema::choice(&key.keys);
         }
         keys
     }

@@ -7,7 +7,7 @@ use super::recorder::Recorder;
 use super::saved::{Resumable, State};
 use super::{Driver, Message, Outcome, Study};
 use crate::case::{Output, located};
-use crate::error::{AtPath, Error};
+use crate::error::{AtPath, Error, Problem};
 use crate::figures::Graph;
 use crate::forces::Instructions;
 use crate::interrupt::Interrupt;
@@ -45,6 +45,8 @@ pub struct Job {
     pub instructions: Option<Instructions>,
     /// Whether it may ask for more steps, output or memory than is usual.
     pub excess: bool,
+    /// Values that are accepted but may not mean what their author thinks.
+    pub doubts: Vec<Problem>,
     /// Its stages.
     pub study: Box<dyn Runnable>,
 }

@@ -61,7 +61,7 @@ pub(super) fn aggregates(plan: &FilmPlan, seed: u64, interrupt: &Interrupt) -> R
 
 impl FilmPlan {
     fn diffusion(&self, spheres: &[Sphere], stream: &mut Stream) -> f64 {
-        let (r_h, area) = (capacity(spheres, WALKS, stream), mean_projected_area(spheres, DIRECTIONS));
+        let ([r_h, _], area) = (capacity(spheres, WALKS, stream), mean_projected_area(spheres, DIRECTIONS));
         let (_, _, friction) = friction_factor(self.gas.viscosity, self.gas.free_path, r_h, area);
         diffusion(thermal_energy(BOLTZMANN, self.gas.temperature), friction)
     }

@@ -8,6 +8,7 @@ mod xyz;
 pub use name::{FrameName, is_of_frames};
 pub use vtp::collection;
 
+use super::columns::columns;
 use crate::case::{Digits, Extra, Format};
 use crate::motion::inertia;
 use crate::observe::{ActingPair, Loads, PairKind};
@@ -15,6 +16,68 @@ use crate::simulation::Simulation;
 use crate::spec::mechanics::newton::{acceleration, angular_acceleration};
 use crate::spec::{Contact, Named, PairModel, Vec3};
 use crate::system::System;
+
+columns! {
+    /// The columns of spheres in frames.
+    pub const FRAME_COLUMNS {
+        /// Id of the sphere, which it keeps throughout a run.
+        ID = "id";
+        /// Body that the sphere belonged to at the beginning.
+        BODY = "body";
+        /// Wall that the sphere is part of; 0 for none.
+        WALL = "wall";
+        /// Radius.
+        RADIUS = "radius" in "nm";
+        /// Mass.
+        MASS = "mass" in "ag";
+        /// Centre, folded into the box, whose corner is the origin.
+        POSITION = "pos" in "nm";
+        /// Velocity.
+        VELOCITY = "velo" in "m/s";
+        /// Angular velocity.
+        ANGULAR_VELOCITY = "angular_velocity" in "1/ns";
+        /// Force of pairs and surfaces in the next step; drag, drives and loads are not part of it.
+        FORCE = "force" in "pN";
+        /// Number of contacts and necks.
+        COORDINATION = "coordination";
+        /// Number of necks.
+        NECKS = "necks";
+        /// Whether the sphere is part of the third body in the last window: only in stages with a third body.
+        THIRD_BODY = "third_body";
+        /// Virial stress of the sphere by the forces of pairs and surfaces, positive in tension: xx, yy, zz, xy, xz, yz.
+        STRESS = "stress" in "MPa";
+        /// Torque of pairs and surfaces in the next step, with `output.columns: [torque]`.
+        TORQUE = "torque" in "pN nm";
+        /// Force over mass, with `output.columns: [acceleration]`: the acceleration of a sphere that is part of no rigid body or wall, without drag.
+        ACCELERATION = "acceleration" in "nm/ns^2";
+        /// Torque over moment of inertia, with `output.columns: [angular_acceleration]`.
+        ANGULAR_ACCELERATION = "angular_acceleration" in "1/ns^2";
+    }
+}
+
+columns! {
+    /// The columns of pairs in frames.
+    pub const PAIR_COLUMNS {
+        /// Ids of both spheres, the lower first: `batom1` and `batom2` in local dumps, `ids` in VTK.
+        IDS = "ids";
+        /// 1 for a contact, 2 for a neck, 3 for a meniscus between spheres that do not touch: `btype` in local dumps.
+        KIND = "kind";
+        /// Distance of the surfaces, negative for an overlap.
+        GAP = "gap" in "nm";
+        /// Force along the line of centres, positive for a repulsion.
+        NORMAL_FORCE = "normal_force" in "pN";
+        /// Force on the sphere with the lower id along x.
+        FORCE_X = "force_x" in "pN";
+        /// The same along y.
+        FORCE_Y = "force_y" in "pN";
+        /// The same along z.
+        FORCE_Z = "force_z" in "pN";
+        /// Energy stored in the pair.
+        ENERGY = "energy" in "zJ";
+        /// Springs of the contact, one column each: lengths of the tangential, rolling and torsion springs, and the gap at rest, as the contact model has them.
+        SPRINGS = "spring_..." in "nm";
+    }
+}
 
 /// A column of a frame: a quantity of every sphere, in the order of ids.
 struct FrameColumn {
@@ -77,9 +140,6 @@ pub fn collected(format: Format) -> &'static [&'static str] {
     }
 }
 
-/// The position column.
-const POSITION: &str = "pos";
-
 /// The state at one moment.
 pub struct Frame<'a> {
     stage: &'a str,
@@ -112,29 +172,29 @@ impl<'a> Frame<'a> {
         let vectors = |value: &dyn Fn(usize) -> Vec3<f64>| Values::Vectors(order.iter().map(|&k| value(k)).collect());
         let mut columns = Vec::new();
         let mut add = |name, values| columns.push(FrameColumn { name, values });
-        add("id", counts(&p.id));
-        add("body", counts(&p.tag));
-        add("wall", counts(&p.wall));
-        add("radius", numbers(&p.radius));
-        add("mass", numbers(&p.mass));
-        add(POSITION, vectors(&|k| domain.folded(p.x[k])));
-        add("velo", vectors(&|k| p.v[k]));
-        add("angular_velocity", vectors(&|k| p.w[k]));
-        add("force", vectors(&|k| loads.force[k]));
-        add("coordination", counts(&loads.coordination));
-        add("necks", counts(&loads.necks));
+        add(ID.name, counts(&p.id));
+        add(BODY.name, counts(&p.tag));
+        add(WALL.name, counts(&p.wall));
+        add(RADIUS.name, numbers(&p.radius));
+        add(MASS.name, numbers(&p.mass));
+        add(POSITION.name, vectors(&|k| domain.folded(p.x[k])));
+        add(VELOCITY.name, vectors(&|k| p.v[k]));
+        add(ANGULAR_VELOCITY.name, vectors(&|k| p.w[k]));
+        add(FORCE.name, vectors(&|k| loads.force[k]));
+        add(COORDINATION.name, counts(&loads.coordination));
+        add(NECKS.name, counts(&loads.necks));
         for (name, flags) in flags {
             add(name, Values::Counts(order.iter().map(|&k| u32::from(flags[k])).collect()));
         }
-        add("stress", Values::Tensors(order.iter().map(|&k| loads.stress[k]).collect()));
+        add(STRESS.name, Values::Tensors(order.iter().map(|&k| loads.stress[k]).collect()));
         for extra in extra {
             match extra {
-                Extra::Torque => add("torque", vectors(&|k| loads.torque[k])),
+                Extra::Torque => add(TORQUE.name, vectors(&|k| loads.torque[k])),
                 Extra::Acceleration => {
-                    add("acceleration", vectors(&|k| acceleration(loads.force[k], p.mass[k])));
+                    add(ACCELERATION.name, vectors(&|k| acceleration(loads.force[k], p.mass[k])));
                 }
                 Extra::AngularAcceleration => {
-                    add("angular_acceleration", vectors(&|k| angular_acceleration(loads.torque[k], inertia(p, k))))
+                    add(ANGULAR_ACCELERATION.name, vectors(&|k| angular_acceleration(loads.torque[k], inertia(p, k))))
                 }
             }
         }
@@ -185,7 +245,7 @@ impl<'a> Frame<'a> {
 
     /// The names of the numbers of a pair: gap in nm, forces in pN, energy in zJ, springs in nm.
     fn numbers_of_pairs(&self) -> Vec<&str> {
-        let first = ["gap", "normal_force", "force_x", "force_y", "force_z", "energy"];
+        let first = [GAP, NORMAL_FORCE, FORCE_X, FORCE_Y, FORCE_Z, ENERGY].map(|column| column.name);
         first.into_iter().chain(self.springs.iter().map(String::as_str)).collect()
     }
 

@@ -14,7 +14,7 @@ const POLYS: (&str, usize) = ("Polys", 3);
 impl Frame<'_> {
     /// The spheres as vertices, with the columns as data of points.
     pub(super) fn vtp(&self) -> String {
-        let position = |column: &&FrameColumn| column.name == super::POSITION;
+        let position = |column: &&FrameColumn| column.name == super::POSITION.name;
         let at = self.columns.iter().find(position).expect("every frame has positions");
         let Values::Vectors(points) = &at.values else { unreachable!("positions are vectors") };
         let data = self.columns.iter().filter(|column| !position(column)).map(|FrameColumn { name, values }| {
@@ -33,7 +33,7 @@ impl Frame<'_> {
         let points: Vec<Vec3<f64>> = self.pairs.iter().flat_map(ends).collect();
         let ids = self.pairs.iter().flat_map(|pair| pair.ids).map(|id| id.to_string());
         let kinds = self.pairs.iter().map(|pair| (pair.kind as u8).to_string());
-        let mut data = array("ids", 2, true, ids) + &array("kind", 1, true, kinds);
+        let mut data = array(super::IDS.name, 2, true, ids) + &array(super::KIND.name, 1, true, kinds);
         let numbers: Vec<Vec<f64>> = self.pairs.iter().map(|pair| self.numbers(pair)).collect();
         for (k, name) in self.numbers_of_pairs().into_iter().enumerate() {
             data += &array(name, 1, false, numbers.iter().map(|pair| self.text(pair[k])));

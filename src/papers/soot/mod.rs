@@ -4,6 +4,7 @@ pub mod case;
 pub mod check;
 #[cfg(feature = "cli")]
 pub mod claims;
+pub mod columns;
 mod energy;
 mod sample;
 mod stage;
@@ -18,14 +19,16 @@ use crate::case::check::Found;
 use crate::figures::Graph;
 use crate::geometry::Sphere;
 use crate::initial::aggregate::necks::{Neck, NeckLength};
+use crate::output::Column;
+use crate::output::aggregate::{CONVEXITY, COORDINATION, GYRATION_RADIUS};
 use crate::output::columns::{KINETIC, TIME};
 #[cfg(feature = "cli")]
 use crate::reproduce::Chapter;
 use crate::run::Runnable;
 use crate::spec::soot::{Along, Printed, Programmed};
 use case::{Case, Experiment, Model, Sample, Torsion};
+use columns::{HEIGHT, PULL, READING, TIP_DISPLACEMENT};
 use std::path::{Path, PathBuf};
-use watch::columns::{CONVEXITY, COORDINATION, GYRATION_RADIUS, HEIGHT, PULL, READING, TIP_DISPLACEMENT};
 
 /// The paper.
 pub struct Soot;
@@ -45,6 +48,12 @@ impl Paper for Soot {
         Graph { name: "deposition energy", stages: &["deposition"], x: TIME, y: KINETIC, marks: &[] },
         Graph { name: "force curve", stages: &["indentation"], x: TIP_DISPLACEMENT, y: READING, marks: &[] },
         Graph { name: "force on the tip", stages: &["indentation"], x: TIP_DISPLACEMENT, y: PULL, marks: MARKS },
+    ];
+    const QUANTITIES: &'static [(&'static str, &'static [Column])] = &[
+        ("Columns of all stages, beside the first three of the shape", columns::AGGREGATE),
+        ("Columns of stages with a substrate", columns::ON_SUBSTRATE),
+        ("Columns of an indentation", columns::ON_TIP),
+        ("Results, beside the initial and the final shape", columns::results::ALL),
     ];
     #[cfg(feature = "cli")]
     const CHAPTERS: &'static [Chapter] = claims::CHAPTERS;

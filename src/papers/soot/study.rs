@@ -1,9 +1,10 @@
 //! The stages of a case of the soot paper: deposition, indentation and restructuring of an aggregate.
 
 use super::case::{Aggregate, Case, Deposition, Import, Soot, SootStage, key, parts};
+use super::columns::columns_of;
 use super::energy::initial_springs;
 use super::stage::{self, Ground};
-use super::watch::{self, Watch};
+use super::watch::Watch;
 use crate::error::{Error, Halt};
 use crate::geometry::Sphere;
 use crate::initial::aggregate::NEIGHBOURLY;
@@ -163,7 +164,7 @@ impl<S: Reading> Study for Plan<S> {
     }
 
     fn columns(&self, stage: usize) -> Vec<Column> {
-        watch::columns_of(&self.stages[stage])
+        columns_of(&self.stages[stage])
     }
 
     fn watch(&self, stage: usize, simulation: &Simulation<soot::Soot<S>>) -> Watch {
@@ -213,10 +214,10 @@ impl<S: Reading> Study for Plan<S> {
         watch: &Watch,
         simulation: &Simulation<soot::Soot<S>>,
     ) -> Result<Vec<Finding>, Error> {
-        let mut findings = watch.findings(&self.stages[stage], simulation);
+        let findings = watch.findings(&self.stages[stage], simulation);
         if self.stages.len() > 1 {
             let name = &self.names()[stage];
-            findings.iter_mut().for_each(|finding| finding.name = format!("{name}: {}", finding.name));
+            return Ok(findings.into_iter().map(|finding| finding.during(name)).collect());
         }
         Ok(findings)
     }

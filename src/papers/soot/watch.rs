@@ -1,13 +1,14 @@
 //! The measurements of the stages of soot, and their findings.
 
 use super::case::SootStage;
-use crate::case::units::in_unit;
+use super::columns::results;
 use crate::geometry::Sphere;
 use crate::geometry::{SphereExtent, gyration_radius};
 use crate::initial::aggregate::NEIGHBOURLY;
+use crate::observe::aggregate::AggregateShape;
 use crate::observe::force_curve::ForceCurve;
 use crate::observe::morphology::{convexity, coordination_number};
-use crate::output::{Cell, Column, Finding};
+use crate::output::{Cell, Finding};
 use crate::simulation::Simulation;
 use crate::spec::Vec3;
 use crate::spec::soot::{Reading, Soot};
@@ -15,73 +16,17 @@ use crate::spec::soot::{SUBSTRATE, TIP};
 use crate::system::{Forces, Particles, Surface, System};
 use serde::{Deserialize, Serialize};
 
-/// The columns of the series.
-pub mod columns {
-    use crate::output::Column;
-    use crate::output::columns::{AT_SURFACES, LOST_AT_SURFACES};
-
-    /// Mean coordination number.
-    pub const COORDINATION: Column = Column::pure("coordination number");
-    /// Convexity: volume relative to the volume of the convex hull.
-    pub const CONVEXITY: Column = Column::pure("convexity");
-    /// Radius of gyration of the centres.
-    pub const GYRATION_RADIUS: Column = Column::new("gyration radius", "nm");
-    /// Height of the centre of mass.
-    pub const HEIGHT: Column = Column::new("height", "nm");
-    /// Displacement of the tip.
-    pub const TIP_DISPLACEMENT: Column = Column::new("tip displacement", "nm");
-    /// Downward force of the aggregate on the tip.
-    pub const PULL: Column = Column::new("pull on the tip", "pN");
-    /// The same force, filtered by the cantilever.
-    pub const READING: Column = Column::new("cantilever reading", "pN");
-
-    /// Columns of all stages.
-    pub const AGGREGATE: [Column; 8] = [
-        COORDINATION,
-        CONVEXITY,
-        GYRATION_RADIUS,
-        HEIGHT,
-        Column::pure("necks"),
-        AT_SURFACES,
-        LOST_AT_SURFACES,
-        Column::new("work of surfaces", "zJ"),
-    ];
-    /// Columns of stages with a substrate.
-    pub const ON_SUBSTRATE: [Column; 4] = [
-        Column::pure("spheres on the substrate"),
-        Column::new("contact on the substrate", "pN"),
-        Column::new("friction on the substrate", "pN"),
-        Column::new("van der Waals on the substrate", "pN"),
-    ];
-    /// Columns of an indentation.
-    pub const ON_TIP: [Column; 7] = [
-        TIP_DISPLACEMENT,
-        Column::pure("spheres on the tip"),
-        Column::new("contact on the tip", "pN"),
-        Column::new("friction on the tip", "pN"),
-        Column::new("van der Waals on the tip", "pN"),
-        PULL,
-        READING,
-    ];
+/// The spheres of a system, by id.
+fn spheres(system: &System) -> Vec<Sphere> {
+    let Particles { x, radius, id, .. } = &system.particles;
+    let mut order: Vec<usize> = (0..id.len()).collect();
+    order.sort_unstable_by_key(|&p| id[p]);
+    order.into_iter().map(|p| Sphere { centre: x[p], radius: radius[p] }).collect()
 }
 
-/// The columns of a stage.
-pub(super) fn columns_of(stage: &SootStage) -> Vec<Column> {
-    use columns::{AGGREGATE, ON_SUBSTRATE, ON_TIP};
-    match stage {
-        SootStage::Deposition(_) => [&AGGREGATE[..], &ON_SUBSTRATE].concat(),
-        SootStage::Indentation(_) => [&AGGREGATE[..], &ON_SUBSTRATE, &ON_TIP].concat(),
-        SootStage::Restructuring(_) => AGGREGATE.into(),
-    }
-}
-
-/// The shape of an aggregate: coordination number, convexity, radius of gyration.
-pub type Shape = [f64; 3];
-
-/// The shape of an aggregate.
-pub fn shape(system: &System) -> Shape {
-    let Particles { x, radius, .. } = &system.particles;
-    let spheres: Vec<Sphere> = x.iter().zip(radius).map(|(&centre, &radius)| Sphere { centre, radius }).collect();
+/// The coordination number, the convexity and the radius of gyration of an aggregate.
+pub fn shape(system: &System) -> [f64; 3] {
+    let spheres = spheres(system);
     [coordination_number(&spheres), convexity(&spheres).value, gyration_radius(&spheres, SphereExtent::Centres)]
 }
 
@@ -91,7 +36,7 @@ const RECORDED: f64 = 0.1;
 /// The initial state of a stage, and the force curve of an indentation.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Watch {
-    shape: Shape,
+    shape: AggregateShape,
     kinetic: f64,
     curve: Option<ForceCurve>,
 }
@@ -103,7 +48,7 @@ impl Watch {
             SootStage::Indentation(test) => Some(ForceCurve::new(2.0 * std::f64::consts::PI * test.cantilever.value)),
             _ => None,
         };
-        Self { shape: shape(simulation.system()), kinetic: simulation.ledger().kinetic, curve }
+        Self { shape: AggregateShape::of(&spheres(simulation.system())), kinetic: simulation.ledger().kinetic, curve }
     }
 
     /// Whether it can be the observer of this stage.
@@ -130,7 +75,7 @@ impl Watch {
         let account = ledger.surfaces;
         let mut cells: Vec<Cell> = shape(system).into_iter().chain([height(system)]).map(Cell::Number).collect();
         cells.push(Cell::Count(system.necks.len() as u64));
-        let energies = [account.stored.iter().sum(), account.lost.iter().sum(), account.work];
+        let energies = [account.work, account.stored.iter().sum(), account.lost.iter().sum()];
         cells.extend(energies.map(Cell::Number));
         if let Some(substrate) = surface(system, SUBSTRATE) {
             cells.push(Cell::Count(spheres_on(&system.particles, substrate)));
@@ -160,7 +105,6 @@ impl Watch {
     /// The findings of the stage.
     pub fn findings(&self, stage: &SootStage, simulation: &Simulation<Soot<impl Reading>>) -> Vec<Finding> {
         let system = simulation.system();
-        let number = |name: &str, value: f64, unit: &str| Finding::number(name, value, unit);
         let mut findings = match stage {
             SootStage::Deposition(_) => {
                 let Deposit { spheres, kinetic, dissipated, rests } = self.deposit(simulation);
@@ -173,11 +117,11 @@ impl Watch {
                 let left = (self.kinetic > 0.0).then(|| 100.0 * kinetic / self.kinetic);
                 let left = left.map_or(String::new(), |left| format!("; {left:.2} % of its kinetic energy remains"));
                 vec![
-                    Finding::words("end", format!("the aggregate {verdict}{left}")),
-                    Finding::count("spheres on the substrate", spheres),
-                    number("initial kinetic energy", self.kinetic, "aJ"),
-                    number("final kinetic energy", kinetic, "aJ"),
-                    number("energy dissipated", dissipated, "aJ"),
+                    Finding::words(results::END, format!("the aggregate {verdict}{left}")),
+                    Finding::count(results::ON_SUBSTRATE, spheres),
+                    Finding::number(results::INITIAL_KINETIC, self.kinetic),
+                    Finding::number(results::FINAL_KINETIC, kinetic),
+                    Finding::number(results::DISSIPATED, dissipated),
                 ]
             }
             SootStage::Indentation(_) => {
@@ -190,37 +134,35 @@ impl Watch {
                     None if highest.is_none() => "was not pulled after its reversal".into(),
                     None => "is still attached to the aggregate".into(),
                 };
-                let strongest = |force: Option<f64>| force.map_or("none".into(), |force| in_unit(force, "nN"));
+                let strongest = |force: Option<f64>| Finding::reached(results::HIGHEST_PEAK, force, "none").sentence();
                 let sentence = format!(
                     "the tip {end}; its largest pulling force: {}, filtered by the cantilever and after the reversal: {}",
                     strongest(curve.largest()),
                     strongest(highest),
                 );
                 vec![
-                    Finding::words("end", sentence),
-                    Finding::reached("largest pulling force", curve.largest(), "nN", "the tip was never pulled"),
-                    Finding::count("peaks of the force curve", curve.peaks().len() as u64),
-                    Finding::reached("highest peak", highest, "nN", "the tip was not pulled after its reversal"),
-                    Finding::reached("rupture height", curve.rupture(), "nm", format!("the tip {end}")),
+                    Finding::words(results::END, sentence),
+                    Finding::reached(results::LARGEST_PULL, curve.largest(), "the tip was never pulled"),
+                    Finding::count(results::PEAKS, curve.peaks().len() as u64),
+                    Finding::reached(results::HIGHEST_PEAK, highest, "the tip was not pulled after its reversal"),
+                    Finding::reached(results::RUPTURE_HEIGHT, curve.rupture(), format!("the tip {end}")),
                 ]
             }
             SootStage::Restructuring(_) => {
-                let (first, last) = (self.shape, shape(system));
-                let verdict = if last[0] > first[0] && last[2] < first[2] { "compacts" } else { "does not compact" };
+                let (first, [coordination, _, gyration]) = (&self.shape, shape(system));
+                let compacts = coordination > first.coordination && gyration < first.gyration_radius;
                 let sentence = format!(
-                    "the aggregate {verdict}: coordination number {:.2} -> {:.2}, radius of gyration {:.0} -> {:.0} nm",
-                    first[0], last[0], first[2], last[2]
+                    "the aggregate {}: coordination number {:.2} -> {coordination:.2}, radius of gyration {:.0} -> {gyration:.0} nm",
+                    if compacts { "compacts" } else { "does not compact" },
+                    first.coordination,
+                    first.gyration_radius,
                 );
-                vec![Finding::words("end", sentence)]
+                vec![Finding::words(results::END, sentence)]
             }
         };
-        findings.push(Finding::count("necks", system.necks.len() as u64));
-        for (when, [coordination, convexity, gyration]) in [("initial", self.shape), ("final", shape(system))] {
-            findings.extend([
-                number(&format!("{when} coordination number"), coordination, ""),
-                number(&format!("{when} convexity"), convexity, ""),
-                number(&format!("{when} radius of gyration"), gyration, "nm"),
-            ]);
+        findings.push(Finding::count(results::NECKS, system.necks.len() as u64));
+        for (when, shape) in [("initial", &self.shape), ("final", &AggregateShape::of(&spheres(system)))] {
+            findings.extend(shape.findings().into_iter().map(|finding| finding.at(when)));
         }
         findings
     }

@@ -5,6 +5,7 @@ pub mod chain;
 mod check;
 #[cfg(feature = "cli")]
 pub mod claims;
+mod columns;
 pub mod film;
 pub mod pair;
 mod pull;
@@ -20,6 +21,7 @@ pub use watch::rolling_resistance;
 use super::Paper;
 use crate::case::check::Found;
 use crate::figures::Graph;
+use crate::output::Column;
 use crate::output::columns::TIME;
 #[cfg(feature = "cli")]
 use crate::reproduce::Chapter;
@@ -27,9 +29,9 @@ use crate::run::Runnable;
 use crate::spec::Necked;
 use crate::spec::titania::Tabulated;
 use case::{Case, Experiment, Model, Sample, TitaniaTest};
-use film::spectrum::{FORCE, MOVED as TIP_MOVED};
+use columns::{CONTACTS, DISTANCE, FRICTION, MEAN_PULL, MOVED, PULLED, ROLLING_RESISTANCE};
+use film::columns::{FORCE, MOVED as TIP_MOVED};
 use std::path::PathBuf;
-use watch::columns::{CONTACTS, DISTANCE, FRICTION, MEAN_PULL, MOVED, PULLED, ROLLING_RESISTANCE};
 
 /// The paper.
 pub struct Titania;
@@ -48,6 +50,19 @@ impl Paper for Titania {
         Graph { name: "pulling force", stages: &["pulling"], x: PULLED, y: MEAN_PULL, marks: MARKS },
         Graph { name: "contacts", stages: &["pulling"], x: PULLED, y: CONTACTS, marks: &[] },
         Graph { name: "spectroscopy", stages: &["approach", "retraction"], x: TIP_MOVED, y: FORCE, marks: MARKS },
+    ];
+    const QUANTITIES: &'static [(&'static str, &'static [Column])] = &[
+        ("Columns of a pair", columns::PAIR),
+        ("Columns of a particle that is dragged", columns::DRAGGED),
+        ("Columns of an agglomerate that is stretched", columns::STRETCHED),
+        ("Columns of pairs and agglomerates", columns::COUNTS),
+        ("Windows of 50 ps of a stretched agglomerate, with the column `pulled`", columns::IN_WINDOW),
+        ("Results of pairs and agglomerates", columns::results::ALL),
+        ("Columns of a film under a tip", film::columns::TIPPED),
+        ("Columns of a film", film::columns::COUNTS),
+        ("Columns of a film of rigid aggregates, and of a film with necks", film::columns::BY_BONDING),
+        ("Windows of the averaging time, with the column `tip moved`", film::columns::IN_WINDOW),
+        ("Results of a film", film::columns::results::ALL),
     ];
     #[cfg(feature = "cli")]
     const CHAPTERS: &'static [Chapter] = claims::CHAPTERS;

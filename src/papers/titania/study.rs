@@ -2,9 +2,10 @@
 
 use super::case::{self, Agglomerate, Case, ContactTests, TitaniaTest, TwoParticles, checked};
 use super::chain::{agglomerate, extent};
+use super::columns::{self, columns_of};
 use super::pair::pair;
 use super::stage::{Stage, StageAct};
-use super::watch::{self, Watch};
+use super::watch::Watch;
 use crate::error::Error;
 use crate::interrupt::Interrupt;
 use crate::observe::PairKind;
@@ -119,11 +120,11 @@ impl Study for Plan {
     }
 
     fn columns(&self, stage: usize) -> Vec<Column> {
-        watch::columns_of(&self.stages[stage].act)
+        columns_of(&self.stages[stage].act)
     }
 
     fn windows(&self) -> Vec<Column> {
-        if self.chain.is_some() { watch::columns::WINDOW.into() } else { Vec::new() }
+        if self.chain.is_some() { columns::windows() } else { Vec::new() }
     }
 
     fn watch(&self, _: usize, simulation: &Simulation<Titania>) -> Watch {

@@ -1,8 +1,11 @@
 //! The measurements of the stages: sliding, rolling and detachment of contacts, and the forces that cause them.
 
+use super::columns::results;
 use super::stage::StageAct;
 use crate::case::units::in_unit;
-use crate::output::{Cell, Column, Finding};
+use crate::geometry::Sphere;
+use crate::observe::aggregate::AggregateShape;
+use crate::output::{Cell, Finding};
 use crate::simulation::{Pair, Simulation};
 use crate::spec::Vec3;
 use crate::spec::mechanics::rolling::rolled_path;
@@ -10,58 +13,8 @@ use crate::spec::titania::Titania;
 use crate::spec::titania::def_radius::effective_radius;
 use crate::spec::titania::eq02_torque::moment_arm;
 use crate::spec::titania::eq10_peak_friction::peak_friction;
+use crate::system::Particles;
 use serde::{Deserialize, Serialize};
-
-/// The columns of the series.
-pub(super) mod columns {
-    use crate::output::Column;
-
-    /// Centre distance of two particles.
-    pub(crate) const DISTANCE: Column = Column::new("distance", "nm");
-    /// Distance over which a particle has been dragged.
-    pub(crate) const MOVED: Column = Column::new("moved", "nm");
-    /// Friction force.
-    pub(crate) const FRICTION: Column = Column::new("friction", "pN");
-    /// Rolling resistance, as a force at the centre.
-    pub(crate) const ROLLING_RESISTANCE: Column = Column::new("rolling resistance", "pN");
-    /// Displacement of the far end of the spring.
-    pub(crate) const PULLED: Column = Column::new("pulled", "nm");
-    /// Force of the spring.
-    pub(crate) const PULL: Column = Column::new("pulling force", "pN");
-    /// Number of contacts.
-    pub(crate) const CONTACTS: Column = Column::pure("contacts");
-
-    /// Force of the spring, averaged over a window.
-    pub(crate) const MEAN_PULL: Column = Column::new("mean pulling force", "pN");
-
-    /// Columns of a pair.
-    pub(crate) const PAIR: [Column; 1] = [DISTANCE];
-    /// Columns of a pair of which one particle is dragged.
-    pub(crate) const DRAGGED: [Column; 3] = [MOVED, FRICTION, ROLLING_RESISTANCE];
-    /// Columns of a chain that is stretched.
-    pub(crate) const STRETCHED: [Column; 3] = [PULLED, Column::new("elongation", "nm"), PULL];
-    /// Columns of all stages.
-    pub(crate) const COUNTS: [Column; 5] = [
-        CONTACTS,
-        Column::pure("menisci"),
-        Column::pure("slidings"),
-        Column::pure("rollings"),
-        Column::pure("detachments"),
-    ];
-    /// Columns of a window of a chain that is stretched.
-    pub(crate) const WINDOW: [Column; 2] = [PULLED, MEAN_PULL];
-}
-
-/// The columns of a stage.
-pub(super) fn columns_of(act: &StageAct) -> Vec<Column> {
-    let own: &[&[Column]] = match act {
-        StageAct::Approach { .. } | StageAct::Press { .. } => &[&columns::PAIR],
-        StageAct::Drag { .. } => &[&columns::PAIR, &columns::DRAGGED],
-        StageAct::Relax { .. } => &[],
-        StageAct::Pull { .. } => &[&columns::STRETCHED],
-    };
-    [own.concat(), columns::COUNTS.into()].concat()
-}
 
 /// Index of the pulling spring of a chain; spring 0 holds the other end.
 const DRAWN: usize = 1;
@@ -87,6 +40,8 @@ pub struct Watch {
     closed: bool,
     /// The largest of these means after the initial oscillation of the pulled particles.
     largest_pull: Option<f64>,
+    /// The largest of those before.
+    start_up_peak: Option<f64>,
     /// Sums of the measured rolling resistance and of its value by the law, and the number of summands.
     resistance: (f64, f64, u64),
     /// Smallest distance of a released pair, and the time, since the release, of the last step in which it was not settled.
@@ -104,7 +59,6 @@ struct Slip {
 /// A pair that left its range.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 struct Detachment {
-    ids: (u32, u32),
     pulled: f64,
     force: f64,
 }
@@ -160,7 +114,7 @@ impl Watch {
             if bonds.binary_search_by_key(&ids, |bond| bond.0).is_err() {
                 events.push(format!("detachment of {} and {}", ids.0, ids.1));
                 let pulled = self.pulled(simulation);
-                self.detachments.push(Detachment { ids, pulled, force: self.mean });
+                self.detachments.push(Detachment { pulled, force: self.mean });
             }
         }
         self.bonds = bonds;
@@ -195,9 +149,9 @@ impl Watch {
                 if self.closed {
                     self.mean = self.window.0 / self.window.1 as f64;
                     self.window = (0.0, 0);
-                    if spring.age > spring.swing(&system.particles) {
-                        self.largest_pull = Some(self.largest_pull.map_or(self.mean, |most| most.max(self.mean)));
-                    }
+                    let swung = spring.age > spring.swing(&system.particles);
+                    let largest = if swung { &mut self.largest_pull } else { &mut self.start_up_peak };
+                    *largest = Some(largest.map_or(self.mean, |most| most.max(self.mean)));
                 }
             }
             _ => {}
@@ -252,9 +206,9 @@ impl Watch {
             StageAct::Approach { diameters: [first, second], .. } => {
                 let settled = (self.swing.1 < now).then_some(self.swing.1);
                 vec![
-                    Finding::number("final distance", distance(simulation), "nm").target(0.5 * (first + second)),
-                    Finding::number("smallest distance", self.swing.0, "nm"),
-                    Finding::reached("time to settle within 5 pm", settled, "ns", within(now, "ns")),
+                    Finding::number(results::FINAL_DISTANCE, distance(simulation)).target(0.5 * (first + second)),
+                    Finding::number(results::SMALLEST_DISTANCE, self.swing.0),
+                    Finding::reached(results::SETTLING_TIME, settled, within(now, "ns")),
                 ]
             }
             StageAct::Drag { rolls: false, .. } => {
@@ -267,13 +221,13 @@ impl Watch {
                 };
                 let few = |needed: &str| format!("no {needed} {}", within(moved, "nm").trim_start_matches("not "));
                 let friction = (slips > 0).then(|| mean(|slip| slip.friction));
-                let mut peak = Finding::reached("peak friction", friction, "nN", few("slip"));
+                let mut peak = Finding::reached(results::PEAK_FRICTION, friction, few("slip"));
                 if slips > 0 {
                     peak = peak.target(mean(|slip| slip.strength));
                 }
                 vec![
-                    Finding::count("slips", slips as u64),
-                    Finding::reached("stick-slip period", period, "nm", few("second slip")).target(law.lambda_t),
+                    Finding::count(results::SLIPS, slips as u64),
+                    Finding::reached(results::PERIOD, period, few("second slip")).target(law.lambda_t),
                     peak,
                 ]
             }
@@ -281,23 +235,24 @@ impl Watch {
                 let (resistance, strength, n) = self.resistance;
                 let mean = |sum: f64| (n > 0).then(|| sum / n as f64);
                 let found =
-                    Finding::reached("rolling resistance", mean(resistance), "nN", "the particle left the slab");
+                    Finding::reached(results::ROLLING_RESISTANCE, mean(resistance), "the particle left the slab");
                 vec![mean(strength).map_or(found.clone(), |strength| found.target(strength))]
             }
             StageAct::Pull { .. } => {
                 let early = "the initial oscillation has not ended";
                 let mut found = vec![
-                    Finding::count("slidings", self.slips.len() as u64),
-                    Finding::count("rollings", self.rollings),
-                    Finding::count("detachments", self.detachments.len() as u64),
-                    Finding::reached("largest pulling force", self.largest_pull, "nN", early),
+                    Finding::count(results::SLIDINGS, self.slips.len() as u64),
+                    Finding::count(results::ROLLINGS, self.rollings),
+                    Finding::count(results::DETACHMENTS, self.detachments.len() as u64),
+                    Finding::reached(results::LARGEST_PULL, self.largest_pull, early),
+                    Finding::reached(results::START_UP_PEAK, self.start_up_peak, "no mean over 50 ps was taken"),
+                    Finding::numbers(results::DETACHED_AT, self.detachments.iter().map(|one| one.pulled)),
+                    Finding::numbers(results::DETACHED_WITH, self.detachments.iter().map(|one| one.force)),
                 ];
-                for (number, Detachment { ids: (i, j), pulled, force }) in self.detachments.iter().enumerate() {
-                    let named = |what: &str| format!("detachment {}: {what}", number + 1);
-                    found.push(Finding::words(named("particles"), format!("{i} and {j}")));
-                    found.push(Finding::number(named("displacement"), *pulled, "nm"));
-                    found.push(Finding::number(named("pulling force"), *force, "nN"));
-                }
+                let Particles { x, radius, .. } = &simulation.system().particles;
+                let spheres: Vec<Sphere> =
+                    x.iter().zip(radius).map(|(&centre, &radius)| Sphere { centre, radius }).collect();
+                found.extend(AggregateShape::of(&spheres).findings().into_iter().map(|finding| finding.at("final")));
                 found
             }
             StageAct::Press { .. } | StageAct::Relax { .. } => Vec::new(),

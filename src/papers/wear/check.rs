@@ -4,6 +4,7 @@ use super::case::{Case, Deformation, Experiment, Sample};
 use super::derived::{Critical, Scales, dampings, material, spheres, time_steps};
 use crate::case::check::{Found, expect};
 use crate::case::units::{decimal, in_unit, rounded};
+use crate::spec::wear::eq19_minimum_diameter::minimum_diameter;
 
 /// Checks a case.
 pub(super) fn problems(case: &Case, found: &mut Found) {
@@ -13,6 +14,35 @@ pub(super) fn problems(case: &Case, found: &mut Found) {
         // Scales follow from the material and the sample, which must be valid first.
         experiment(case, found);
         stepping(case, found);
+    }
+}
+
+/// Finds values that are accepted but may not mean what their author thinks.
+pub(super) fn doubts(case: &Case, found: &mut Found) {
+    let (scales, own) = (Scales::of(case), material(case));
+    let d_min = minimum_diameter(own.surface_energy.value, own.tensile_strength.value);
+    let (section, smallest) = match &case.sample {
+        Sample::Hcp(_) => ("sample.hcp.diameter", "the diameter"),
+        Sample::Amorphous(_) => ("sample.amorphous.smallest", "the smallest diameter"),
+    };
+    let below = format!("{smallest}, {}, is below d_min = {}", in_unit(scales.d_s, "nm"), in_unit(d_min, "nm"));
+    let why = "(Eq. 19): such spheres cannot have the surface energy and the strength that the case asks for";
+    if scales.d_s < d_min {
+        found.push((section.into(), format!("{below} {why}")));
+    }
+    let modulus = own.young_modulus.value;
+    let loads = match &case.experiment {
+        Experiment::Patch(patch) => {
+            patch.compression.as_ref().map(|test| ("experiment.patch.compression.stress", test.stress.value(modulus)))
+        }
+        Experiment::Junction(junction) => {
+            Some(("experiment.junction.normal_stress", junction.normal_stress.value(modulus)))
+        }
+    };
+    let strength = own.tensile_strength.value;
+    for (key, load) in loads.into_iter().filter(|(_, load)| *load > strength) {
+        let [load, strength] = [load, strength].map(|stress| in_unit(stress, "GPa"));
+        found.push((key.into(), format!("the load, {load}, is beyond the tensile strength, {strength}")));
     }
 }
 

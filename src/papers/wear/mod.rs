@@ -4,6 +4,7 @@ pub mod case;
 mod check;
 #[cfg(feature = "cli")]
 pub mod claims;
+mod columns;
 mod derived;
 pub mod fate;
 pub mod junction;
@@ -18,15 +19,16 @@ pub use study::Plan;
 use super::Paper;
 use crate::case::check::Found;
 use crate::figures::Graph;
+use crate::output::Column;
 use crate::output::columns::STEP;
 #[cfg(feature = "cli")]
 use crate::reproduce::Chapter;
 use crate::run::Runnable;
 use case::{Case, Experiment, Model, Sample};
-use std::path::PathBuf;
-use watch::columns::{
+use columns::{
     MEAN_FRICTION, NORMAL_STRAIN, NORMAL_STRESS, SEPARATION, SHEAR_STRAIN, SHEAR_STRESS, SLID, TURNS, VOLUME_FRACTION,
 };
+use std::path::PathBuf;
 
 /// The paper.
 pub struct Wear;
@@ -44,6 +46,13 @@ impl Paper for Wear {
         Graph { name: "shear", stages: &["shear"], x: SHEAR_STRAIN, y: SHEAR_STRESS, marks: &[] },
         Graph { name: "relaxation", stages: &["cohesion"], x: STEP, y: VOLUME_FRACTION, marks: &[] },
     ];
+    const QUANTITIES: &'static [(&'static str, &'static [Column])] = &[
+        ("Columns of a relaxation", columns::RELAXATION),
+        ("Columns of a patch test", columns::TEST),
+        ("Columns of a sheared junction", columns::JUNCTION),
+        ("Windows of 1 nm of sliding, with the columns `slid` and `separation`", columns::IN_WINDOW),
+        ("Results", columns::results::ALL),
+    ];
     #[cfg(feature = "cli")]
     const CHAPTERS: &'static [Chapter] = claims::CHAPTERS;
 
@@ -53,6 +62,9 @@ impl Paper for Wear {
 
     fn check(case: &Case, found: &mut Found) {
         check::problems(case, found);
+    }
+    fn doubts(case: &Case, found: &mut Found) {
+        check::doubts(case, found);
     }
     fn derived(case: &Case) -> Vec<(String, String)> {
         derived::derived(case)

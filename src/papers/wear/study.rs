@@ -1,10 +1,11 @@
 //! The stages of a case of the wear paper, and their initial particles.
 
 use super::case::{Amorphous, Case, Experiment, Sample};
+use super::columns::{self, columns_of};
 use super::derived::{Scales, material, spheres};
 use super::protocol::{Setup, Stage};
 use super::stages;
-use super::watch::{self, Watch};
+use super::watch::Watch;
 use crate::case::units::in_unit;
 use crate::error::Error;
 use crate::initial::lattice::hcp_cells;
@@ -147,12 +148,12 @@ impl Study for Plan {
     }
 
     fn columns(&self, stage: usize) -> Vec<Column> {
-        watch::columns_of(&self.stages[stage].setup).into()
+        columns_of(&self.stages[stage].setup).into()
     }
 
     fn windows(&self) -> Vec<Column> {
         let has_junction = self.stages.iter().any(|stage| matches!(stage.setup, Setup::Junction(_)));
-        if has_junction { watch::columns::WINDOW.into() } else { Vec::new() }
+        if has_junction { columns::windows() } else { Vec::new() }
     }
 
     fn watch(&self, stage: usize, simulation: &Simulation<Wear>) -> Watch {

@@ -1,6 +1,7 @@
 //! The measurements of each stage, row by row, and its findings.
 
 use super::case::Case;
+use super::columns::results;
 use super::derived::material;
 use super::fate::{Fate, Row, WINDOW, Witness};
 use super::protocol::{Setup, Stage};
@@ -8,6 +9,7 @@ use crate::case::units::{in_unit, rounded};
 use crate::observe::patch::{Elasticity, Gauge};
 use crate::observe::statistics::standard_error;
 use crate::observe::{Link, links, packing, upper_wall};
+use crate::output::frames::THIRD_BODY;
 use crate::output::{Cell, Column, Finding};
 use crate::simulation::Simulation;
 use crate::spec::Vec3;
@@ -65,71 +67,6 @@ pub struct Sheared {
     closed: bool,
     /// Friction and normal force, summed over all steps, and their number.
     forces: ([f64; 2], u64),
-}
-
-/// The columns of the observers.
-pub(super) mod columns {
-    use crate::output::Column;
-
-    /// Volume fraction of the spheres in the box.
-    pub(crate) const VOLUME_FRACTION: Column = Column::pure("volume fraction");
-    /// Strain normal to the walls.
-    pub(crate) const NORMAL_STRAIN: Column = Column::pure("normal strain");
-    /// Shear strain parallel to the walls.
-    pub(crate) const SHEAR_STRAIN: Column = Column::pure("shear strain");
-    /// Stress normal to the walls.
-    pub(crate) const NORMAL_STRESS: Column = Column::new("normal stress", "MPa");
-    /// Shear stress.
-    pub(crate) const SHEAR_STRESS: Column = Column::new("shear stress", "MPa");
-    /// Displacement of the upper wall.
-    pub(crate) const SLID: Column = Column::new("slid", "nm");
-    /// Distance between the bodies.
-    pub(crate) const SEPARATION: Column = Column::new("separation", "nm");
-    /// Friction force.
-    pub(crate) const FRICTION: Column = Column::new("friction", "pN");
-    /// Friction force, averaged over a window.
-    pub(crate) const MEAN_FRICTION: Column = Column::new("mean friction", "pN");
-    /// Revolutions of the third body.
-    pub(crate) const TURNS: Column = Column::pure("third body turns");
-
-    /// Columns of a relaxation.
-    pub(crate) const RELAXATION: [Column; 1] = [VOLUME_FRACTION];
-    /// Columns of a test between two walls.
-    pub(crate) const TEST: [Column; 6] = [
-        NORMAL_STRAIN,
-        SHEAR_STRAIN,
-        NORMAL_STRESS,
-        Column::new("lateral stress", "MPa"),
-        SHEAR_STRESS,
-        Column::new("peak stress", "MPa"),
-    ];
-    /// Columns of a sheared junction.
-    pub(crate) const JUNCTION: [Column; 4] = [SLID, SEPARATION, FRICTION, Column::new("normal force", "pN")];
-    /// Columns of a window of a sheared junction.
-    pub(crate) const WINDOW: [Column; 13] = [
-        SLID,
-        SEPARATION,
-        MEAN_FRICTION,
-        Column::new("mean normal force", "pN"),
-        Column::pure("third body size"),
-        Column::pure("third body from junction"),
-        Column::new("third body mass", "ag"),
-        Column::new("third body height", "nm"),
-        TURNS,
-        Column::pure("third body rigidity"),
-        Column::pure("links to bottom"),
-        Column::pure("links to top"),
-        Column::pure("links between bodies"),
-    ];
-}
-
-/// The columns of a stage.
-pub(super) fn columns_of(setup: &Setup) -> &'static [Column] {
-    match setup {
-        Setup::None => &columns::RELAXATION,
-        Setup::Walls { .. } => &columns::TEST,
-        Setup::Junction(_) => &columns::JUNCTION,
-    }
 }
 
 impl Watch {
@@ -197,7 +134,7 @@ impl Watch {
     pub fn flags(&self, system: &System) -> Vec<(&'static str, Vec<bool>)> {
         let Self::Junction(sheared) = self else { return Vec::new() };
         let members = sheared.witness.members();
-        vec![("third_body", system.particles.id.iter().map(|id| members.binary_search(id).is_ok()).collect())]
+        vec![(THIRD_BODY.name, system.particles.id.iter().map(|id| members.binary_search(id).is_ok()).collect())]
     }
 
     /// Whether the stage may end early.
@@ -209,8 +146,10 @@ impl Watch {
     pub fn findings(&self, stage: &Stage, case: &Case, simulation: &Simulation<Wear>) -> Vec<Finding> {
         match self {
             Self::Relaxation => {
-                let name = format!("volume fraction after {}", stage.name);
-                vec![Finding::number(name, packing::volume_fraction(simulation.system()), "")]
+                vec![
+                    Finding::number(results::VOLUME_FRACTION, packing::volume_fraction(simulation.system()))
+                        .during(stage.name),
+                ]
             }
             Self::Test(test) => test.findings(case, simulation),
             Self::Junction(sheared) => sheared.findings(material(case).density.value, simulation),
@@ -255,30 +194,36 @@ impl Test {
         match self.kind {
             Kind::Compression => {
                 let elasticity = self.gauge.elasticity(simulation.system(), &links(simulation));
-                let of = |name: &str, value: fn(&Elasticity) -> f64, unit: &str| {
-                    Finding::reached(name, elasticity.as_ref().map(value), unit, "the sample did not keep its shape")
+                let of = |result, value: fn(&Elasticity) -> f64| {
+                    Finding::reached(result, elasticity.as_ref().map(value), "the sample did not keep its shape")
                 };
                 vec![
-                    of("Young's modulus", |e| e.young_modulus, "GPa").target(material.young_modulus.value),
-                    of("Poisson's ratio", |e| e.poisson_ratio, "").target(material.poisson_ratio),
-                    of("stiffness C11", |e| e.c_11, "GPa"),
-                    of("stiffness C12", |e| e.c_12, "GPa"),
+                    of(results::YOUNG_MODULUS, |e| e.young_modulus).target(material.young_modulus.value),
+                    of(results::POISSON_RATIO, |e| e.poisson_ratio).target(material.poisson_ratio),
+                    of(results::C_11, |e| e.c_11),
+                    of(results::C_12, |e| e.c_12),
                 ]
             }
-            Kind::Tension => self.strength("tensile strength", "tension", material.tensile_strength.value),
-            Kind::Shear => self.strength("shear strength", "shear", material.shear_strength.value),
+            Kind::Tension => self.strength(
+                [results::TENSILE_STRENGTH, results::TENSILE_STRAIN, results::LARGEST_TENSION],
+                material.tensile_strength.value,
+            ),
+            Kind::Shear => self.strength(
+                [results::SHEAR_STRENGTH, results::SHEAR_STRAIN, results::LARGEST_SHEAR],
+                material.shear_strength.value,
+            ),
         }
     }
 
     /// The peak of the stress, which is the strength only once the stress has fallen.
-    fn strength(&self, name: &str, test: &str, target: f64) -> Vec<Finding> {
+    fn strength(&self, [strength, at, largest]: [Column; 3], target: f64) -> Vec<Finding> {
         let [strain, stress] = self.peak;
         let peak = |value: f64| self.passed.then_some(value);
         let rising = format!("not reached by a strain of {}", rounded(self.strain));
         vec![
-            Finding::reached(name, peak(stress), "GPa", &*rising).target(target),
-            Finding::reached(format!("strain at the peak of {test}"), peak(strain), "", &*rising),
-            Finding::number(format!("largest stress in {test}"), stress, "GPa"),
+            Finding::reached(strength, peak(stress), &*rising).target(target),
+            Finding::reached(at, peak(strain), &*rising),
+            Finding::number(largest, stress),
         ]
     }
 }
@@ -330,27 +275,27 @@ impl Sheared {
         let peak = rows.iter().map(|row| row.friction / load).reduce(f64::max);
         // A sliding junction is judged by the second half of its way: the first has the static peak in it.
         let late: Vec<&Row> = rows.iter().filter(|row| row.slid > 0.5 * slid).collect();
-        let over = |name: &str, unit: &str, value: &dyn Fn(&Row) -> f64, why: &str| {
+        let over = |result: Column, value: &dyn Fn(&Row) -> f64, why: &str| {
             let values: Vec<f64> = late.iter().map(|row| value(row)).collect();
             if values.len() < 2 || !why.is_empty() {
-                return Finding::reached(name, None, unit, if why.is_empty() { &*short } else { why });
+                return Finding::reached(result, None, if why.is_empty() { &*short } else { why });
             }
             let mean = values.iter().sum::<f64>() / values.len() as f64;
-            Finding::number(name, mean, unit).spread(standard_error(&values, mean))
+            Finding::number(result, mean).spread(standard_error(&values, mean))
         };
         let none = if late.iter().any(|row| row.third_size > 0) { "" } else { "no third body in the second half" };
         vec![
-            Finding::words("fate of the junction", last.map_or(&*short, |_| fate)),
-            Finding::number("sliding distance", slid, "nm"),
-            Finding::number("distance between the bodies", self.height + risen, "nm"),
-            Finding::number("mean friction force", friction / steps as f64, "nN"),
-            Finding::reached("peak friction coefficient", peak, "", &*short),
-            over("kinetic friction coefficient", "", &|row| row.friction / load, ""),
-            over("wear volume", "nm^3", &|row| row.third_mass / density, none),
-            over("wear rate", "nm^2", &|row| row.third_mass / density / row.slid, none),
-            over("particles in the third body", "", &|row| row.third_size as f64, none),
-            Finding::reached("turns of the third body", last.map(|row| row.turns), "", &*short),
-            over("rigidity of the third body's motion", "", &|row| row.rigidity, none),
+            Finding::words(results::FATE, last.map_or(&*short, |_| fate)),
+            Finding::number(results::SLIDING_DISTANCE, slid),
+            Finding::number(results::SEPARATION, self.height + risen),
+            Finding::number(results::FRICTION_FORCE, friction / steps as f64),
+            Finding::reached(results::PEAK_FRICTION, peak, &*short),
+            over(results::KINETIC_FRICTION, &|row| row.friction / load, ""),
+            over(results::WEAR_VOLUME, &|row| row.third_mass / density, none),
+            over(results::WEAR_RATE, &|row| row.third_mass / density / row.slid, none),
+            over(results::THIRD_BODY, &|row| row.third_size as f64, none),
+            Finding::reached(results::TURNS, last.map(|row| row.turns), &*short),
+            over(results::RIGIDITY, &|row| row.rigidity, none),
         ]
     }
 }

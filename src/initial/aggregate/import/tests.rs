@@ -39,8 +39,8 @@ fn three_spheres_are_the_same_in_every_format() {
     ] {
         let found = read(&file(name), &options).unwrap();
         assert_eq!((found.format, &found.spheres), (format, &expected), "{name}");
-        let Report { number, smallest_gap, overlaps, components, d_f, .. } = found.report();
-        assert_eq!((number, smallest_gap, overlaps, components, d_f), (3, Some(0.0), 0, 1, None));
+        let Report { number, smallest_gap, overlaps, components } = found.report();
+        assert_eq!((number, smallest_gap, overlaps, components), (3, Some(0.0), 0, 1));
         let trouble = read(&file(name), &NEITHER).unwrap_err().to_string();
         let key = if found.format == Format::Flage || found.format == Format::Vtk { "radius" } else { "unit" };
         assert!(trouble.contains(&format!(" {key}: is missing, expected the ")), "{name}: {trouble}");
@@ -187,17 +187,6 @@ fn parts_that_do_not_touch_are_refused_unless_asked_for() {
     assert!(trouble.contains("found 2 parts that do not touch"), "{trouble}");
     let found = parse(Path::new("a.xyz"), text, &Options { disconnected: true, ..BOTH }).unwrap();
     assert_eq!((found.report().components, found.report().smallest_gap), (2, Some(2.0)));
-}
-
-#[test]
-fn the_report_estimates_the_dimension_of_a_chain_and_of_an_aggregate() {
-    let chain: Vec<Sphere> =
-        (0..300).map(|k| Sphere { centre: Vec3([f64::from(k) * 2.0, 0.0, 0.0]), radius: 1.0 }).collect();
-    let d_f = Report::of(&chain, 1).d_f.unwrap();
-    assert!((d_f - 1.0).abs() < 0.1, "{d_f}");
-    let recipe = Recipe { number: 600, d_f: 1.8, k_f: 1.4, radii: Radii::Equal(1.0), method: Method::Clusters };
-    let d_f = Report::of(&aggregate(&recipe, 1, &Interrupt::default()).unwrap(), 1).d_f.unwrap();
-    assert!((d_f - 1.8).abs() < 0.3, "{d_f}");
 }
 
 #[test]

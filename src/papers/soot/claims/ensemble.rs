@@ -2,10 +2,10 @@
 
 use crate::error::Error;
 use crate::observe::statistics::Mean;
+use crate::output::aggregate::{CONVEXITY, COORDINATION};
 use crate::output::columns::TIME;
 use crate::output::{RunFolder, Series};
 use crate::papers::soot::case::Torsion;
-use crate::papers::soot::watch::columns::{CONVEXITY, COORDINATION};
 use crate::reproduce::Setting;
 use crate::run::Reader;
 use crate::run::sweep::{Point, set};

@@ -1,5 +1,6 @@
 //! A film under the tip of an atomic force microscope: relaxation, approach to the setpoint, and retraction.
 
+pub(super) mod columns;
 mod contacts;
 mod law;
 pub mod spectrum;
@@ -21,6 +22,7 @@ use crate::simulation::{EXAMINED, Settings, Simulation};
 use crate::spec::titania::Tabulated;
 use crate::spec::{Contact, Vec3};
 use crate::system::{Motion, System};
+use columns::results;
 use std::sync::OnceLock;
 use watch::Watch;
 
@@ -239,11 +241,11 @@ impl<M: Law> Study for Plan<M> {
     }
 
     fn columns(&self, stage: usize) -> Vec<Column> {
-        watch::columns_of(self.stages[stage], M::BONDING)
+        columns::columns_of(self.stages[stage], M::BONDING)
     }
 
     fn windows(&self) -> Vec<Column> {
-        watch::WINDOW.into()
+        columns::windows()
     }
 
     fn watch(&self, _: usize, simulation: &Simulation<M>) -> Watch {
@@ -285,27 +287,14 @@ impl<M: Law> Study for Plan<M> {
         if self.stages[stage] == FilmStage::Relaxation {
             let structure = self.structure(simulation.system());
             found.extend([
-                Finding::number("porosity of the relaxed film", structure.porosity, "").target(0.98),
-                Finding::number("thickness of the relaxed film", structure.thickness, "nm"),
-                Finding::number(
-                    "mean number of contacts between an aggregate and others",
-                    structure.contacts_between,
-                    "",
-                ),
-                Finding::number("mean coordination number within an aggregate", structure.contacts_within, ""),
+                Finding::number(results::POROSITY, structure.porosity).target(0.98),
+                Finding::number(results::THICKNESS, structure.thickness),
+                Finding::number(results::CONTACTS_BETWEEN, structure.contacts_between),
+                Finding::number(results::CONTACTS_WITHIN, structure.contacts_within),
             ]);
-            let pores = ["10th", "50th", "90th"].into_iter().zip(structure.pores);
-            found.extend(
-                pores.map(|(rank, pore)| Finding::number(format!("pore diameter, {rank} percentile"), pore, "nm")),
-            );
-            let layers = structure.profile.len();
-            found.extend(structure.profile.iter().enumerate().map(|(layer, &solid)| {
-                Finding::number(
-                    format!("solid fraction of layer {} of {layers}, from the bottom", layer + 1),
-                    solid,
-                    "",
-                )
-            }));
+            let pores = [results::PORE_10, results::PORE_50, results::PORE_90].into_iter().zip(structure.pores);
+            found.extend(pores.map(|(result, pore)| Finding::number(result, pore)));
+            found.push(Finding::numbers(results::PROFILE, structure.profile));
         }
         Ok(found)
     }

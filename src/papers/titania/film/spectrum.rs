@@ -1,6 +1,7 @@
 //! The force curve of a run, read from its folder.
 
 use super::FilmStage;
+use super::columns::{FORCE, MOVED, results};
 use crate::error::Error;
 use crate::output::columns::TIME;
 use crate::output::{Column, Event, Finding, RunFolder, Series, between};
@@ -22,17 +23,6 @@ pub struct Spectrum {
     pub rupture: Option<f64>,
 }
 
-/// Displacement of the tip.
-pub const MOVED: Column = Column::new("tip moved", "nm");
-/// Mean force on the tip.
-pub const FORCE: Column = Column::new("mean force on the tip", "pN");
-/// Name of a finding: the largest pulling force.
-pub const LARGEST: &str = "largest pulling force on the tip";
-/// Another.
-pub const LAST: &str = "last peak of the pulling force";
-/// Another.
-pub const WAY: &str = "displacement of the tip from the setpoint to the rupture";
-
 impl Spectrum {
     /// Displacement of the tip at the last peak of the pulling force, nm.
     pub fn peak(&self) -> f64 {
@@ -51,7 +41,8 @@ impl Spectrum {
         let up = FilmStage::Retraction.name();
         let (moved, retraction) = (series.curve(up, TIME, MOVED), series.curve(up, MOVED, FORCE));
         let going_up = Event::all(folder)?.into_iter().filter(|event| event.stage == up);
-        let found = |name| findings.iter().find(|finding| finding.name == name).and_then(Finding::value);
+        let found =
+            |result: Column| findings.iter().find(|finding| finding.name == result.name).and_then(Finding::value);
         Ok(Self {
             approach: series.curve(FilmStage::Approach.name(), MOVED, FORCE),
             largest: retraction.iter().map(|point| -point.1).fold(0.0, f64::max),
@@ -59,8 +50,8 @@ impl Spectrum {
             events: going_up
                 .filter_map(|Event { time_ns, event, .. }| Some((between(&moved, time_ns)?, event)))
                 .collect(),
-            last: found(LAST).map(|peak| 1e3 * peak),
-            rupture: found(WAY),
+            last: found(results::LAST).map(|peak| 1e3 * peak),
+            rupture: found(results::RUPTURE),
         })
     }
 }

@@ -1,34 +1,14 @@
 //! The measurements of a film under a tip: the force on the tip, and the events at contacts.
 
+use super::columns::results;
 use super::contacts::Contacts;
-use super::spectrum::{FORCE, LARGEST, LAST, MOVED, WAY};
 use super::{FIXED, FilmStage, Law, TIP};
 use crate::geometry::clusters::Clusters;
 use crate::initial::film::Bonding;
-use crate::output::{Cell, Column, Finding};
+use crate::output::{Cell, Finding};
 use crate::simulation::Simulation;
 use crate::system::System;
 use serde::{Deserialize, Serialize};
-
-/// Columns of stages with a tip.
-const TIPPED: [Column; 3] = [MOVED, Column::new("force on the tip", "pN"), Column::pure("bodies on the tip")];
-/// Columns of all stages.
-const COUNTS: [Column; 3] = [Column::pure("menisci"), Column::pure("slidings"), Column::pure("detachments")];
-/// The column of a film of rigid aggregates, and that of a film with necks.
-const ROLLINGS: Column = Column::pure("rollings");
-const NECKS: Column = Column::pure("necks");
-/// Columns of a window.
-pub(super) const WINDOW: [Column; 2] = [MOVED, FORCE];
-
-/// The columns of a stage.
-pub(super) fn columns_of(stage: FilmStage, bonding: Bonding) -> Vec<Column> {
-    let tip: &[Column] = if stage == FilmStage::Relaxation { &[] } else { &TIPPED };
-    let own = match bonding {
-        Bonding::Rigid => ROLLINGS,
-        Bonding::Necks => NECKS,
-    };
-    [tip, &COUNTS, &[own]].concat()
-}
 
 /// Interval at which all contacts are examined, ns.
 const LOOK: f64 = 0.05;
@@ -142,30 +122,29 @@ impl Watch {
     /// The findings of the stage.
     pub fn findings<M: Law>(&self, stage: FilmStage, setpoint: f64, simulation: &Simulation<M>) -> Vec<Finding> {
         let Contacts { slidings, rollings, detachments, .. } = self.contacts;
-        let named = |what: &str| format!("{what} during {}", stage.name());
         let mut found = match stage {
             FilmStage::Relaxation => Vec::new(),
             FilmStage::Approach => vec![
                 Finding::words(
-                    "end of the approach",
+                    results::END_OF_APPROACH,
                     if self.presses_with(setpoint) {
                         "at the setpoint"
                     } else {
                         "at the largest depth, below the setpoint"
                     },
                 ),
-                Finding::reached("force at the end of the approach", self.mean_force(), "nN", SHORT).target(setpoint),
-                Finding::reached("depth of the approach", self.curve.last().map(|point| -point.0), "nm", SHORT),
+                Finding::reached(results::APPROACH_FORCE, self.mean_force(), SHORT).target(setpoint),
+                Finding::reached(results::DEPTH, self.curve.last().map(|point| -point.0), SHORT),
             ],
             FilmStage::Retraction => self.peaks(),
         };
         let broken = self.necks - simulation.system().necks.len() as u64;
         let third = match M::BONDING {
-            Bonding::Rigid => ("rollings", rollings),
-            Bonding::Necks => ("broken necks", broken),
+            Bonding::Rigid => (results::ROLLINGS, rollings),
+            Bonding::Necks => (results::BROKEN_NECKS, broken),
         };
-        let counts = [("slidings", slidings), third, ("detachments", detachments)];
-        found.extend(counts.map(|(what, n)| Finding::count(named(what), n)));
+        let counts = [(results::SLIDINGS, slidings), third, (results::DETACHMENTS, detachments)];
+        found.extend(counts.map(|(result, n)| Finding::count(result, n).during(stage.name())));
         found
     }
 
@@ -185,10 +164,10 @@ impl Watch {
         let attached = "the film still holds the tip";
         let last_reason = if self.rupture.is_some() { "the film hardly pulled the tip" } else { attached };
         vec![
-            Finding::reached(LARGEST, largest, "nN", "the film never pulled the tip"),
-            Finding::reached(LAST, last, "nN", last_reason),
-            Finding::reached(WAY, self.rupture.map(|height| height - self.from), "nm", attached),
-            Finding::count("bodies left on the tip", self.on_tip),
+            Finding::reached(results::LARGEST, largest, "the film never pulled the tip"),
+            Finding::reached(results::LAST, last, last_reason),
+            Finding::reached(results::RUPTURE, self.rupture.map(|height| height - self.from), attached),
+            Finding::count(results::LEFT_ON_TIP, self.on_tip),
         ]
     }
 }
