@@ -72,7 +72,7 @@ const PUBLIC: [(&str, &[&str]); 19] = [
             "system",
         ],
     ),
-    ("case", &["check", "quantity", "section", "springs", "units"]),
+    ("case", &["check", "json_schema", "quantity", "section", "springs", "units"]),
     ("cli", &[]),
     ("error", &[]),
     ("figures", &[]),
@@ -85,8 +85,10 @@ const PUBLIC: [(&str, &[&str]); 19] = [
     (
         "observe",
         &[
+            "aggregate",
             "film",
             "force_curve",
+            "fractal",
             "morphology",
             "packing",
             "patch",
@@ -97,7 +99,7 @@ const PUBLIC: [(&str, &[&str]); 19] = [
             "third_body",
         ],
     ),
-    ("output", &["columns"]),
+    ("output", &["aggregate", "columns", "frames"]),
     ("papers", &["soot", "titania", "wear"]),
     ("random", &[]),
     ("reproduce", &[]),

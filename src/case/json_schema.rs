@@ -1,7 +1,7 @@
 //! JSON Schema of case files, draft 2020-12: from the declarations by which they are read.
 
+use super::key::Key;
 use super::quantity::{Kind, Scale};
-use super::section::Key;
 use super::units::simple_units;
 use serde_json::{Map, Value, json};
 

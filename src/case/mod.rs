@@ -2,6 +2,7 @@
 
 pub mod check;
 pub mod json_schema;
+mod key;
 mod moments;
 mod outline;
 pub mod quantity;

@@ -3,32 +3,13 @@
 //! From one declaration come the Rust structure, the reader that knows its keys, and the listing of `veridem schema`.
 
 use super::json_schema;
+pub use super::key::Key;
 use super::quantity::{Kind, Quantity, Scale, Scaled, in_range};
 use super::units::{decimal, number_and_unit, shifted};
 use serde::de::{Deserialize, DeserializeOwned, DeserializeSeed, Deserializer, Error, MapAccess, Unexpected, Visitor};
 use serde_json::json;
 use std::fmt;
 use std::path::PathBuf;
-
-/// A key of a case file, for the reader of `veridem schema`.
-#[derive(Debug, serde::Serialize)]
-pub struct Key {
-    /// Its name.
-    pub key: &'static str,
-    /// Its meaning.
-    pub about: String,
-    /// The values that it accepts.
-    pub expects: String,
-    /// Its default value; none for a required key.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub default: Option<serde_json::Value>,
-    /// The keys below it.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub keys: Vec<Key>,
-    /// The JSON Schema of its values.
-    #[serde(skip)]
-    pub schema: serde_json::Value,
-}
 
 /// A type that the value of a key may have.
 pub trait Field: serde::Serialize + DeserializeOwned {

@@ -109,8 +109,10 @@ pub(super) mod results {
             START_UP_PEAK = "peak at the start" in "nN";
             /// Displacement of the far end of the spring at each detachment, in their order; `events.jsonl` names the particles.
             DETACHED_AT = "displacement at detachments" in "nm";
-            /// Last mean over 50 ps of the pulling force before each detachment, in their order.
+            /// Pulling force at the instant of each detachment, in their order.
             DETACHED_WITH = "pulling force at detachments" in "nN";
+            /// Last mean over 50 ps of the pulling force before each detachment, in their order.
+            DETACHED_AFTER = "mean pulling force before detachments" in "nN";
         }
     }
 }

@@ -60,7 +60,10 @@ struct Slip {
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 struct Detachment {
     pulled: f64,
+    /// At the instant.
     force: f64,
+    /// The last mean before.
+    mean: f64,
 }
 
 fn ids(simulation: &Simulation<Titania>, pair: &Pair<Titania>) -> (u32, u32) {
@@ -114,7 +117,8 @@ impl Watch {
             if bonds.binary_search_by_key(&ids, |bond| bond.0).is_err() {
                 events.push(format!("detachment of {} and {}", ids.0, ids.1));
                 let pulled = self.pulled(simulation);
-                self.detachments.push(Detachment { pulled, force: self.mean });
+                let force = simulation.system().steerings.get(DRAWN).map_or(0.0, |spring| spring.force.0[0]);
+                self.detachments.push(Detachment { pulled, force, mean: self.mean });
             }
         }
         self.bonds = bonds;
@@ -248,6 +252,7 @@ impl Watch {
                     Finding::reached(results::START_UP_PEAK, self.start_up_peak, "no mean over 50 ps was taken"),
                     Finding::numbers(results::DETACHED_AT, self.detachments.iter().map(|one| one.pulled)),
                     Finding::numbers(results::DETACHED_WITH, self.detachments.iter().map(|one| one.force)),
+                    Finding::numbers(results::DETACHED_AFTER, self.detachments.iter().map(|one| one.mean)),
                 ];
                 let Particles { x, radius, .. } = &simulation.system().particles;
                 let spheres: Vec<Sphere> =
