@@ -8,6 +8,7 @@ mod golden;
 mod import;
 mod inspect;
 mod progress;
+mod report;
 mod reproduce;
 mod resume;
 mod run;
@@ -66,6 +67,8 @@ enum Command {
     Import(import::Arguments),
     /// Summarise a run, or compare two
     Inspect(inspect::Arguments),
+    /// Write the report of a run again
+    Report(report::Arguments),
     /// List, show and evaluate the equations
     Eq(eq::Arguments),
     /// Check or regenerate the golden vectors
@@ -147,6 +150,7 @@ fn execute(papers: Papers) -> ExitCode {
         Command::Sweep(arguments) => sweep::run(&arguments, papers, command_line.yes, manner),
         Command::Import(arguments) => import::run(&arguments, papers, manner),
         Command::Inspect(arguments) => inspect::run(&arguments, papers, manner),
+        Command::Report(arguments) => report::run(&arguments, papers, manner),
         Command::Eq(arguments) => eq::run(&arguments, manner),
         #[cfg(feature = "verify")]
         Command::Golden(arguments) => golden::run(&arguments, manner),

@@ -101,10 +101,9 @@ fn write_chapter(title: &str, chapter: &Evidence, page: &mut Report, out: &Path)
     if !chapter.note.is_empty() {
         page.paragraph(&format!("{}.", chapter.note));
     }
-    let rows: Vec<[String; 5]> = chapter.claims.iter().map(cells).collect();
-    page.table(&HEAD, &rows);
+    page.table(&HEAD, chapter.claims.iter().map(cells));
+    page.grid(|page| chapter.figures.iter().for_each(|figure| page.figure(&figure.svg, &figure.caption)));
     for figure in &chapter.figures {
-        page.figure(&figure.svg, &figure.caption);
         write(&with_suffix(out.join("figures").join(&figure.name), "svg"), &figure.svg)?;
     }
     Ok(())

@@ -7,11 +7,16 @@ mod page;
 mod plot;
 #[cfg(feature = "cli")]
 mod report;
+mod round;
 mod snapshot;
+#[cfg(feature = "cli")]
+mod ticks;
+#[cfg(feature = "cli")]
+mod view;
 
 pub use graph::{Graph, graph_names};
 #[cfg(feature = "cli")]
-pub use page::Report;
+pub use page::{Cell, Report};
 #[cfg(feature = "cli")]
 pub use plot::{Axis, Curve, Mark, Plot};
 #[cfg(feature = "cli")]

@@ -1,7 +1,12 @@
 //! Curves against axes, linear or logarithmic, as SVG.
 
 use super::COLOURS;
+use super::page::escaped;
+use super::ticks::Ticked;
 use plotters::prelude::*;
+use serde_json::json;
+use std::error::Error;
+use std::ops::Range;
 
 /// An axis of a plot.
 #[derive(Clone, Debug)]
@@ -25,19 +30,6 @@ impl Axis {
     /// The position of a value on the axis.
     fn place(&self, value: f64) -> f64 {
         if self.log { libm::log10(value) } else { value }
-    }
-
-    /// The label of a tick.
-    fn tick(&self, place: f64) -> String {
-        let value = if self.log { libm::exp10(place) } else { place };
-        if value == 0.0 {
-            return "0".into();
-        }
-        let digits = (2.0 - libm::log10(value.abs()).floor()).clamp(0.0, 12.0) as usize;
-        let text = format!("{value:.digits$}");
-        let short = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
-        // A tick at zero may be off by rounding.
-        if short == "-0" { "0" } else { short }.into()
     }
 }
 
@@ -81,8 +73,16 @@ impl Curve {
     }
 }
 
-/// Width of a plot without its legend, pixels.
-const PLOT: i32 = 640;
+/// Size of a plot without its legend, pixels: text stays legible when a telephone shows it.
+const SIZE: (i32, i32) = (520, 340);
+/// Sizes of the text and of a character, pixels.
+const TEXT: (i32, i32) = (13, 7);
+/// Space around a plot.
+const MARGIN: i32 = 12;
+/// Distance of the rows of the legend.
+const ROW: i32 = 18;
+/// Most points of a line that are drawn: several for each pixel.
+const MOST: usize = 3000;
 
 /// A plot.
 #[derive(Clone, Debug)]
@@ -98,42 +98,59 @@ pub struct Plot {
 }
 
 impl Plot {
-    /// The plot as an SVG document.
+    /// The plot as an SVG document, which holds the points of its curves as metadata, from which a page reads them off.
     pub fn svg(&self) -> String {
-        let mut out = String::new();
-        self.draw(&mut out).expect("drawing into a string cannot fail");
-        out
+        let curves: Vec<Curve> = self.curves.iter().map(|curve| self.shown(curve)).collect();
+        let mut svg = String::new();
+        let scales = self.draw(&curves, &mut svg).expect("drawing into a string cannot fail");
+        let read_off = curves.iter().filter(|curve| !matches!(curve.mark, Mark::Band | Mark::Guide));
+        let points = |curve: &Curve| json!({ "label": curve.label, "points": curve.points.iter().map(|&(x, y)| [rounded(x), rounded(y)]).collect::<Vec<_>>() });
+        let [x, y] = [(&self.x, scales[0]), (&self.y, scales[1])]
+            .map(|(axis, scale)| json!({ "label": axis.label, "log": axis.log, "scale": scale }));
+        let data = json!({ "x": x, "y": y, "curves": read_off.map(points).collect::<Vec<_>>() });
+        let begin = svg.find('>').map_or(0, |end| end + 1);
+        svg.insert_str(begin, &format!("\n<metadata>{}</metadata>", escaped(&data.to_string())));
+        svg
     }
 
-    fn draw(&self, out: &mut String) -> Result<(), Box<dyn std::error::Error + '_>> {
-        let placed: Vec<Vec<(f64, f64)>> = self.curves.iter().map(|curve| self.placed(curve)).collect();
-        // The legend stands beside the plot, where it hides nothing.
-        let longest = self.curves.iter().map(|curve| curve.label.chars().count() as u32).max().unwrap_or(0);
-        let legend = if longest > 0 { 40 + 7 * longest } else { 0 };
-        let root = SVGBackend::with_string(out, (PLOT as u32 + legend, 420)).into_drawing_area();
+    /// The points of a curve that can be shown, and not more than can be seen.
+    fn shown(&self, curve: &Curve) -> Curve {
+        let finite = |&&(x, y): &&(f64, f64)| self.x.place(x).is_finite() && self.y.place(y).is_finite();
+        let points: Vec<(f64, f64)> = curve.points.iter().filter(finite).copied().collect();
+        let points = if curve.mark == Mark::Line { thinned(&points) } else { points };
+        Curve { points, ..curve.clone() }
+    }
+
+    /// Draws the curves; returns the pixel of the origin and the length of a unit in pixels, of both axes.
+    fn draw<'a>(&'a self, curves: &'a [Curve], out: &'a mut String) -> Result<[[f64; 2]; 2], Box<dyn Error + 'a>> {
+        let place = |&(x, y): &(f64, f64)| (self.x.place(x), self.y.place(y));
+        let all = || curves.iter().flat_map(|curve| &curve.points).map(place);
+        let (across, up) = (range(all().map(|p| p.0)), range(all().map(|p| p.1)));
+        let [across, up] = [(across, self.x.log), (up, self.y.log)].map(|(range, log)| Ticked::new(range, log));
+        let widest = up.texts().map(width).max().unwrap_or(0);
+        let (places, rows) = legend(curves);
+        let root = SVGBackend::with_string(out, (SIZE.0 as u32, (SIZE.1 + rows * ROW) as u32)).into_drawing_area();
         root.fill(&WHITE)?;
         let mut chart = ChartBuilder::on(&root)
-            .caption(&self.title, ("sans-serif", 17))
-            .margin(12)
-            .margin_right(12 + legend)
+            .caption(&self.title, ("sans-serif", 15))
+            .margin(MARGIN)
+            .margin_right(MARGIN + 8)
+            .margin_bottom(MARGIN + rows * ROW)
             .x_label_area_size(44)
-            .y_label_area_size(64)
-            .build_cartesian_2d(
-                range(placed.iter().flatten().map(|p| p.0)),
-                range(placed.iter().flatten().map(|p| p.1)),
-            )?;
+            // The title of the axis stands left of the longest tick.
+            .y_label_area_size(widest + 34)
+            .build_cartesian_2d(across.clone(), up.clone())?;
         chart
             .configure_mesh()
             .light_line_style(TRANSPARENT)
             .bold_line_style(RGBColor(225, 225, 225))
             .x_desc(&self.x.label)
             .y_desc(&self.y.label)
-            .x_label_formatter(&|place| self.x.tick(*place))
-            .y_label_formatter(&|place| self.y.tick(*place))
-            .label_style(("sans-serif", 13))
+            .label_style(("sans-serif", TEXT.0))
             .draw()?;
-        let (mut next, mut line) = (0, 40);
-        for (curve, points) in self.curves.iter().zip(placed) {
+        let mut next = 0;
+        for (curve, entry) in curves.iter().zip(places) {
+            let points: Vec<(f64, f64)> = curve.points.iter().map(place).collect();
             let (r, g, b) = COLOURS[next % COLOURS.len()];
             let colour = if curve.mark == Mark::Guide { RGBColor(140, 140, 140) } else { RGBColor(r, g, b) };
             if curve.mark == Mark::Band {
@@ -148,28 +165,75 @@ impl Plot {
                 chart.draw_series(points.iter().map(|&p| Circle::new(p, 4, colour.filled())))?;
             }
             chart.draw_series(LineSeries::new(joined.iter().copied(), style))?;
-            if !curve.label.is_empty() {
+            if let Some((x, y)) = entry {
                 if dotted {
-                    root.draw(&Circle::new((PLOT + 9, line), 4, colour.filled()))?;
+                    root.draw(&Circle::new((x + 9, y), 4, colour.filled()))?;
                 } else {
-                    root.draw(&PathElement::new([(PLOT, line), (PLOT + 18, line)], style))?;
+                    root.draw(&PathElement::new([(x, y), (x + 18, y)], style))?;
                 }
-                root.draw(&Text::new(curve.label.as_str(), (PLOT + 24, line - 7), ("sans-serif", 13)))?;
-                line += 18;
+                root.draw(&Text::new(curve.label.as_str(), (x + 24, y - 7), ("sans-serif", TEXT.0)))?;
             }
         }
+        let (across, up) = (across.range(), up.range());
+        let corner = |x: f64, y: f64| chart.backend_coord(&(x, y));
+        let (from, to) = (corner(across.start, up.start), corner(across.end, up.end));
+        let scale = |range: &Range<f64>, from: i32, to: i32| {
+            let unit = f64::from(to - from) / (range.end - range.start);
+            [f64::from(from) - unit * range.start, unit]
+        };
+        let scales = [scale(&across, from.0, to.0), scale(&up, from.1, to.1)];
         root.present()?;
-        Ok(())
-    }
-
-    fn placed(&self, curve: &Curve) -> Vec<(f64, f64)> {
-        let places = curve.points.iter().map(|&(x, y)| (self.x.place(x), self.y.place(y)));
-        places.filter(|(x, y)| x.is_finite() && y.is_finite()).collect()
+        Ok(scales)
     }
 }
 
+/// The width of a text, pixels.
+fn width(text: &str) -> i32 {
+    TEXT.1 * text.chars().count() as i32
+}
+
+/// The places of the entries of a legend, in rows below the plot, where they hide nothing, and the number of rows.
+fn legend(curves: &[Curve]) -> (Vec<Option<(i32, i32)>>, i32) {
+    let (mut x, mut row) = (2 * MARGIN, -1);
+    let mut places = Vec::new();
+    for curve in curves {
+        let wide = 40 + width(&curve.label);
+        if curve.label.is_empty() || curve.mark == Mark::Band {
+            places.push(None);
+            continue;
+        }
+        if row < 0 || x + wide > SIZE.0 {
+            (x, row) = (2 * MARGIN, row + 1);
+        }
+        places.push(Some((x, SIZE.1 + row * ROW)));
+        x += wide;
+    }
+    (places, row + 1)
+}
+
+/// The lowest and the highest of the points that follow each other, where there are more than can be seen.
+fn thinned(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    if points.len() <= MOST {
+        return points.to_vec();
+    }
+    let parts = points.chunks(points.len().div_ceil(MOST / 2));
+    let ends = parts.flat_map(|part| {
+        let places = || (0..part.len()).map(|k| (part[k].1, k));
+        let low = places().min_by(|a, b| a.0.total_cmp(&b.0)).map_or(0, |least| least.1);
+        let high = places().max_by(|a, b| a.0.total_cmp(&b.0)).map_or(0, |most| most.1);
+        let both = [low.min(high), low.max(high)];
+        both.into_iter().take(if low == high { 1 } else { 2 }).map(|k| part[k])
+    });
+    ends.collect()
+}
+
+/// A coordinate with as many digits as can be read off.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.6e}").parse().expect("a number that was just written")
+}
+
 /// A range a little wider than the values.
-fn range(values: impl Iterator<Item = f64>) -> std::ops::Range<f64> {
+fn range(values: impl Iterator<Item = f64>) -> Range<f64> {
     let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
     if low > high {
         return 0.0..1.0;
@@ -204,11 +268,34 @@ mod tests {
     }
 
     #[test]
-    fn ticks_are_written_without_needless_digits() {
-        let axis = Axis::log("x");
-        assert_eq!(axis.tick(2.0), "100");
-        assert_eq!(axis.tick(-2.0), "0.01");
-        assert_eq!([0.0, -3e-17].map(|place| Axis::linear("x").tick(place)), ["0", "0"]);
-        assert_eq!(Axis::linear("x").tick(2500.0), "2500");
+    fn a_title_stands_beside_its_ticks() {
+        let mut plot = plot(false, vec![(0.0, -2e-6), (1.0, 1.5e-6)]);
+        plot.y.label = "relative residual".into();
+        let svg = plot.svg();
+        // A turned text stands at the middle of its place, ticks end at theirs.
+        let places: Vec<(f64, String)> = svg
+            .split("<text ")
+            .skip(1)
+            .filter_map(|text| {
+                let x = text.strip_prefix("x=\"")?.split('"').next()?.parse().ok()?;
+                Some((x, text.split('>').nth(1)?.split('<').next()?.trim().to_string()))
+            })
+            .collect();
+        let title = places.iter().find(|(_, text)| text == "relative residual").expect("a title").0;
+        let ticks: Vec<_> = places.iter().filter(|(_, text)| text.ends_with("e-6")).collect();
+        assert!(ticks.len() > 2, "{svg}");
+        for (x, text) in ticks {
+            assert!(x - f64::from(width(text)) > title + 10.0, "{text} at {x} lies on the title at {title}");
+        }
+    }
+
+    #[test]
+    fn a_long_line_keeps_its_peaks_and_its_points_are_read_off() {
+        let points: Vec<(f64, f64)> =
+            (0..100_000).map(|k| (f64::from(k), if k == 77_777 { 9.0 } else { 0.0 })).collect();
+        let few = thinned(&points);
+        assert!(few.len() <= MOST && few.contains(&(77_777.0, 9.0)), "{}", few.len());
+        let svg = plot(false, vec![(1.0, 2.0), (3.0, 4.0)]).svg();
+        assert!(svg.contains("&quot;points&quot;:[[1.0,2.0],[3.0,4.0]]"), "{svg}");
     }
 }

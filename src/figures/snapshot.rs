@@ -1,6 +1,7 @@
 //! A snapshot of the spheres, coloured by their initial body; a solid is cut open in the middle.
 
 use super::COLOURS;
+use super::round::{distance, duration, round_step};
 use crate::error::Error;
 use crate::output::{RunFolder, with_suffix, write_atomically};
 use crate::spec::Vec3;
@@ -76,8 +77,24 @@ pub fn snapshot(system: &System, heights: [f64; 2]) -> String {
     for surface in &system.surfaces {
         silhouette(&mut svg, surface, |x| [x.0[0] * scale, (heights[1] - x.0[up]) * scale]);
     }
+    caption(&mut svg, system.time, scale, height);
     svg.push_str("</svg>\n");
     svg
+}
+
+/// The time, and a bar of a round length, on a ground that no sphere can hide.
+fn caption(svg: &mut String, time: f64, scale: f64, height: f64) {
+    let length = round_step(0.1 * WIDTH / scale);
+    let (x, y, wide) = (WIDTH - 14.0, height - 12.0, length * scale);
+    let _ = writeln!(
+        svg,
+        "<g font-family=\"sans-serif\" font-size=\"15\" fill=\"#111\" stroke=\"#fff\" stroke-width=\"4\" paint-order=\"stroke\">\
+         <text x=\"12\" y=\"{y:.0}\">{}</text><text x=\"{x:.0}\" y=\"{:.0}\" text-anchor=\"end\">{}</text></g>\n\
+         <path d=\"M{x:.1} {y:.1}h-{wide:.1}\" stroke=\"#fff\" stroke-width=\"7\"/><path d=\"M{x:.1} {y:.1}h-{wide:.1}\" stroke=\"#111\" stroke-width=\"3\"/>",
+        duration(time),
+        y - 8.0,
+        distance(length),
+    );
 }
 
 /// A surface, shaded; for a plane, the half-space behind it within the picture.
@@ -161,6 +178,16 @@ mod tests {
         // Of 16 layers the two nearest to the cut hide all others: 8 x 4 x 2 spheres each, and images across the sides.
         assert!((128..256).contains(&drawn), "{drawn}");
         assert_eq!(picture, snapshot(&deep, [0.0, deep.domain.sides[1]]));
+    }
+
+    #[test]
+    fn a_picture_tells_its_time_and_its_scale() {
+        let mut system = hcp(1.0, [8, 4, 8], 1.0);
+        system.time = 2.5;
+        let picture = snapshot(&system, [0.0, 7.0]);
+        // A bar of 2 nm in a box that is 16 nm wide.
+        assert!(picture.contains(">2.5 ns<") && picture.contains(">2 nm<"), "{picture}");
+        assert!(picture.contains(&format!("h-{:.1}", 2.0 * WIDTH / system.domain.sides[0])), "{picture}");
     }
 
     #[test]

@@ -11,6 +11,7 @@ mod folder;
 pub mod frames;
 mod lock;
 mod manifest;
+mod read_frame;
 mod reading;
 mod series;
 
@@ -26,5 +27,6 @@ pub use frames::{Frame, FrameName, collected, collection, is_of_frames};
 pub use lock::Lock;
 use manifest::command_line;
 pub use manifest::{Manifest, Status};
+pub use read_frame::{Mesh, Property, ReadFrame};
 pub use reading::{Event, ReadTable, Series, between};
 pub use series::{Cell, Layout, Table, row};

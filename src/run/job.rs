@@ -332,7 +332,7 @@ impl Job {
             let results = serde_yaml::to_string(&Finding::results(&findings)).expect("findings are plain data");
             write_atomically(&folder.results(), results.as_bytes())?;
             #[cfg(feature = "cli")]
-            crate::figures::report(&self.title, self.graphs, folder, &findings)?;
+            crate::figures::report(&self.title, self.graphs, folder)?;
             folder.checkpoints().prune()?;
             manifest.final_state = Some(state_hash(&system));
             Ok(findings)
