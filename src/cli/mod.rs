@@ -7,6 +7,7 @@ mod eq;
 mod golden;
 mod import;
 mod inspect;
+mod movie;
 mod progress;
 mod report;
 mod reproduce;
@@ -69,6 +70,8 @@ enum Command {
     Inspect(inspect::Arguments),
     /// Write the report of a run again
     Report(report::Arguments),
+    /// Draw the frames of a run into a film, an animated GIF
+    Movie(movie::Arguments),
     /// List, show and evaluate the equations
     Eq(eq::Arguments),
     /// Check or regenerate the golden vectors
@@ -151,6 +154,7 @@ fn execute(papers: Papers) -> ExitCode {
         Command::Import(arguments) => import::run(&arguments, papers, manner),
         Command::Inspect(arguments) => inspect::run(&arguments, papers, manner),
         Command::Report(arguments) => report::run(&arguments, papers, manner),
+        Command::Movie(arguments) => movie::run(&arguments, manner),
         Command::Eq(arguments) => eq::run(&arguments, manner),
         #[cfg(feature = "verify")]
         Command::Golden(arguments) => golden::run(&arguments, manner),

@@ -4,7 +4,7 @@ use super::{OutputMode, print};
 use crate::error::Error;
 use crate::figures::Report;
 use crate::interrupt::Interrupt;
-use crate::output::{create_folder, with_suffix, write_atomically};
+use crate::output::{command_line, create_folder, with_suffix, write_atomically};
 use crate::papers::{AnyPaper, Papers};
 use crate::reproduce::{Chapter, Claim, Evidence, Extent, Setting, Verdict};
 use clap::builder::{PossibleValue, PossibleValuesParser};
@@ -83,6 +83,7 @@ pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> 
         write_chapter(title, &chapter, &mut page, &out)?;
         claims.extend(chapter.claims);
     }
+    page.made_by(&[command_line()]);
     let json = serde_json::to_string_pretty(&claims).expect("claims are plain data") + "\n";
     write(&out.join("claims.json"), &json)?;
     write(&out.join("claims.md"), &markdown(&claims))?;

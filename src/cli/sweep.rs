@@ -1,6 +1,7 @@
 //! `veridem sweep`: runs a case for several values of its keys, with one core and one run folder for each combination.
 
 mod axis;
+mod report;
 mod summary;
 
 use super::run::Limits;
@@ -47,7 +48,7 @@ const PAUSE: Duration = Duration::from_secs(1);
 /// Runs every combination that has not finished yet and writes the summary.
 pub(super) fn run(arguments: &Arguments, papers: Papers, excess: bool, manner: OutputMode) -> Result<(), Error> {
     let read = |file: &Path, text: &str| Ok(Job { excess, ..papers.parse(file, text)? });
-    let text = papers.read(&arguments.case)?.text;
+    let Job { text, title, .. } = papers.read(&arguments.case)?;
     let axes = axes(&arguments.keys)?;
     let points = points(&arguments.case, &text, &axes, &read)?;
     let stem = arguments.case.file_stem().unwrap_or_default();
@@ -97,6 +98,8 @@ pub(super) fn run(arguments: &Arguments, papers: Papers, excess: bool, manner: O
     bar.finish_and_clear();
     let (summary, _, mut failures) = state.into_inner().expect("no worker panics");
     summary.write()?;
+    report::report(&title, &axes, &points, &out, &summary)?;
+    manner.say(format!("report: {}", out.join("report.html").display()));
     print(&if manner.json { json(&axes, &points, &out, &summary, &failures)? } else { summary.table() })?;
     if interrupt.is_due() || failures.iter().any(|(_, error)| matches!(error, Error::Stopped(_))) {
         return Err(Error::Stopped(None));

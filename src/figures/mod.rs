@@ -2,6 +2,8 @@
 
 mod graph;
 #[cfg(feature = "cli")]
+mod movie;
+#[cfg(feature = "cli")]
 mod page;
 #[cfg(feature = "cli")]
 mod plot;
@@ -15,6 +17,8 @@ mod ticks;
 mod view;
 
 pub use graph::{Graph, graph_names};
+#[cfg(feature = "cli")]
+pub use movie::movie;
 #[cfg(feature = "cli")]
 pub use page::{Cell, Report};
 #[cfg(feature = "cli")]

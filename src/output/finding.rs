@@ -92,6 +92,11 @@ impl Finding {
         }
     }
 
+    /// Its name with its unit, as the header of a column.
+    pub fn header(&self) -> String {
+        if self.unit.is_empty() { self.name.clone() } else { format!("{} [{}]", self.name, self.unit) }
+    }
+
     /// Whether all its numbers are finite.
     pub fn is_finite(&self) -> bool {
         let spread = if let Found::Number(_, spread) = self.found { spread } else { None };

@@ -12,8 +12,16 @@ pub(super) const CHECKPOINTS: &str = "checkpoints";
 pub const INPUTS: &str = "inputs";
 
 /// The files that a run writes into its folder, beside those folders, its lock and its tables.
-pub(super) const FILES: [&str; 7] =
-    ["case.yaml", "case.resolved.yaml", "manifest.json", "events.jsonl", "results.yaml", "report.html", "halted.xyz"];
+pub(super) const FILES: [&str; 8] = [
+    "case.yaml",
+    "case.resolved.yaml",
+    "manifest.json",
+    "events.jsonl",
+    "results.yaml",
+    "report.html",
+    "movie.gif",
+    "halted.xyz",
+];
 
 /// The folder of one run.
 #[derive(Clone, Debug)]
@@ -103,6 +111,10 @@ impl RunFolder {
     /// The report, for a first look.
     pub fn report(&self) -> PathBuf {
         self.root.join("report.html")
+    }
+    /// The film, if one was asked for.
+    pub fn movie(&self) -> PathBuf {
+        self.root.join("movie.gif")
     }
     /// The state in which the simulation halted.
     pub fn halted(&self) -> PathBuf {

@@ -164,7 +164,7 @@ impl Manifest {
 }
 
 /// The command line of this process.
-pub(super) fn command_line() -> String {
+pub fn command_line() -> String {
     let words = std::env::args_os().map(|word| word.to_string_lossy().into_owned());
     words.collect::<Vec<_>>().join(" ")
 }

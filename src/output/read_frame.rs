@@ -1,6 +1,6 @@
-//! A frame as it is read: its columns are those that its header names, in any order.
+//! A frame in the extended XYZ format as it is read: its columns are those that its header names, in any order.
 
-use super::{RunFolder, SURFACES, read};
+use super::{RunFolder, read};
 use crate::error::{AtPath, Error};
 use std::path::{Path, PathBuf};
 
@@ -22,7 +22,7 @@ pub type Mesh = (Vec<[f64; 3]>, Vec<[u32; 3]>);
 
 /// A frame: the state of all spheres at some time.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Frame {
+pub struct ReadFrame {
     /// The stage.
     pub stage: String,
     /// The time, ns.
@@ -41,7 +41,7 @@ pub struct Frame {
     pub surfaces: Mesh,
 }
 
-impl Frame {
+impl ReadFrame {
     /// The files of all frames of a run, in the order of its `stages` and of time.
     ///
     /// # Errors
@@ -76,10 +76,10 @@ impl Frame {
         let text = std::str::from_utf8(&bytes).map_err(|error| broken(&error.to_string()))?;
         let mut frame = Self::parse(text).ok_or_else(|| broken("is no frame in the extended XYZ format"))?;
         let beside = |ending: &str| Some(path.with_extension(ending)).filter(|path| path.exists());
-        if let Some(path) = beside(SURFACES) {
+        if let Some(path) = beside("obj") {
             frame.surfaces = mesh(&String::from_utf8_lossy(&read(&path)?));
         }
-        if let Some(path) = beside("pairs") {
+        if let Some(path) = beside("bonds") {
             frame.pairs = frame.placed(&pairs(&String::from_utf8_lossy(&read(&path)?)));
         }
         Ok(frame)
@@ -237,7 +237,7 @@ mod tests {
 
     #[test]
     fn columns_are_found_by_the_header_and_in_any_order() {
-        let frame = Frame::parse(FRAME).expect("a frame");
+        let frame = ReadFrame::parse(FRAME).expect("a frame");
         assert_eq!((&*frame.stage, frame.time, frame.sides), ("pulling 2", 0.5, [2.0, 4.0, 6.0]));
         assert_eq!(frame.periodic, [true, false, true]);
         assert_eq!(frame.property("force").map(|force| &force.numbers[3..]), Some(&[4.0, 5.0, 6.0][..]));
@@ -249,7 +249,7 @@ mod tests {
     #[test]
     fn what_is_cut_off_is_no_frame() {
         for end in [0, 1, 2, 40, FRAME.len() - 4, FRAME.len() - 20] {
-            assert!(Frame::parse(&FRAME[..end]).is_none(), "{end}");
+            assert!(ReadFrame::parse(&FRAME[..end]).is_none(), "{end}");
         }
     }
 
@@ -258,7 +258,7 @@ mod tests {
         let text =
             "ITEM: TIMESTEP\n5\nITEM: NUMBER OF ENTRIES\n2\nITEM: ENTRIES distance batom1 batom2\n1.5 7 3\n2 3 9\n";
         assert_eq!(pairs(text), [[7, 3], [3, 9]]);
-        assert_eq!(Frame::parse(FRAME).expect("a frame").placed(&pairs(text)), [[0, 1]]);
+        assert_eq!(ReadFrame::parse(FRAME).expect("a frame").placed(&pairs(text)), [[0, 1]]);
         assert_eq!(pairs("ITEM: TIMESTEP\n"), [[0; 2]; 0]);
     }
 

@@ -126,11 +126,7 @@ pub(super) fn row(axes: &[Axis], point: &Point, out: &Path, reason: String) -> R
         Ok((status, run)) => (status.to_lowercase(), Finding::of_run(&run)?),
         Err(_) => ("not run".into(), Vec::new()),
     };
-    let header = |finding: &Finding| match &*finding.unit {
-        "" => finding.name.clone(),
-        unit => format!("{} [{unit}]", finding.name),
-    };
-    let results = findings.iter().map(|finding| (header(finding), finding.text())).collect();
+    let results = findings.iter().map(|finding| (finding.header(), finding.text())).collect();
     let keys = axes.iter().zip(&point.values).map(|(axis, value)| (axis.key.clone(), value.clone())).collect();
     Ok((Row { run: point.name.clone(), keys, status, reason, results }, findings))
 }

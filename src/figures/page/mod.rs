@@ -97,8 +97,10 @@ impl Report {
     /// A table; the decimal points of a column of numbers stand below each other.
     pub fn table<Row: IntoIterator<Item: Into<Cell>>>(&mut self, head: &[&str], rows: impl IntoIterator<Item = Row>) {
         let rows: Vec<Vec<Cell>> = rows.into_iter().map(|row| row.into_iter().map(Into::into).collect()).collect();
-        let numbers =
-            |column: usize| rows.iter().any(|row| row.get(column).is_some_and(|cell| cell.number().is_some()));
+        let numbers = |column: usize| {
+            let written = || rows.iter().filter_map(|row| row.get(column)).filter(|cell| !cell.text.is_empty());
+            2 * written().filter(|cell| cell.number().is_some()).count() > written().count()
+        };
         let wide =
             (0..head.len()).map(|column| if numbers(column) { " colspan=\"2\"" } else { "" }).collect::<Vec<_>>();
         self.html.push_str("<div class=\"scroll\"><table>\n<tr>");
@@ -141,6 +143,14 @@ impl Report {
         );
     }
 
+    /// By which program the page was made, with which commands.
+    pub fn made_by(&mut self, commands: &[String]) {
+        self.heading("How it was made");
+        let (version, commit) = (env!("CARGO_PKG_VERSION"), env!("VERIDEM_COMMIT"));
+        self.paragraph(&format!("veridem {version} (commit {commit})."));
+        self.lines(commands.iter().map(String::as_str));
+    }
+
     /// Parts in two columns where there is room for them: the second stands at the right, beside all others.
     pub(super) fn columns(&mut self, parts: [&mut dyn FnMut(&mut Self); 3]) {
         self.html.push_str("<div class=\"columns\">");
@@ -154,7 +164,16 @@ impl Report {
 
     /// Figures side by side where there is room for them.
     pub fn grid(&mut self, figures: impl FnOnce(&mut Self)) {
-        self.html.push_str("<div class=\"grid\">\n");
+        self.side_by_side("grid", figures);
+    }
+
+    /// The same, smaller.
+    pub(super) fn gallery(&mut self, figures: impl FnOnce(&mut Self)) {
+        self.side_by_side("gallery", figures);
+    }
+
+    fn side_by_side(&mut self, class: &str, figures: impl FnOnce(&mut Self)) {
+        let _ = writeln!(self.html, "<div class=\"{class}\">");
         figures(self);
         self.html.push_str("</div>\n");
     }
@@ -213,7 +232,7 @@ mod tests {
     #[test]
     fn decimal_points_stand_below_each_other() {
         let mut report = Report::new("");
-        report.table(&["value"], ["-269.4 ± 1.2", "3", "not reached", "1e-7"].map(|text| [text.to_string()]));
+        report.table(&["value"], ["-269.4 ± 1.2", "3", "not reached", "1e-7", "5"].map(|text| [text.to_string()]));
         let html = report.finish();
         for cells in [
             "<th colspan=\"2\">value</th>",

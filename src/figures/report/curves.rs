@@ -52,7 +52,8 @@ fn energies(series: &Series) -> Vec<Curve> {
     let at_surfaces = AT_SURFACES.to_string();
     let cause = |column| columns::cause_of_stored(column).or((column == at_surfaces).then_some("at surfaces"));
     let held = |column| Some((cause(column)?, change(column)));
-    let mut curves: Vec<(&str, Vec<(f64, f64)>)> = series.columns.iter().filter_map(|column| held(column)).collect();
+    let mut curves: Vec<(&str, Vec<(f64, f64)>)> =
+        series.tables[0].columns.iter().filter_map(|column| held(column)).collect();
     curves.push(("lost", lost(series)));
     let size = |points: &[(f64, f64)]| points.iter().map(|point| point.1.abs()).fold(0.0, f64::max);
     let largest = curves.iter().map(|curve| size(&curve.1)).fold(0.0, f64::max);
@@ -62,7 +63,7 @@ fn energies(series: &Series) -> Vec<Curve> {
 
 /// The dissipated energy, aJ against time, summed over stages, each of which starts from zero.
 fn lost(series: &Series) -> Vec<(f64, f64)> {
-    let causes = series.columns.iter().filter(|column| columns::is_lost(column));
+    let causes = series.tables[0].columns.iter().filter(|column| columns::is_lost(column));
     let mut before = 0.0;
     let mut points = Vec::new();
     for stage in series.stages() {
@@ -79,6 +80,7 @@ fn lost(series: &Series) -> Vec<(f64, f64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::output::ReadTable;
 
     #[test]
     fn what_is_lost_adds_up_over_stages_and_each_keeps_its_own_curves() {
@@ -97,7 +99,8 @@ mod tests {
             ["pulling 2", "2", "500", "0", "-3000", "0"],
         ];
         let rows = rows.map(|row| row.map(String::from).to_vec()).to_vec();
-        let series = Series { columns: columns.map(String::from).to_vec(), rows };
+        let file = "series.csv".into();
+        let series = Series { tables: vec![ReadTable { file, columns: columns.map(String::from).to_vec(), rows }] };
         assert_eq!(series.stages(), ["pulling", "pulling 2"]);
         let curves = energies(&series).into_iter().map(|curve| (curve.label, curve.points[3].1));
         assert_eq!(

@@ -6,7 +6,7 @@ mod curves;
 use super::view::view;
 use super::{Graph, Report, graph_names};
 use crate::error::{AtPath, Error};
-use crate::output::{Event, Finding, Frame, Manifest, RunFolder, Series, with_suffix, write_atomically};
+use crate::output::{Event, Finding, Manifest, ReadFrame, RunFolder, Series, with_suffix, write_atomically};
 use about::{events_of_interest, files, parameters, verdict};
 
 /// Creates figures and report of a run from its folder.
@@ -18,7 +18,7 @@ pub fn report(title: &str, graphs: &[Graph], folder: &RunFolder) -> Result<(), E
     let (series, events, manifest) = (Series::read(folder)?, Event::all(folder)?, Manifest::read(folder)?);
     let findings = Finding::of_run(folder)?;
     let stages = series.stages();
-    let frames = Frame::all(folder, &stages)?;
+    let frames = ReadFrame::all(folder, &stages)?;
     let mut page = Report::new(title);
     page.verdict(&verdict(folder, &manifest, &findings, &series, &events));
     let mut results = |page: &mut Report| {
@@ -60,7 +60,7 @@ pub fn report(title: &str, graphs: &[Graph], folder: &RunFolder) -> Result<(), E
     let pictures = pictures(folder, graphs, &stages)?;
     if !pictures.is_empty() {
         page.heading("Pictures");
-        page.grid(|page| pictures.iter().for_each(|(name, svg)| page.figure(svg, name)));
+        page.gallery(|page| pictures.iter().for_each(|(name, svg)| page.figure(svg, name)));
     }
     let notable = events_of_interest(&events);
     if !notable.is_empty() {

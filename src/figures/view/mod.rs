@@ -3,7 +3,7 @@
 mod quantity;
 
 use super::Report;
-use crate::output::Frame;
+use crate::output::ReadFrame;
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use quantity::quantities;
@@ -16,15 +16,17 @@ const MOST_FRAMES: usize = 60;
 const MOST_SPHERES: usize = 400_000;
 /// Most pairs of all frames together.
 const MOST_PAIRS: usize = 300_000;
+/// Radius, relative to the smallest one, beyond which a sphere may leave the picture.
+const LARGE: f64 = 20.0;
 /// The largest coordinate.
 const FINEST: f64 = 65_535.0;
 
 /// Adds the view of these frames to a page, unless there is none to show.
 pub(super) fn view(page: &mut Report, files: &[PathBuf]) {
-    let Some(first) = files.first().and_then(|file| Frame::read(file).ok()) else { return };
+    let Some(first) = files.first().and_then(|file| ReadFrame::read(file).ok()) else { return };
     let (few, every) = fitting(first.count);
     let chosen = chosen(files.len(), few);
-    let mut frames: Vec<Frame> = chosen.iter().filter_map(|&k| Frame::read(&files[k]).ok()).collect();
+    let mut frames: Vec<ReadFrame> = chosen.iter().filter_map(|&k| ReadFrame::read(&files[k]).ok()).collect();
     frames.iter_mut().for_each(|frame| thin(frame, every));
     frames.retain(|frame| frame.count > 0);
     if frames.is_empty() {
@@ -66,13 +68,13 @@ fn fitting(spheres: usize) -> (usize, usize) {
 }
 
 /// The places of `few` of so many frames, the first and the last among them.
-fn chosen(count: usize, few: usize) -> Vec<usize> {
+pub(super) fn chosen(count: usize, few: usize) -> Vec<usize> {
     let few = few.min(count);
     (0..few).map(|k| if few > 1 { k * (count - 1) / (few - 1) } else { 0 }).collect()
 }
 
 /// Keeps one sphere of `every`, with the pairs of those that are kept.
-fn thin(frame: &mut Frame, every: usize) {
+fn thin(frame: &mut ReadFrame, every: usize) {
     if every == 1 {
         return;
     }
@@ -84,10 +86,13 @@ fn thin(frame: &mut Frame, every: usize) {
     frame.pairs.clear();
 }
 
-fn scene(frames: &[Frame]) -> Value {
-    let (low, high) = extent(frames);
+fn scene(frames: &[ReadFrame]) -> Value {
+    let (low, high) = extent(frames, f64::INFINITY);
+    // A sphere as large as a wall does not say what there is to see.
+    let least = frames.iter().flat_map(ReadFrame::radii).copied().fold(f64::INFINITY, f64::min);
+    let (from, to) = extent(frames, LARGE * least);
     let span = (0..3).map(|k| high[k] - low[k]).fold(1e-9, f64::max);
-    let largest = frames.iter().flat_map(Frame::radii).copied().fold(1e-9, f64::max);
+    let largest = frames.iter().flat_map(ReadFrame::radii).copied().fold(1e-9, f64::max);
     let whole = |numbers: &mut dyn Iterator<Item = f64>| {
         packed(numbers.flat_map(|number| (number.round().clamp(0.0, FINEST) as u16).to_le_bytes()))
     };
@@ -119,18 +124,22 @@ fn scene(frames: &[Frame]) -> Value {
     });
     let shown: Vec<Value> = shown.collect();
     let first = &frames[0];
-    // As in the pictures: the third axis points upwards where something lies on a surface, else the second.
-    let upwards = if !first.surfaces.0.is_empty() || first.periodic == [true, true, false] { 2 } else { 1 };
     json!({
-        "low": low, "high": high, "span": span, "radius": largest, "periodic": first.periodic, "upwards": upwards,
+        "low": low, "span": span, "from": from, "to": to, "radius": largest, "periodic": first.periodic, "upwards": upwards(first),
         "quantities": quantities, "palette": super::COLOURS, "frames": shown, "meshes": meshes,
     })
 }
 
-/// The box around all spheres of all frames.
-fn extent(frames: &[Frame]) -> ([f64; 3], [f64; 3]) {
+/// The axis that points upwards, as in the pictures: the third where something lies on a surface, else the second.
+pub(super) fn upwards(frame: &ReadFrame) -> usize {
+    if !frame.surfaces.0.is_empty() || frame.periodic == [true, true, false] { 2 } else { 1 }
+}
+
+/// The box around the centres of all spheres of all frames that are no larger than this.
+fn extent(frames: &[ReadFrame], largest: f64) -> ([f64; 3], [f64; 3]) {
     let mut ends = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
-    for x in frames.iter().flat_map(Frame::centres) {
+    let spheres = frames.iter().flat_map(|frame| frame.centres().zip(frame.radii()));
+    for (x, _) in spheres.filter(|(_, radius)| **radius <= largest) {
         for k in 0..3 {
             ends.0[k] = ends.0[k].min(x[k]);
             ends.1[k] = ends.1[k].max(x[k]);
@@ -148,7 +157,7 @@ mod tests {
     use super::*;
     use crate::output::Property;
 
-    pub(super) fn frame(numbers: &[(&str, &[f64])]) -> Frame {
+    pub(super) fn frame(numbers: &[(&str, &[f64])]) -> ReadFrame {
         let count = numbers[0].1.len();
         let property = |(name, numbers): &(&str, &[f64])| Property {
             name: (*name).into(),
@@ -156,7 +165,7 @@ mod tests {
             components: numbers.len() / count,
             numbers: numbers.to_vec(),
         };
-        Frame { count, properties: numbers.iter().map(property).collect(), ..Frame::default() }
+        ReadFrame { count, properties: numbers.iter().map(property).collect(), ..ReadFrame::default() }
     }
 
     #[test]
@@ -185,6 +194,7 @@ mod tests {
     fn coordinates_are_parts_of_the_largest_extent() {
         let frame = frame(&[("radius", &[1.0, 2.0]), ("pos", &[0.0, 5.0, 0.0, 10.0, 5.0, 5.0])]);
         let scene = scene(&[frame]);
+        assert_eq!((&scene["from"], &scene["to"]), (&json!([0.0, 5.0, 0.0]), &json!([10.0, 5.0, 5.0])));
         assert_eq!(
             (&scene["low"], &scene["span"], &scene["radius"]),
             (&json!([0.0, 5.0, 0.0]), &json!(10.0), &json!(2.0))

@@ -1,6 +1,6 @@
 //! What the spheres of a view are coloured by: the columns of its frames, each number as a byte.
 
-use crate::output::{Frame, Property};
+use crate::output::{Property, ReadFrame};
 use serde_json::{Value, json};
 
 /// Columns that are no quantities of a sphere.
@@ -26,7 +26,7 @@ const MOST_NAMES: f64 = 8.0;
 type Bytes = Vec<Vec<u8>>;
 
 /// The quantities that differ between spheres or frames, or the first if none does, and their bytes.
-pub(super) fn quantities(frames: &[Frame]) -> (Vec<Value>, Vec<Bytes>) {
+pub(super) fn quantities(frames: &[ReadFrame]) -> (Vec<Value>, Vec<Bytes>) {
     let names = frames[0].properties.iter().map(|property| &*property.name).filter(|name| !OTHERS.contains(name));
     let all: Vec<(bool, Value, Bytes)> = names.filter_map(|name| quantity(name, frames)).collect();
     let varied = all.iter().any(|(varies, ..)| *varies);
@@ -35,7 +35,7 @@ pub(super) fn quantities(frames: &[Frame]) -> (Vec<Value>, Vec<Bytes>) {
 }
 
 /// Whether a quantity varies, its scale, and its bytes; none if a frame lacks it.
-fn quantity(column: &str, frames: &[Frame]) -> Option<(bool, Value, Bytes)> {
+fn quantity(column: &str, frames: &[ReadFrame]) -> Option<(bool, Value, Bytes)> {
     let properties: Vec<&Property> = frames.iter().map(|frame| frame.property(column)).collect::<Option<_>>()?;
     let numbers: Vec<Vec<f64>> = properties.iter().map(|property| sizes(property)).collect();
     let mut sorted: Vec<f64> = numbers.iter().flatten().copied().filter(|number| number.is_finite()).collect();

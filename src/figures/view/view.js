@@ -6,8 +6,11 @@ const bytes = (text) => Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
 const halves = (text) => new Uint16Array(bytes(text).buffer);
 const words = (text) => new Uint32Array(bytes(text).buffer);
 const floats = (text) => new Float32Array(bytes(text).buffer);
-const middle = scene.low.map((low, k) => (low + scene.high[k]) / 2);
-const reach = Math.hypot(...scene.low.map((low, k) => scene.high[k] - low)) / 2 + scene.radius;
+const middle = scene.from.map((from, k) => (from + scene.to[k]) / 2);
+const half = scene.from.map((from, k) => (scene.to[k] - from) / 2);
+// Beyond the centres that are to be seen: a radius, of which the largest may be a wall's.
+const rim = Math.min(scene.radius, Math.hypot(...half) / 2 || scene.radius);
+const reach = Math.hypot(...half) + rim;
 const triangles = scene.meshes.map(words);
 
 // --- Frames, decoded when they are first shown: coordinates in nm from the middle.
@@ -136,6 +139,12 @@ const start = () => {
 // The place of the middle on the screen is shifted by zooming elsewhere, px.
 let camera = start(), zoom = 1, shift = [0, 0];
 
+// Pixels per nm with which all frames fit when they are first seen.
+function fitting(wide, high) {
+  const [across, up] = start().map((row) => row.reduce((sum, part, k) => sum + Math.abs(part) * half[k], rim));
+  return 0.46 * Math.min(wide / across, high / up);
+}
+
 // --- Drawing.
 let waiting = false;
 function draw() {
@@ -158,7 +167,7 @@ function paint() {
   pen.setTransform(ratio, 0, 0, ratio, 0, 0);
   pen.clearRect(0, 0, wide, high);
   const of = frame(Number(slider.value));
-  const scale = zoom * 0.47 * Math.min(wide, high) / reach;
+  const scale = zoom * fitting(wide, high);
   const [right, up, near] = camera;
   const seen = (x, y, z) => [
     wide / 2 + shift[0] + scale * (right[0] * x + right[1] * y + right[2] * z),
