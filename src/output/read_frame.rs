@@ -1,6 +1,6 @@
 //! A frame in the extended XYZ format as it is read: its columns are those that its header names, in any order.
 
-use super::{RunFolder, read};
+use super::{FrameName, RunFolder, read};
 use crate::error::{AtPath, Error};
 use std::path::{Path, PathBuf};
 
@@ -35,8 +35,9 @@ pub struct ReadFrame {
     pub periodic: [bool; 3],
     /// The columns of numbers.
     pub properties: Vec<Property>,
-    /// The pairs of spheres in contact, by their places in the frame; empty if none are recorded.
-    pub pairs: Vec<[u32; 2]>,
+    /// The pairs of spheres that act on each other, by their places in the frame, with their kind: 1 for a contact, 2 for a neck, 3 for a meniscus;
+    /// empty if none are recorded.
+    pub pairs: Vec<([u32; 2], u32)>,
     /// The surfaces, if there are any.
     pub surfaces: Mesh,
 }
@@ -52,7 +53,8 @@ impl ReadFrame {
         let mut found = Vec::new();
         for entry in std::fs::read_dir(&frames).at(&frames)? {
             let path = entry.at(&frames)?.path();
-            if path.extension().is_none_or(|ending| ending != "xyz") {
+            let ours = path.file_name().is_some_and(|name| FrameName::of_file(name).is_some());
+            if !ours || path.extension().is_none_or(|ending| ending != "xyz") {
                 continue;
             }
             // A frame that cannot be understood is left for its reader to refuse.
@@ -154,11 +156,12 @@ impl ReadFrame {
     }
 
     /// Pairs of ids as pairs of places.
-    fn placed(&self, pairs: &[[u32; 2]]) -> Vec<[u32; 2]> {
+    fn placed(&self, pairs: &[([u32; 2], u32)]) -> Vec<([u32; 2], u32)> {
         let ids = self.property("id").map_or(&[][..], |property| &property.numbers);
         let places: std::collections::HashMap<u32, u32> =
             ids.iter().enumerate().map(|(place, id)| (*id as u32, place as u32)).collect();
-        pairs.iter().filter_map(|[i, j]| Some([*places.get(i)?, *places.get(j)?])).collect()
+        let placed = |&([i, j], kind): &([u32; 2], u32)| Some(([*places.get(&i)?, *places.get(&j)?], kind));
+        pairs.iter().filter_map(placed).collect()
     }
 }
 
@@ -214,16 +217,18 @@ fn three<'a, T: std::str::FromStr>(words: &mut impl Iterator<Item = &'a str>) ->
     Some([next()?, next()?, next()?])
 }
 
-/// The ids of the pairs in a LAMMPS dump of local quantities, whose columns its header names.
-fn pairs(text: &str) -> Vec<[u32; 2]> {
+/// The ids and kinds of the pairs in a LAMMPS dump of local quantities, whose columns its header names.
+fn pairs(text: &str) -> Vec<([u32; 2], u32)> {
     let mut lines = text.lines().skip_while(|line| !line.starts_with("ITEM: ENTRIES"));
     let Some(head) = lines.next() else { return Vec::new() };
     let columns: Vec<&str> = head.split_ascii_whitespace().skip(2).collect();
     let place = |name: &str| columns.iter().position(|column| *column == name);
     let (Some(i), Some(j)) = (place("batom1"), place("batom2")) else { return Vec::new() };
+    let kind = place("btype");
     let of = |line: &str| {
         let cells: Vec<&str> = line.split_ascii_whitespace().collect();
-        Some([cells.get(i)?.parse().ok()?, cells.get(j)?.parse().ok()?])
+        let number = |place: usize| cells.get(place)?.parse().ok();
+        Some(([number(i)?, number(j)?], kind.and_then(number).unwrap_or(1)))
     };
     lines.take_while(|line| !line.starts_with("ITEM:")).filter_map(of).collect()
 }
@@ -254,12 +259,11 @@ mod tests {
     }
 
     #[test]
-    fn pairs_are_named_by_ids() {
-        let text =
-            "ITEM: TIMESTEP\n5\nITEM: NUMBER OF ENTRIES\n2\nITEM: ENTRIES distance batom1 batom2\n1.5 7 3\n2 3 9\n";
-        assert_eq!(pairs(text), [[7, 3], [3, 9]]);
-        assert_eq!(ReadFrame::parse(FRAME).expect("a frame").placed(&pairs(text)), [[0, 1]]);
-        assert_eq!(pairs("ITEM: TIMESTEP\n"), [[0; 2]; 0]);
+    fn pairs_are_named_by_ids_and_have_a_kind() {
+        let text = "ITEM: TIMESTEP\n5\nITEM: NUMBER OF ENTRIES\n2\nITEM: ENTRIES distance batom1 batom2 btype\n1.5 7 3 2\n2 3 9 1\n";
+        assert_eq!(pairs(text), [([7, 3], 2), ([3, 9], 1)]);
+        assert_eq!(ReadFrame::parse(FRAME).expect("a frame").placed(&pairs(text)), [([0, 1], 2)]);
+        assert_eq!(pairs("ITEM: TIMESTEP\n"), []);
     }
 
     #[test]

@@ -30,6 +30,10 @@ pub struct RunProgress<'a> {
     pub step: u64,
     /// Largest number of steps of the stage.
     pub steps: u64,
+    /// Largest number of steps of the stages before it.
+    pub before: u64,
+    /// Largest number of steps of all stages.
+    pub all: u64,
     /// Number of particles.
     pub particles: usize,
     /// Relative residual of the physical energy balance.
@@ -47,6 +51,8 @@ pub(super) struct Recorder<'a> {
     tell: &'a mut dyn FnMut(Message),
     /// Relative residual and largest overlap of the last row.
     seen: (f64, f64),
+    /// Number of the stage under way, and the largest numbers of steps of those before it and of all.
+    steps: Option<(usize, u64, u64)>,
 }
 
 impl<'a> Recorder<'a> {
@@ -59,7 +65,7 @@ impl<'a> Recorder<'a> {
         tell: &'a mut dyn FnMut(Message),
     ) -> Result<Self, Error> {
         let record = Record::begin(folder, layout(study))?;
-        Ok(Self { folder, origin, output, record, tell, seen: (0.0, 0.0) })
+        Ok(Self { folder, origin, output, record, tell, seen: (0.0, 0.0), steps: None })
     }
 
     /// Restores the record to its state at a checkpoint.
@@ -78,6 +84,7 @@ impl<'a> Recorder<'a> {
             record: Record::resume(folder, layout(study), recorded)?,
             tell,
             seen: (0.0, 0.0),
+            steps: None,
         })
     }
 
@@ -111,7 +118,17 @@ impl<'a> Recorder<'a> {
     fn show<S: Study>(&mut self, stage: &RunningStage<'_, S>) {
         let system = stage.simulation.system();
         let ((residual, overlap), steps, particles) = (self.seen, stage.last_step(), system.particles.len());
-        let progress = RunProgress { stage: &stage.name, step: system.step, steps, particles, residual, overlap };
+        // Settings may take as long as a step to compute: they are asked for once a stage.
+        if self.steps.is_none_or(|(number, ..)| number != stage.number) {
+            let study = stage.study;
+            let most = |number| study.steps(number, study.settings(number, system).dt);
+            let all: Vec<u64> = (0..study.stages().len()).map(most).collect();
+            let sum = |steps: &[u64]| steps.iter().copied().fold(0, u64::saturating_add);
+            self.steps = Some((stage.number, sum(&all[..stage.number]), sum(&all)));
+        }
+        let (before, all) = self.steps.map_or((0, steps), |(_, before, all)| (before, all));
+        let step = system.step;
+        let progress = RunProgress { stage: &stage.name, step, steps, before, all, particles, residual, overlap };
         (self.tell)(Message::Progress(progress));
     }
 

@@ -94,7 +94,7 @@ def check(browser, path):
     for width in WIDTHS:
         page = browser.new_page(viewport={"width": width, "height": 850})
         problems, fetched = [], []
-        page.on("console", lambda message: problems.append(message.text) if message.type in ("error", "warning") else None)
+        page.on("console", lambda message: problems.append(message.text) if message.type == "error" else None)
         page.on("pageerror", lambda error: problems.append(str(error)))
         page.on("request", lambda request: fetched.append(request.url) if request.url.startswith("http") else None)
         page.goto(address)

@@ -136,7 +136,7 @@ mod tests {
         std::fs::write(folder.series(), "stage,step,time [ns]\npull,0,0\n").expect("a series");
         for (k, x) in [2.0, 9.0, 16.0].into_iter().enumerate() {
             let text = format!("1\n{HEAD}{k} stage=pull {COLUMNS}\nX 1 2 {x} 5 5\n");
-            std::fs::write(folder.frames().join(format!("{k:06}.xyz")), text).expect("a frame");
+            std::fs::write(folder.frames().join(format!("pull.{k:06}.xyz")), text).expect("a frame");
         }
         let file = place.path().join("movie.gif");
         assert_eq!(movie(&folder, &file).expect("a film"), 3);

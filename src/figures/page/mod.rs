@@ -2,6 +2,9 @@
 
 use std::fmt::Write;
 
+/// Number of columns that fit into any page.
+const MANY: usize = 5;
+
 /// A page under construction.
 pub struct Report {
     html: String,
@@ -103,7 +106,9 @@ impl Report {
         };
         let wide =
             (0..head.len()).map(|column| if numbers(column) { " colspan=\"2\"" } else { "" }).collect::<Vec<_>>();
-        self.html.push_str("<div class=\"scroll\"><table>\n<tr>");
+        // Words of many columns are not broken: the table is moved within the page.
+        let class = if head.len() > MANY { "scroll wide" } else { "scroll" };
+        let _ = write!(self.html, "<div class=\"{class}\"><table>\n<tr>");
         for (name, wide) in head.iter().zip(&wide) {
             let _ = write!(self.html, "<th{wide}>{}</th>", escaped(name));
         }

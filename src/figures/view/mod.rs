@@ -16,6 +16,8 @@ const MOST_FRAMES: usize = 60;
 const MOST_SPHERES: usize = 400_000;
 /// Most pairs of all frames together.
 const MOST_PAIRS: usize = 300_000;
+/// The kind of a pair that is a neck.
+const NECK: u32 = 2;
 /// Radius, relative to the smallest one, beyond which a sphere may leave the picture.
 const LARGE: f64 = 20.0;
 /// The largest coordinate.
@@ -33,12 +35,17 @@ pub(super) fn view(page: &mut Report, files: &[PathBuf]) {
         return;
     }
     let unreadable = chosen.len() - frames.len();
+    // Where there are necks they are what holds the spheres together.
+    let necks = frames.iter().flat_map(|frame| &frame.pairs).any(|pair| pair.1 == NECK);
+    if necks {
+        frames.iter_mut().for_each(|frame| frame.pairs.retain(|pair| pair.1 == NECK));
+    }
     let pairs: usize = frames.iter().map(|frame| frame.pairs.len()).sum();
     if pairs > MOST_PAIRS {
         frames.iter_mut().for_each(|frame| frame.pairs.clear());
     }
     // A line of a script ends where markup begins.
-    let scene = scene(&frames).to_string().replace('<', "\\u003c");
+    let scene = scene(&frames, if necks { "Necks" } else { "Contacts" }).to_string().replace('<', "\\u003c");
     page.markup(&format!(
         "<div class=\"view\" id=\"view\"></div>\n<script type=\"application/json\" id=\"scene\">{scene}</script>\n\
          <script>\n(() => {{\n{}}})();\n</script>\n",
@@ -86,7 +93,7 @@ fn thin(frame: &mut ReadFrame, every: usize) {
     frame.pairs.clear();
 }
 
-fn scene(frames: &[ReadFrame]) -> Value {
+fn scene(frames: &[ReadFrame], pairs: &str) -> Value {
     let (low, high) = extent(frames, f64::INFINITY);
     // A sphere as large as a wall does not say what there is to see.
     let least = frames.iter().flat_map(ReadFrame::radii).copied().fold(f64::INFINITY, f64::min);
@@ -116,7 +123,7 @@ fn scene(frames: &[ReadFrame]) -> Value {
             "centres": whole(&mut centres.into_iter()),
             "radii": whole(&mut frame.radii().iter().map(|radius| radius / largest * FINEST)),
             "colours": colours,
-            "pairs": packed(frame.pairs.iter().flatten().flat_map(|place| place.to_le_bytes())),
+            "pairs": packed(frame.pairs.iter().flat_map(|pair| pair.0).flat_map(|place| place.to_le_bytes())),
             "sides": frame.sides,
             "corners": packed(corners.iter().flatten().flat_map(|x| (*x as f32).to_le_bytes())),
             "mesh": mesh,
@@ -125,7 +132,7 @@ fn scene(frames: &[ReadFrame]) -> Value {
     let shown: Vec<Value> = shown.collect();
     let first = &frames[0];
     json!({
-        "low": low, "span": span, "from": from, "to": to, "radius": largest, "periodic": first.periodic, "upwards": upwards(first),
+        "low": low, "span": span, "from": from, "to": to, "radius": largest, "periodic": first.periodic, "upwards": upwards(first), "pairs": pairs,
         "quantities": quantities, "palette": super::COLOURS, "frames": shown, "meshes": meshes,
     })
 }
@@ -193,7 +200,7 @@ mod tests {
     #[test]
     fn coordinates_are_parts_of_the_largest_extent() {
         let frame = frame(&[("radius", &[1.0, 2.0]), ("pos", &[0.0, 5.0, 0.0, 10.0, 5.0, 5.0])]);
-        let scene = scene(&[frame]);
+        let scene = scene(&[frame], "Contacts");
         assert_eq!((&scene["from"], &scene["to"]), (&json!([0.0, 5.0, 0.0]), &json!([10.0, 5.0, 5.0])));
         assert_eq!(
             (&scene["low"], &scene["span"], &scene["radius"]),

@@ -8,12 +8,17 @@ const OTHERS: [&str; 2] = ["id", "pos"];
 /// Columns whose numbers are names.
 const NAMES: [&str; 3] = ["body", "wall", "third_body"];
 /// Columns with another name for people, and their units in frames.
-const KNOWN: [(&str, &str, &str); 5] = [
+const KNOWN: [(&str, &str, &str); 10] = [
     ("velo", "speed", "m/s"),
     ("angular_velocity", "angular speed", "rad/ns"),
     ("radius", "radius", "nm"),
     ("mass", "mass", "ag"),
     ("force", "force", "pN"),
+    ("coordination", "coordination number", ""),
+    ("stress", "mean normal stress", "MPa"),
+    ("torque", "torque", "zJ"),
+    ("acceleration", "acceleration", "nm/ns²"),
+    ("angular_acceleration", "angular acceleration", "rad/ns²"),
 ];
 /// Part of the numbers at each end of the scale that have the colour of its end.
 const OUTLIERS: f64 = 0.01;
@@ -72,10 +77,14 @@ fn quantity(column: &str, frames: &[ReadFrame]) -> Option<(bool, Value, Bytes)> 
     Some((most > least, about, bytes))
 }
 
-/// The numbers of a column, or their lengths if they are vectors.
+/// The numbers of a column, the lengths of vectors, the thirds of the traces of symmetric tensors.
 fn sizes(property: &Property) -> Vec<f64> {
-    let vectors = property.numbers.chunks_exact(property.components.max(1));
-    vectors.map(|v| if let [number] = v { *number } else { v.iter().map(|x| x * x).sum::<f64>().sqrt() }).collect()
+    let size = |components: &[f64]| match components {
+        [number] => *number,
+        [xx, yy, zz, _, _, _] => (xx + yy + zz) / 3.0,
+        vector => vector.iter().map(|x| x * x).sum::<f64>().sqrt(),
+    };
+    property.numbers.chunks_exact(property.components.max(1)).map(size).collect()
 }
 
 #[cfg(test)]
@@ -112,6 +121,13 @@ mod tests {
         speeds.push(1e6);
         let (about, _) = quantities(&[frame(&[("charge", &speeds)])]);
         assert!(about[0]["high"].as_f64().is_some_and(|high| high < 2.0) && about[0]["above"] == true, "{about:?}");
+    }
+
+    #[test]
+    fn a_tensor_is_shown_by_its_mean() {
+        let stress = [1.0, 2.0, -6.0, 9.0, 9.0, 9.0, 3.0, 3.0, 3.0, 0.0, 0.0, 0.0];
+        let (about, bytes) = quantities(&[frame(&[("radius", &[1.0, 1.0]), ("stress", &stress)])]);
+        assert_eq!((&about[0]["low"], &about[0]["high"], &bytes[0][0]), (&json!(-1.0), &json!(3.0), &vec![0, 255]));
     }
 
     #[test]

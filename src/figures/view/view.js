@@ -52,7 +52,7 @@ host.append(
   ...(several ? [make("div", { className: "controls" }, play, slider, now)] : []),
   make("div", { className: "controls" },
     ...(scene.quantities.length > 1 ? [make("label", {}, "Colour", choice)] : []),
-    ...(scene.frames.some((of) => of.pairs) ? [make("label", {}, links, "Pairs")] : []),
+    ...(scene.frames.some((of) => of.pairs) ? [make("label", {}, links, scene.pairs)] : []),
     reset),
   legend);
 legend.style.marginTop = ".6rem";
