@@ -68,7 +68,7 @@ fn linear(low: f64, high: f64) -> Vec<(f64, String)> {
     let (first, last) = ((low / step).ceil() as i64, (high / step).floor() as i64);
     let largest = low.abs().max(high.abs());
     // Of numbers that are all large, or all small, the power of ten is written.
-    let scientific = largest >= 1e5 || largest < 1e-3;
+    let scientific = !(1e-3..1e5).contains(&largest);
     let exponent = libm::floor(libm::log10(step)) as i32;
     let text = |k: i64| {
         let value = k as f64 * step;

@@ -32,10 +32,16 @@ impl Cell {
         }
     }
 
-    /// The digits before the decimal point, and the rest, if it is a number, with or without an error.
+    /// The digits before the decimal point, and the rest, if it is a number, with or without an error and a unit.
     fn number(&self) -> Option<(&str, &str)> {
-        let mut parts = self.text.split(" ± ");
-        if self.link.is_some() || !parts.all(|part| part.parse::<f64>().is_ok_and(f64::is_finite)) {
+        let is_number = |word: &str| word.parse::<f64>().is_ok_and(f64::is_finite);
+        let words: Vec<&str> = self.text.split(' ').collect();
+        let known = match words[..] {
+            [number] | [number, _] => is_number(number),
+            [number, "±", error] | [number, "±", error, _] => is_number(number) && is_number(error),
+            _ => false,
+        };
+        if self.link.is_some() || !known {
             return None;
         }
         let end = self.text.find(|c: char| !c.is_ascii_digit() && c != '-').unwrap_or(self.text.len());
@@ -70,6 +76,11 @@ impl Report {
     /// A heading.
     pub fn heading(&mut self, text: &str) {
         let _ = writeln!(self.html, "<h2>{}</h2>", escaped(text));
+    }
+
+    /// A heading below a heading.
+    pub(super) fn subheading(&mut self, text: &str) {
+        let _ = writeln!(self.html, "<h3>{}</h3>", escaped(text));
     }
 
     /// A paragraph.
@@ -119,8 +130,9 @@ impl Report {
                     Some((whole, rest)) => {
                         write!(
                             self.html,
-                            "<td class=\"whole\">{}</td><td class=\"rest\">{rest}</td>",
-                            whole.replace('-', "−")
+                            "<td class=\"whole\">{}</td><td class=\"rest\">{}</td>",
+                            whole.replace('-', "−"),
+                            escaped(rest)
                         )
                     }
                     None => write!(self.html, "<td{wide}>{}</td>", cell.html()),
@@ -237,12 +249,17 @@ mod tests {
     #[test]
     fn decimal_points_stand_below_each_other() {
         let mut report = Report::new("");
-        report.table(&["value"], ["-269.4 ± 1.2", "3", "not reached", "1e-7", "5"].map(|text| [text.to_string()]));
+        report.table(
+            &["value"],
+            ["-269.4 ± 1.2 nN", "3", "not reached", "1e-7", "5 nm", "6 and 8"].map(|text| [text.to_string()]),
+        );
         let html = report.finish();
         for cells in [
             "<th colspan=\"2\">value</th>",
-            "<td class=\"whole\">−269</td><td class=\"rest\">.4 ± 1.2</td>",
+            "<td class=\"whole\">−269</td><td class=\"rest\">.4 ± 1.2 nN</td>",
             "<td class=\"whole\">3</td><td class=\"rest\"></td>",
+            "<td class=\"whole\">5</td><td class=\"rest\"> nm</td>",
+            "<td colspan=\"2\">6 and 8</td>",
             "<td colspan=\"2\">not reached</td>",
             "<td class=\"whole\">1</td><td class=\"rest\">e-7</td>",
         ] {

@@ -46,7 +46,9 @@ fn headline(findings: &[Finding]) -> Option<String> {
     let first = |kind: fn(&Found) -> bool| findings.iter().filter(of_the_run).find(|finding| kind(&finding.found));
     let words = first(|found| matches!(found, Found::Words(_)));
     let measured = words.or_else(|| first(|found| matches!(found, Found::Number(..))));
-    let finding = measured.or_else(|| first(|found| matches!(found, Found::Count(_))))?;
+    let counted = measured.or_else(|| first(|found| matches!(found, Found::Count(_))));
+    // Of a sequence, the end of its last part.
+    let finding = counted.or_else(|| findings.iter().rfind(|finding| matches!(finding.found, Found::Words(_))))?;
     Some(format!("{}: {}", finding.name, finding.sentence()))
 }
 

@@ -21,18 +21,10 @@ pub fn report(title: &str, graphs: &[Graph], folder: &RunFolder) -> Result<(), E
     let frames = ReadFrame::all(folder, &stages)?;
     let mut page = Report::new(title);
     page.verdict(&verdict(folder, &manifest, &findings, &series, &events));
-    let mut results = |page: &mut Report| {
+    let mut found = |page: &mut Report| {
         if !findings.is_empty() {
             page.heading("Results");
-            let row = |f: &Finding| [f.name.clone(), f.text(), f.unit.clone(), f.target_text()];
-            if findings.iter().any(|finding| finding.target.is_some()) {
-                page.table(&["quantity", "value", "unit", "target"], findings.iter().map(row));
-            } else {
-                page.table(
-                    &["quantity", "value", "unit"],
-                    findings.iter().map(row).map(|[name, value, unit, _]| [name, value, unit]),
-                );
-            }
+            results(page, &findings);
         }
     };
     let mut seen = |page: &mut Report| {
@@ -41,7 +33,7 @@ pub fn report(title: &str, graphs: &[Graph], folder: &RunFolder) -> Result<(), E
             view(page, &frames);
         }
     };
-    page.columns([&mut results, &mut seen, &mut |page| case(page, folder)]);
+    page.columns([&mut found, &mut seen, &mut |page| case(page, folder)]);
     let plots = curves::plots(graphs, &series, &events);
     if !plots.is_empty() {
         page.heading("Curves");
@@ -80,6 +72,28 @@ pub fn report(title: &str, graphs: &[Graph], folder: &RunFolder) -> Result<(), E
     page.paragraph(&format!("veridem {version} (commit {commit}), {compiler}, {target}, {threads}, seed {seed}."));
     page.lines(manifest.command_lines.iter().map(String::as_str));
     write_atomically(&folder.report(), page.finish().as_bytes())
+}
+
+/// The findings, those of a stage or an event together.
+fn results(page: &mut Report, findings: &[Finding]) {
+    let parts = |finding: &Finding| -> (String, String) {
+        let (of, name) = finding.name.split_once(": ").unwrap_or(("", &finding.name));
+        (of.into(), name.into())
+    };
+    for group in findings.chunk_by(|a, b| parts(a).0 == parts(b).0) {
+        let (of, _) = parts(&group[0]);
+        if !of.is_empty() {
+            page.subheading(&of);
+        }
+        let targets = group.iter().any(|finding| finding.target.is_some());
+        let row = |finding: &Finding| {
+            let target =
+                finding.target.map_or(String::new(), |_| format!("{} {}", finding.target_text(), finding.unit));
+            let cells = [parts(finding).1, finding.sentence(), target.trim_end().into()];
+            cells.into_iter().take(if targets { 3 } else { 2 })
+        };
+        page.table(&["quantity", "value", "target"][..if targets { 3 } else { 2 }], group.iter().map(row));
+    }
 }
 
 /// Most events of a page.

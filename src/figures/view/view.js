@@ -89,7 +89,7 @@ function explain() {
   const bar = make("span", { className: "bar" });
   bar.style.background = `linear-gradient(to right, ${[0, 0.25, 0.5, 0.75, 1].map((part) => text(scaled(part))).join(", ")})`;
   const ends = [(of.below ? "≤ " : "") + number(of.low), (of.above ? "≥ " : "") + number(of.high)];
-  legend.append(ends[0], bar, ends[1]);
+  legend.append(make("span", { className: "scale" }, ends[0], bar, ends[1]));
   if (of.log) legend.append("(logarithmic)");
 }
 
