@@ -185,9 +185,9 @@ mod tests {
         let mut system = hcp(1.0, [8, 4, 8], 1.0);
         system.time = 2.5;
         let picture = snapshot(&system, [0.0, 7.0]);
-        // A bar of 2 nm in a box that is 16 nm wide.
-        assert!(picture.contains(">2.5 ns<") && picture.contains(">2 nm<"), "{picture}");
-        assert!(picture.contains(&format!("h-{:.1}", 2.0 * WIDTH / system.domain.sides[0])), "{picture}");
+        // A bar of 1 nm in a box that is 8 nm wide.
+        assert!(picture.contains(">2.5 ns<") && picture.contains(">1 nm<"), "{picture}");
+        assert!(picture.contains(&format!("h-{:.1}", WIDTH / system.domain.sides[0])), "{picture}");
     }
 
     #[test]

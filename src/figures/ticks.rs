@@ -65,7 +65,8 @@ fn ticks((low, high): (f64, f64), log: bool) -> Vec<(f64, String)> {
 
 fn linear(low: f64, high: f64) -> Vec<(f64, String)> {
     let step = round_step((high - low) / MOST);
-    let (first, last) = ((low / step).ceil() as i64, (high / step).floor() as i64);
+    // A tick at an end of the range is not lost to rounding.
+    let (first, last) = ((low / step - 1e-9).ceil() as i64, (high / step + 1e-9).floor() as i64);
     let largest = low.abs().max(high.abs());
     // Of numbers that are all large, or all small, the power of ten is written.
     let scientific = !(1e-3..1e5).contains(&largest);

@@ -25,7 +25,7 @@ const FINEST: f64 = 65_535.0;
 
 /// Adds the view of these frames to a page, unless there is none to show.
 pub(super) fn view(page: &mut Report, files: &[PathBuf]) {
-    let Some(first) = files.first().and_then(|file| ReadFrame::read(file).ok()) else { return };
+    let Some(first) = files.iter().find_map(|file| ReadFrame::read(file).ok()) else { return };
     let (few, every) = fitting(first.count);
     let chosen = chosen(files.len(), few);
     let mut frames: Vec<ReadFrame> = chosen.iter().filter_map(|&k| ReadFrame::read(&files[k]).ok()).collect();
