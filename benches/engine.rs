@@ -48,7 +48,7 @@ fn restructuring(criterion: &mut Criterion) {
     let system = plan.initial(&Interrupt::default()).expect("an aggregate");
     let settings = plan.settings(0, &system);
     let particles = system.particles.len() as u64;
-    let mut simulation = Simulation::new(plan.model(0), system, settings).expect("an aggregate at rest");
+    let mut simulation = Simulation::new(plan.model(0, &system), system, settings).expect("an aggregate at rest");
     let mut group = criterion.benchmark_group("step of a soot aggregate");
     group.throughput(Throughput::Elements(particles));
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
@@ -82,7 +82,7 @@ fn surface(criterion: &mut Criterion) {
         system.particles.v.fill(Vec3([0.0; 3]));
         system.surfaces[0].shape = Shape::Mesh(Mesh::new(&triangles).expect("a square"));
         let settings = plan.settings(0, &system);
-        let mut simulation = Simulation::new(plan.model(0), system, settings).expect("a stable step");
+        let mut simulation = Simulation::new(plan.model(0, &system), system, settings).expect("a stable step");
         group.bench_function(format!("{} triangles", triangles.len()), |b| {
             pool.install(|| b.iter(|| advance(&mut simulation, 1).expect("a stable aggregate")));
         });

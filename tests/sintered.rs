@@ -24,7 +24,7 @@ fn plan(file: &str, keys: &str) -> Plan<Along> {
 
 fn begun(plan: &Plan<Along>) -> Simulation<Soot> {
     let system: System = plan.initial(&Interrupt::default()).expect("an aggregate at rest");
-    Simulation::new(plan.model(0), system, Settings::new(DT).skin(1.4)).expect("a stable step")
+    Simulation::new(plan.model(0, &system), system, Settings::new(DT).skin(1.4)).expect("a stable step")
 }
 
 fn stored(simulation: &Simulation<Soot>) -> f64 {
@@ -82,7 +82,7 @@ fn an_overlap_whose_neck_breaks_keeps_its_place_and_no_energy_appears() {
     }
     let residual = |dt: f64| {
         let settings = Settings::new(dt).skin(1.4);
-        let mut simulation = Simulation::new(plan.model(0), system.clone(), settings).expect("a stable step");
+        let mut simulation = Simulation::new(plan.model(0, &system), system.clone(), settings).expect("a stable step");
         let kinetic = simulation.ledger().kinetic;
         advance(&mut simulation, (2.0 / dt) as u64).expect("a stable step");
         simulation.ledger().physical_residual().abs() / kinetic
@@ -97,13 +97,14 @@ fn a_neck_as_given_goes_on_from_a_snapshot_with_the_same_bits() {
     let pushed = || {
         let mut system = plan.initial(&Interrupt::default()).expect("an aggregate at rest");
         system.particles.v[4] = Vec3::new(-15.0, 3.0, 0.0);
-        Simulation::new(plan.model(0), system, Settings::new(DT).skin(1.4)).expect("a stable step")
+        Simulation::new(plan.model(0, &system), system, Settings::new(DT).skin(1.4)).expect("a stable step")
     };
     let (mut whole, mut half) = (pushed(), pushed());
     advance(&mut whole, 1000).expect("a stable step");
     advance(&mut half, 400).expect("a stable step");
     let settings = Settings::new(DT).skin(1.4);
-    let mut resumed = Simulation::resume(plan.model(0), settings, half.snapshot()).expect("a valid snapshot");
+    let mut resumed =
+        Simulation::resume(plan.model(0, half.system()), settings, half.snapshot()).expect("a valid snapshot");
     advance(&mut resumed, 600).expect("a stable step");
     assert_eq!(whole.snapshot(), resumed.snapshot());
 }

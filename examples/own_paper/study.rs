@@ -96,7 +96,7 @@ impl Study for Plan {
         spheres.v = [0.5, -0.5].map(|share| Vec3::new(share * self.velocity, 0.0, 0.0)).into();
         Ok(System::new(spheres, Domain { sides: [side; 3], periodic: [false; 3] }))
     }
-    fn model(&self, _: usize) -> Linear {
+    fn model(&self, _: usize, _: &System) -> Linear {
         self.law
     }
     fn settings(&self, _: usize, _: &System) -> Settings {

@@ -43,8 +43,40 @@ pub fn member_inertia<R: Real>(m: R, r: R, x: Vec3<R>) -> Tensor<R> {
     ]
 }
 
+/// **Section 5.3**, unnumbered: contribution of a sphere to the angular momentum of its aggregate.
+///
+/// ```math
+/// \mathbf{L} = m \, \mathbf{x} \times \mathbf{v} + \frac{2}{5} m r^2 \, \boldsymbol{\omega}
+/// ```
+///
+/// # Reading
+///
+/// Spheres that become rigid while they move keep the sum of their angular momenta about the centre of mass, as they keep that of their momenta.
+///
+/// | name | symbol | unit | domain | meaning |
+/// |---|---|---|---|---|
+/// | `m` | $m$ | kg | > 0 | mass of the sphere |
+/// | `r` | $r$ | m | > 0 | radius of the sphere |
+/// | `x` | $\mathbf{x}$ | m (3) | any | its centre, from the centre of mass of the aggregate |
+/// | `v` | $\mathbf{v}$ | m/s (3) | any | its velocity |
+/// | `omega` | $\boldsymbol{\omega}$ | rad/s (3) | any | its angular velocity |
+/// | → `l` | $\mathbf{L}$ | kg m^2/s (3) | | angular momentum about that centre of mass |
+///
+/// Rounding: at most 0.5 ULP.
+///
+/// # Laws
+///
+/// * `the_momentum_of_a_turning_body_is_the_product_with_the_tensor`
+#[inline(always)]
+pub fn member_momentum<R: Real>(m: R, r: R, x: Vec3<R>, v: Vec3<R>, omega: Vec3<R>) -> Vec3<R> {
+    x.cross(v) * m + omega * moment_of_inertia(m, r)
+}
+
 pub(crate) fn equations() -> Vec<Equation> {
-    vec![equation!("mechanics/body_inertia.rs", "titania-inertia", [], member_inertia)]
+    vec![
+        equation!("mechanics/body_inertia.rs", "titania-inertia", [], member_inertia),
+        equation!("mechanics/body_inertia.rs", "titania-angular-momentum", [], member_momentum),
+    ]
 }
 
 #[cfg(test)]
@@ -60,6 +92,12 @@ mod laws {
     }
 
     proptest! {
+        #[test]
+        fn the_momentum_of_a_turning_body_is_the_product_with_the_tensor(m in 0.1..2.0, r in 0.1..1.0, x in vector(), omega in vector()) {
+            let l = member_momentum(m, r, x, omega.cross(x), omega);
+            prop_assert!((l - times(member_inertia(m, r, x), omega)).norm() < 1e-13);
+        }
+
         #[test]
         fn the_kinetic_energy_of_a_turning_dumbbell_is_half_the_product_with_the_tensor(
             x in vector(), omega in vector(), m in 0.1..2.0, ratio in 0.1..2.0, r in 0.1..1.0,

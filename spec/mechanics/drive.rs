@@ -65,6 +65,33 @@ pub fn steering<R: Real>(k: R, z: R, z_0: R, v: R, t: R) -> R {
     -(k * (z - z_0 - v * t))
 }
 
+/// **Section 3.1**, unnumbered: time for which a constraint of full velocity has moved as far as one whose velocity grows.
+///
+/// ```math
+/// \tau(t) = \begin{cases} t^2 / 2T & t < T \\ t - T/2 & \text{otherwise} \end{cases}
+/// ```
+///
+/// # Reading
+///
+/// The paper pulls at full velocity from the beginning, $T = 0$ and $\tau = t$. A velocity that grows linearly makes less of an oscillation.
+///
+/// | name | symbol | unit | domain | meaning |
+/// |---|---|---|---|---|
+/// | `t` | $t$ | s | >= 0 | time |
+/// | `ramp` | $T$ | s | >= 0 | time in which the velocity grows |
+/// | → `tau` | $\tau$ | s | | displacement over full velocity |
+///
+/// Rounding: at most 0.5 ULP.
+///
+/// # Laws
+///
+/// * `the_velocity_grows_to_its_full_value`
+#[inline(always)]
+pub fn ramped_time<R: Real>(t: R, ramp: R) -> R {
+    let half = R::lit(0.5);
+    R::select(t.lt(ramp), half * t * t / ramp, t - half * ramp)
+}
+
 /// **Section 5.4**, unnumbered: environmental viscosity of the first relaxation.
 ///
 /// ```math
@@ -91,6 +118,7 @@ pub(crate) fn equations() -> Vec<Equation> {
     vec![
         equation!("mechanics/drive.rs", "titania-tip-linear", [], tip),
         equation!("mechanics/drive.rs", "titania-harmonic", [], steering),
+        equation!("mechanics/drive.rs", "titania-ramp", [], ramped_time),
         equation!("mechanics/drive.rs", "titania-viscous", [], drag),
     ]
 }
@@ -112,6 +140,14 @@ mod laws {
         fn a_group_that_moves_with_the_constraint_feels_nothing(z_0 in -1.0..1.0, v in -1.0..1.0, t in 0.0..9.0) {
             prop_assert!(steering(160.0, z_0 + v * t, z_0, v, t).abs() < 1e-12);
             prop_assert!(steering(160.0, z_0 + v * t + 0.1, z_0, v, t) < 0.0);
+        }
+
+        #[test]
+        fn the_velocity_grows_to_its_full_value(ramp in 0.5..2.0f64, t in 0.0..4.0f64) {
+            let tau = ramped_time(Dual::variable(t), Dual::constant(ramp));
+            prop_assert!((tau.slope - (t / ramp).min(1.0)).abs() < 1e-12);
+            prop_assert!((ramped_time(ramp, ramp) - 0.5 * ramp).abs() < 1e-15);
+            prop_assert_eq!(ramped_time(t, 0.0), t);
         }
 
         #[test]

@@ -16,7 +16,7 @@ use std::path::PathBuf;
 /// The arguments.
 #[derive(clap::Args)]
 pub(super) struct Arguments {
-    /// FLAGE XML, MSTM, FracVAL, PyFracVAL, VTK, LAMMPS data or XYZ; identified by its content
+    /// CSV, FLAGE XML, MSTM, FracVAL, PyFracVAL, VTK, LAMMPS data or XYZ; identified by its content, CSV without a header by its name
     file: PathBuf,
     /// Unit of length of the file, such as `1 nm`, if the format does not define one
     #[arg(long, value_name = "LENGTH")]
@@ -24,7 +24,7 @@ pub(super) struct Arguments {
     /// Radius of all spheres, such as `14 nm`, if the file gives none
     #[arg(long, value_name = "LENGTH")]
     radius: Option<String>,
-    /// Format, if the content does not identify it: flage, mstm, fracval, pyfracval, vtk, lammps or xyz
+    /// Format, if the content does not identify it: flage, mstm, fracval, pyfracval, vtk, lammps, xyz or csv
     #[arg(long)]
     format: Option<String>,
     /// Largest gap or overlap of a neck, such as `0.1 nm`; the key `neck_distance` of a case
@@ -33,7 +33,7 @@ pub(super) struct Arguments {
     /// Length of necks at rest, touching or as-given; the key `neck_length` of a case
     #[arg(long, value_name = "WORD")]
     neck_length: Option<String>,
-    /// File of necks written by soot-dem beside the spheres
+    /// File of necks: rows `i,j` of two spheres counted from 0, or what soot-dem writes beside the spheres
     #[arg(long, value_name = "FILE")]
     necks: Option<PathBuf>,
     /// Accept spheres that do not form one connected aggregate
@@ -72,7 +72,7 @@ pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> 
     let starts: Vec<AtStart> =
         papers.0.iter().filter_map(|paper| paper.imported(&spheres, &necks, neck_length)).collect();
     if let Some(path) = &arguments.out {
-        write_atomically(path, extended_xyz(&imported.spheres).as_bytes())?;
+        write_atomically(path, extended_xyz(&imported.spheres, &imported.extras).as_bytes())?;
         manner.say(format!("written: {}", path.display()));
     }
     if let Some(remark) = missing_necks(&spheres, necks.len(), neck_distance, neck_length, imported.decimals) {

@@ -2,7 +2,7 @@
 
 use crate::geometry::principal::principal;
 use crate::spec::Vec3;
-use crate::spec::mechanics::body_inertia::member_inertia;
+use crate::spec::mechanics::body_inertia::{member_inertia, member_momentum};
 use crate::spec::mechanics::rotation::to_space;
 use crate::system::{Body, Pose, System};
 
@@ -44,5 +44,19 @@ impl System {
             (particles.v[p], particles.w[p]) = (Vec3::zero(), Vec3::zero());
         }
         self.bodies.push(body);
+    }
+
+    /// Sets a body in motion, with the momentum and the angular momentum that its spheres, all its members, have with these velocities and angular velocities.
+    pub fn move_body(&mut self, number: usize, members: &[usize], (v, w): (&[Vec3<f64>], &[Vec3<f64>])) {
+        let (particles, body) = (&self.particles, &mut self.bodies[number]);
+        let (mut momentum, mut l) = (Vec3::zero(), Vec3::zero());
+        for &p in members {
+            let (m, r, x) = (particles.mass[p], particles.radius[p], particles.x[p] - body.pose.x);
+            momentum = momentum + v[p] * m;
+            l = l + member_momentum(m, r, x, v[p], w[p]);
+        }
+        let Pose { q_0, q, .. } = body.pose;
+        (body.v, body.l) = (momentum * (1.0 / body.mass), to_space(q_0, -q, l));
+        self.place_members(0);
     }
 }

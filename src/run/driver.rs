@@ -176,7 +176,8 @@ impl<'a, S: Study> Driver<'a, S> {
         let clock = from.time;
         let system = System { step: 0, time: clock, ..self.study.set_up(number, from)? };
         let settings = self.settings(number, &system);
-        let simulation = Simulation::new(self.study.model(number), system, settings)?;
+        let model = self.study.model(number, &system);
+        let simulation = Simulation::new(model, system, settings)?;
         let watch = self.study.watch(number, &simulation);
         Ok(self.stage(number, simulation, watch))
     }

@@ -66,7 +66,7 @@ impl<W> State<W> {
         }
         let missing = recorded.check(folder, &layout(study))?;
         let settings = Settings { dt, damping, skin, ..settings };
-        let simulation = Simulation::resume(study.model(stage), settings, snapshot)
+        let simulation = Simulation::resume(study.model(stage, system), settings, snapshot)
             .map_err(|halt| Error::input(path, format!("cannot be resumed: {halt}")))?;
         Ok(Resumable { stage: driver.stage(stage, simulation, watch), run, recorded, missing })
     }

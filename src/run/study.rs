@@ -72,8 +72,8 @@ pub trait Study {
     fn set_up(&self, _stage: usize, system: System) -> Result<System, Error> {
         Ok(system)
     }
-    /// The model of a stage.
-    fn model(&self, stage: usize) -> Self::Model;
+    /// The model of a stage, for the spheres of this system.
+    fn model(&self, stage: usize, system: &System) -> Self::Model;
     /// The settings of the simulation of a stage.
     fn settings(&self, stage: usize, system: &System) -> Settings;
     /// The largest number of steps of a stage.

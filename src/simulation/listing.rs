@@ -18,7 +18,7 @@ pub(super) struct Listed {
     pub x: Vec<Vec3<f64>>,
     pub sides: [f64; 3],
     pub poses: Vec<Pose>,
-    /// The first particles are moved every step: those by themselves, then the members of bodies that have a partner in range.
+    /// The first particles are moved every step: those by themselves, then the members of bodies that have a partner in range or are pulled by a spring.
     pub moving: usize,
 }
 
@@ -139,10 +139,13 @@ impl<M: PairModel> Simulation<M> {
         missing.into_iter().map(neighbours).collect()
     }
 
-    /// Moves the members of bodies that have no partner behind all others: their positions need no update until the next rebuild.
+    /// Moves the members of bodies that have no partner, and that no spring pulls, behind all others: their positions need no update until the next rebuild.
     fn part(&mut self, pairs: &mut [Neighbour]) {
         let particles = &self.system.particles;
         let mut moving: Vec<bool> = particles.body.iter().map(|&body| body == 0).collect();
+        for p in self.system.steerings.iter().flat_map(|steering| steering.places(particles)) {
+            moving[p] = true;
+        }
         for pair in pairs.iter() {
             (moving[pair.p as usize], moving[pair.q as usize]) = (true, true);
         }

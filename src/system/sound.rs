@@ -149,14 +149,15 @@ impl ContactTable {
 
 impl Steering {
     fn is_sound(&self, of_system: u32) -> bool {
-        let Self { spheres, stiffness, velocity, origin, travel, force, age } = self;
+        let Self { spheres, stiffness, velocity, ramp, origin, travel, force, age } = self;
         let different: BTreeSet<&u32> = spheres.iter().collect();
         !spheres.is_empty()
             && different.len() == spheres.len()
             && spheres.iter().all(|&sphere| sphere < of_system)
-            && positive([stiffness])
-            && vectors([velocity, origin, travel, force])
-            && bounded([age])
+            && stiffness.0.iter().all(|k| *k >= 0.0)
+            && *ramp >= 0.0
+            && vectors([stiffness, velocity, origin, travel, force])
+            && bounded([age, ramp])
     }
 }
 

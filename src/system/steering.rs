@@ -8,10 +8,12 @@ use serde::{Deserialize, Serialize};
 pub struct Steering {
     /// Their ids.
     pub spheres: Vec<u32>,
-    /// Stiffness of the spring along each axis, pN/nm.
-    pub stiffness: f64,
-    /// Velocity of its far end, m/s.
+    /// Stiffness of the spring along each axis, pN/nm; zero for an axis along which it does not act.
+    pub stiffness: Vec3<f64>,
+    /// Velocity of its far end, m/s, from the end of the ramp on.
     pub velocity: Vec3<f64>,
+    /// Time in which this velocity grows from zero, ns.
+    pub ramp: f64,
     /// The centre of mass when the spring was relaxed, nm.
     pub origin: Vec3<f64>,
     /// Displacement of the centre of mass since then, nm.

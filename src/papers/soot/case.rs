@@ -11,6 +11,7 @@ pub use stages::*;
 use crate::case::quantity::{Density, Energy, Force, Length, Pressure, Quantity, Sharpness, quantity};
 use crate::case::section::{choice, defaults, section, words};
 use crate::case::springs::{FourSprings, four_springs};
+use crate::initial::aggregate::import::Import;
 use crate::spec::PairModel;
 use crate::spec::mechanics::four_springs::Friction;
 use crate::spec::mechanics::sphere::sphere_mass;
@@ -214,7 +215,7 @@ pub fn key(case: &Case, number: usize, stage: &SootStage) -> String {
 /// The files that a case reads.
 pub fn reads(case: &mut Case) -> Vec<&mut PathBuf> {
     let Sample::Aggregate(Aggregate { import, deposited, .. }) = &mut case.sample;
-    let imported = import.iter_mut().flat_map(|Import { file, necks, .. }| [Some(file), necks.as_mut()]).flatten();
+    let imported = import.iter_mut().flat_map(Import::files_mut);
     let surfaces: Vec<&mut Solid> = match &mut case.experiment {
         Experiment::Deposition(test) => test.substrate.iter_mut().collect(),
         Experiment::Restructuring(_) => Vec::new(),

@@ -1,22 +1,22 @@
 //! The aggregate of a case of the soot paper: its spheres and its necks.
 
-use super::case::{Aggregate, Growth, Import};
+use super::case::{Aggregate, Growth};
 use super::check::sized;
 use super::energy::InitialEnergy;
 use super::study::{NECK_REMOVAL, Plan};
 use crate::error::{Error, notice};
 use crate::geometry::{Sphere, centred};
+use crate::initial::aggregate::import::{self, Extras, Import};
 use crate::initial::aggregate::necks::{Neck, keep_fraction, missing_necks, necks};
-use crate::initial::aggregate::{Method, Radii, Recipe, aggregate, import};
+use crate::initial::aggregate::{Method, Radii, Recipe, aggregate};
 use crate::interrupt::Interrupt;
 use crate::random::Stream;
-use crate::run::Study;
 use crate::spec::soot::Reading;
 
 impl<S: Reading> Plan<S> {
-    /// The spheres of the sample, centred at their centre of mass, and its necks.
-    pub(super) fn aggregate(&self, interrupt: &Interrupt) -> Result<(Vec<Sphere>, Vec<Neck>), Error> {
-        let (spheres, decimals) = self.spheres(interrupt)?;
+    /// The spheres of the sample, centred at their centre of mass, its necks, and its motion.
+    pub(super) fn aggregate(&self, interrupt: &Interrupt) -> Result<(Vec<Sphere>, Vec<Neck>, Extras), Error> {
+        let (spheres, decimals, extras) = self.spheres(interrupt)?;
         let Aggregate { neck_distance, neck_length, neck_cycles, .. } = &self.sample;
         interrupt.check()?;
         let joined = match self.sample.import.as_ref().and_then(|import| import.necks.as_ref()) {
@@ -31,7 +31,7 @@ impl<S: Reading> Plan<S> {
         interrupt.check()?;
         let (necks, energy) = self.kept(&spheres, &joined);
         energy.allowed(self.sample.initial_energy)?;
-        Ok((spheres, necks))
+        Ok((spheres, necks, extras))
     }
 
     /// The necks that are kept of those that an aggregate may have, and the energies at the start.
@@ -39,7 +39,7 @@ impl<S: Reading> Plan<S> {
         let mut stream = Stream::new(self.seed, NECK_REMOVAL);
         let kept = keep_fraction(necks, self.sample.neck_fraction, &mut stream);
         let joined = (&kept[..], self.sample.neck_length);
-        let energy = InitialEnergy::of(&self.model(0), spheres, joined, self.soot.density.value, self.stages.first());
+        let energy = InitialEnergy::of(&self.law(0), spheres, joined, self.soot.density.value, self.stages.first());
         (kept, energy)
     }
 
@@ -51,14 +51,17 @@ impl<S: Reading> Plan<S> {
         found.into_iter().next().map_or(Ok(()), |(key, what)| Err(Error::of_key(key, what)))
     }
 
-    /// The spheres, and the most decimals of their coordinates in a file.
-    fn spheres(&self, interrupt: &Interrupt) -> Result<(Vec<Sphere>, usize), Error> {
+    /// The spheres, the most decimals of their coordinates in a file, and how they move.
+    fn spheres(&self, interrupt: &Interrupt) -> Result<(Vec<Sphere>, usize, Extras), Error> {
         let sample = &self.sample;
         if let Some(import) = &sample.import {
             let imported = import::read(&import.file, &import.options(), interrupt)?;
             let spheres = centred(imported.spheres);
             self.suits(spheres.iter().map(|sphere| sphere.radius))?;
-            return Ok((spheres, imported.decimals));
+            if imported.extras.bodies.iter().any(|&body| body > 0) {
+                notice(format!("{}: the bodies are not read, necks join the spheres", import.file.display()));
+            }
+            return Ok((spheres, imported.decimals, imported.extras));
         }
         let median = sample.radius.value;
         let recipe = Recipe {
@@ -76,6 +79,6 @@ impl<S: Reading> Plan<S> {
             },
         };
         let grown = aggregate(&recipe, self.seed, interrupt).map_err(|failure| failure.of("sample.aggregate"))?;
-        Ok((grown, usize::MAX))
+        Ok((grown, usize::MAX, Extras::default()))
     }
 }

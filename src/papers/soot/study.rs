@@ -1,6 +1,6 @@
 //! The stages of a case of the soot paper: deposition, indentation and restructuring of an aggregate.
 
-use super::case::{Aggregate, Case, Deposition, Import, Soot, SootStage, key, parts};
+use super::case::{Aggregate, Case, Deposition, Soot, SootStage, key, parts};
 use super::columns::columns_of;
 use super::energy::initial_springs;
 use super::stage::{self, Ground};
@@ -8,6 +8,7 @@ use super::watch::Watch;
 use crate::error::{Error, Halt};
 use crate::geometry::Sphere;
 use crate::initial::aggregate::NEIGHBOURLY;
+use crate::initial::aggregate::import::Extras;
 use crate::interrupt::Interrupt;
 use crate::observe::PairKind;
 use crate::output::{Cell, Column, Finding, load_sample, save_sample, sha256_file};
@@ -62,12 +63,17 @@ impl<S: Reading> Plan<S> {
     /// contents: they may be copies.
     fn origin(&self) -> Result<String, Error> {
         let mut sample = Aggregate { deposited: None, ..self.sample.clone() };
-        if let Some(Import { file, necks, .. }) = &mut sample.import {
-            for path in [Some(file), necks.as_mut()].into_iter().flatten() {
+        if let Some(import) = &mut sample.import {
+            for path in import.files_mut() {
                 *path = sha256_file(path)?.into();
             }
         }
         Ok(serde_json::to_string(&(&self.soot, &sample)).expect("a case is plain data"))
+    }
+
+    /// The contact law of a stage.
+    pub(super) fn law(&self, stage: usize) -> soot::Soot<S> {
+        self.soot.law_of(self.reading, &self.stages[stage])
     }
 
     /// The random stream of a stage for a purpose: the first user, the sample or a stage, draws from the stream of the purpose, every later stage from a stream of its own.
@@ -108,12 +114,14 @@ impl<S: Reading> Study for Plan<S> {
             self.suits(system.particles.radius.iter().copied())?;
             return Ok(system);
         }
-        let (spheres, necks) = self.aggregate(interrupt)?;
+        let (spheres, necks, Extras { v, w, .. }) = self.aggregate(interrupt)?;
         let mut particles = Particles::default();
         let reach = spheres.iter().map(|sphere| sphere.centre.norm() + sphere.radius).fold(0.0, f64::max);
         for &Sphere { centre, radius } in &spheres {
             particles.push(centre + Vec3([reach; 3]), radius, sphere_mass(self.soot.density.value, radius), 0);
         }
+        particles.v.iter_mut().zip(v).for_each(|(own, v)| *own = v);
+        particles.w.iter_mut().zip(w).for_each(|(own, w)| *own = w);
         let domain = Domain { sides: [2.0 * reach; 3], periodic: [false; 3] };
         let springs = initial_springs::<S>(self.sample.neck_length, &spheres, &necks);
         let necks = necks.into_iter().map(|(i, j)| (i as u32, j as u32)).collect();
@@ -130,8 +138,8 @@ impl<S: Reading> Study for Plan<S> {
         stage::set_up::<Self::Model>(&self.stages[stage], ground, system)
     }
 
-    fn model(&self, stage: usize) -> soot::Soot<S> {
-        self.soot.law_of(self.reading, &self.stages[stage])
+    fn model(&self, stage: usize, _: &System) -> soot::Soot<S> {
+        self.law(stage)
     }
 
     fn settings(&self, stage: usize, system: &System) -> Settings {

@@ -14,6 +14,7 @@ use crate::case::quantity::{
 use crate::case::section::{choice, section, words};
 use crate::case::springs::FourSprings;
 use crate::case::units::{BOLTZMANN, in_unit, rounded};
+use crate::initial::aggregate::import::{FileSizes, Import};
 use crate::spec::PairModel;
 use crate::spec::mechanics::sphere::sphere_mass;
 use crate::spec::mechanics::thermal::thermal_energy;
@@ -51,6 +52,8 @@ choice! {
         Contact = "contact": ContactTests,
         /// Stretching of an agglomerate.
         Stretching = "stretching": Stretching,
+        /// Free motion of an agglomerate, with the velocities of its file.
+        Release = "release": Release,
         /// Force spectroscopy: a film under the tip of an atomic force microscope.
         Spectroscopy = "spectroscopy": Spectroscopy,
     }
@@ -197,6 +200,9 @@ section! {
         largest: Quantity<Length> = quantity("20 nm"),
         /// Length of the chain, met to within 5 %.
         length: Quantity<Length> = quantity("100 nm"),
+        /// Imports the particles from a file instead; the keys above are then ignored. Radii in the file are nominal: particles at rest touch there. Particles of a body are
+        /// rigidly joined; a body begins with the momentum and the angular momentum of its particles.
+        import: Option<Import> = None,
     }
 }
 
@@ -241,16 +247,24 @@ section! {
 }
 
 section! {
-    /// An agglomerate is pulled at the last two particles of one end while the last two of the other end are held, Section 3.1.
+    /// An agglomerate is pulled along x at the last particles of one end while the first of the other end are held, Section 3.1.
     pub struct Stretching {
-        /// Duration of the relaxation before, with both ends held.
+        /// Duration of the relaxation before, with both ends frozen.
         relaxation: InSteps = Scaled::Absolute(quantity("2 ns")),
         /// Drag coefficient of every particle during the relaxation.
         drag: Quantity<Drag> = quantity("1e-11 kg/s"),
-        /// Stiffness of the pulling spring.
+        /// Number of particles at each end that are held and pulled: the first and the last ones, in the order of a file.
+        drawn: u64 = 2,
+        /// How the other end is held while one is pulled.
+        hold: Hold = Hold::Springs,
+        /// Stiffness of the springs, which act on the centres of mass of the ends.
         stiffness: Quantity<Stiffness> = quantity("160 N/m"),
-        /// Velocity of the far end of the spring.
+        /// Directions in which the springs act.
+        spring_along: SpringAlong = SpringAlong::All,
+        /// Velocity of the far end of the pulling spring.
         velocity: Quantity<Velocity> = quantity("5 m/s"),
+        /// Time in which this velocity grows linearly from zero.
+        ramp: Quantity<Time> = quantity("0 ns"),
         /// Distance over which the far end of the spring moves.
         distance: Quantity<Length> = quantity("60 nm"),
         /// Time step, a fifth of the authors' value, because friction may at most stop a rolling particle within one step.
@@ -258,33 +272,97 @@ section! {
     }
 }
 
+words! {
+    /// How an end of an agglomerate is held.
+    pub enum Hold {
+        /// By a spring like the pulling one, whose far end stands still: its particles move and turn.
+        Springs = "springs",
+        /// Frozen: its particles neither move nor turn, nor do the rigid bodies to which they belong.
+        Frozen = "frozen",
+    }
+}
+
+words! {
+    /// Directions in which a spring acts.
+    pub enum SpringAlong {
+        /// Along x alone, the direction of pulling.
+        X = "x",
+        /// Along all axes.
+        All = "all",
+    }
+}
+
+section! {
+    /// All particles of an agglomerate are let go, with the velocities of its file, at rest without any.
+    pub struct Release {
+        /// Duration.
+        duration: InSteps = Scaled::Absolute(quantity("2 ns")),
+        /// Drag coefficient of every particle.
+        drag: Quantity<Drag> = quantity("0 kg/s"),
+        /// Time step, a fifth of the authors' value, because friction may at most stop a rolling particle within one step.
+        dt: Quantity<Time> = quantity("0.1 ps"),
+    }
+}
+
+/// What is done with an agglomerate.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ChainTest {
+    /// It is stretched.
+    Stretching(Stretching),
+    /// It is let go.
+    Release(Release),
+}
+
 /// The experiment of a case of the titania paper, with its sample.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub enum TitaniaTest<'a> {
     /// Two particles.
     Contact(&'a TwoParticles, &'a ContactTests),
     /// An agglomerate.
-    Stretching(&'a Agglomerate, &'a Stretching),
+    Chain(&'a Agglomerate, ChainTest),
     /// A film.
     Spectroscopy(&'a Film, &'a Spectroscopy),
 }
 
 impl TitaniaTest<'_> {
-    /// The smallest nominal diameter, nm.
-    pub fn smallest(&self) -> f64 {
+    /// The file from which the sample comes.
+    pub fn import(&self) -> Option<&Import> {
         match self {
-            Self::Contact(TwoParticles { diameters: [first, second] }, _) => first.value.min(second.value),
-            Self::Stretching(agglomerate, _) => agglomerate.smallest.value,
-            Self::Spectroscopy(film, _) => film.diameters.smallest.value,
+            Self::Contact(..) => None,
+            Self::Chain(Agglomerate { import, .. }, _) | Self::Spectroscopy(Film { import, .. }, _) => import.as_ref(),
         }
+    }
+
+    /// The smallest and the largest nominal diameter, nm; none if they are in a file that cannot be read.
+    pub fn diameters(&self) -> Option<[f64; 2]> {
+        if let Some(import) = self.import() {
+            return import.sizes().map(|FileSizes { least, largest, .. }| [2.0 * least, 2.0 * largest]);
+        }
+        Some(match self {
+            Self::Contact(TwoParticles { diameters: [first, second] }, _) => {
+                [first.value.min(second.value), first.value.max(second.value)]
+            }
+            Self::Chain(agglomerate, _) => [agglomerate.smallest.value, agglomerate.largest.value],
+            Self::Spectroscopy(film, _) => [film.diameters.smallest.value, film.diameters.largest.value],
+        })
     }
 
     /// The time step, and its key.
     pub fn dt(&self) -> (&'static str, &Quantity<Time>) {
         match self {
             Self::Contact(_, tests) => ("experiment.contact.dt", &tests.dt),
-            Self::Stretching(_, stretching) => ("experiment.stretching.dt", &stretching.dt),
+            Self::Chain(_, test) => test.dt(),
             Self::Spectroscopy(_, test) => ("experiment.spectroscopy.dt", &test.dt),
+        }
+    }
+}
+
+impl ChainTest {
+    /// The time step, and its key.
+    pub fn dt(&self) -> (&'static str, &Quantity<Time>) {
+        match self {
+            Self::Stretching(test) => ("experiment.stretching.dt", &test.dt),
+            Self::Release(test) => ("experiment.release.dt", &test.dt),
         }
     }
 }
@@ -358,6 +436,11 @@ impl Titania {
         let r = self.law().contact_radius(diameter);
         (r, sphere_mass(self.density.value, r))
     }
+
+    /// Nominal diameter of a particle with this contact radius.
+    pub fn nominal(&self, radius: f64) -> f64 {
+        2.0 * (radius - self.layer.value) + self.core_gap.value
+    }
 }
 
 /// The model of a case, and its test if sample and experiment match.
@@ -365,7 +448,12 @@ pub fn parts(case: &Case) -> (&Titania, Option<TitaniaTest<'_>>) {
     let Model::Titania(titania) = &case.model;
     let test = match (&case.sample, &case.experiment) {
         (Sample::Pair(pair), Experiment::Contact(tests)) => TitaniaTest::Contact(pair, tests),
-        (Sample::Agglomerate(chain), Experiment::Stretching(test)) => TitaniaTest::Stretching(chain, test),
+        (Sample::Agglomerate(chain), Experiment::Stretching(test)) => {
+            TitaniaTest::Chain(chain, ChainTest::Stretching(test.clone()))
+        }
+        (Sample::Agglomerate(chain), Experiment::Release(test)) => {
+            TitaniaTest::Chain(chain, ChainTest::Release(test.clone()))
+        }
         (Sample::Film(film), Experiment::Spectroscopy(test)) => TitaniaTest::Spectroscopy(film, test),
         _ => return (titania, None),
     };
@@ -382,18 +470,44 @@ pub fn checked(case: &Case) -> (&Titania, TitaniaTest<'_>) {
     (titania, test.expect("in a checked case, sample and experiment match"))
 }
 
-/// The largest stable time step of a case, ns.
-pub fn step_limit(titania: &Titania, test: &TitaniaTest) -> f64 {
-    let (r, mass) = titania.particle(test.smallest());
+/// The largest stable time step of particles with diameters in this range, nm, if necks join them or not, ns.
+pub fn step_limit(titania: &Titania, [smallest, largest]: [f64; 2]) -> f64 {
+    let (r, mass) = titania.particle(smallest);
     let limit = titania.law().critical_time_step(r, mass);
-    let (Some(springs), TitaniaTest::Spectroscopy(film, _)) = (&titania.neck_springs, test) else { return limit };
-    let largest = titania.particle(film.diameters.largest.value).0;
-    limit.min(springs.spec().critical_time_step(r, mass, largest))
+    let Some(springs) = &titania.neck_springs else { return limit };
+    limit.min(springs.spec().critical_time_step(r, mass, titania.particle(largest).0))
+}
+
+/// The keys of generated samples, which an imported one does not use.
+pub fn unused(case: &Case) -> &'static [&'static str] {
+    match &case.sample {
+        Sample::Agglomerate(Agglomerate { import: Some(_), .. }) => &[
+            "sample.agglomerate.particles",
+            "sample.agglomerate.smallest",
+            "sample.agglomerate.largest",
+            "sample.agglomerate.length",
+        ],
+        Sample::Film(Film { import: Some(_), .. }) => &[
+            "sample.film.particles",
+            "sample.film.diameters",
+            "sample.film.aggregates",
+            "sample.film.cluster",
+            "sample.film.prefactor",
+            "sample.film.dimension",
+            "sample.film.gas",
+            "sample.film.drift",
+        ],
+        _ => &[],
+    }
 }
 
 /// The files that a case reads.
 pub fn reads(case: &mut Case) -> Vec<&mut PathBuf> {
-    if let Sample::Film(Film { load: Some(file), .. }) = &mut case.sample { vec![file] } else { Vec::new() }
+    match &mut case.sample {
+        Sample::Pair(_) => Vec::new(),
+        Sample::Agglomerate(Agglomerate { import, .. }) => import.iter_mut().flat_map(Import::files_mut).collect(),
+        Sample::Film(Film { import, load, .. }) => import.iter_mut().flat_map(Import::files_mut).chain(load).collect(),
+    }
 }
 
 /// The files that a case writes beside its run folder, with the sections that ask for them.
@@ -404,14 +518,19 @@ pub fn saves(case: &mut Case) -> Vec<(String, &mut PathBuf)> {
     }
 }
 
-/// The derived values of a case, with units.
+/// The derived values of a case, with units. A file that cannot be read is reported when it is needed.
 pub fn derived(case: &Case) -> Vec<(String, String)> {
     let (titania, test) = checked(case);
-    let (law, d, limit) = (titania.law(), test.smallest(), step_limit(titania, &test));
+    let Some([d, largest]) = test.diameters() else { return Vec::new() };
+    let (law, limit) = (titania.law(), step_limit(titania, [d, largest]));
     let (r, mass) = titania.particle(d);
     let attraction = law.attraction(r, r);
     let (key, dt) = test.dt();
     let share = rounded(dt.value / limit);
+    let of_file = test
+        .import()
+        .and_then(Import::sizes)
+        .map(|sizes| [("number of particles", sizes.number.to_string()), ("largest diameter", in_unit(largest, "nm"))]);
     let rows = [
         ("smallest diameter", in_unit(d, "nm")),
         ("bare radius of the smallest particle", in_unit(radii(d, law.core_gap, law.h_n).0, "nm")),
@@ -426,5 +545,5 @@ pub fn derived(case: &Case) -> Vec<(String, String)> {
         ("largest stable time step", in_unit(limit, "fs")),
         (key, format!("{} = {share} of the largest stable time step", in_unit(dt.value, "fs"))),
     ];
-    rows.into_iter().map(|(key, value)| (key.into(), value)).collect()
+    of_file.into_iter().flatten().chain(rows).map(|(key, value)| (key.into(), value)).collect()
 }

@@ -70,7 +70,7 @@ pub(super) fn columns_of(act: &StageAct) -> Vec<Column> {
     let own: &[&[Column]] = match act {
         StageAct::Approach { .. } | StageAct::Press { .. } => &[PAIR],
         StageAct::Drag { .. } => &[PAIR, DRAGGED],
-        StageAct::Relax { .. } => &[],
+        StageAct::Relax { .. } | StageAct::Release => &[],
         StageAct::Pull { .. } => &[STRETCHED],
     };
     [&own.concat(), COUNTS].concat()
@@ -97,6 +97,8 @@ pub(super) mod results {
             PEAK_FRICTION = "peak friction" in "nN";
             /// Torque of the rolling resistance over the arm of rolling, averaged over all steps in which the particle touches the slab.
             ROLLING_RESISTANCE = "rolling resistance" in "nN";
+            /// Number of menisci of a released agglomerate at the end.
+            MENISCI = "menisci";
             /// Number of slips of all contacts of the agglomerate.
             SLIDINGS = "slidings";
             /// Number of times that a pair of the agglomerate rolled by the period of the friction.

@@ -7,6 +7,8 @@ mod check;
 pub mod claims;
 mod columns;
 pub mod film;
+mod imported;
+mod law;
 pub mod pair;
 mod pull;
 mod stage;
@@ -14,6 +16,7 @@ mod study;
 mod watch;
 
 pub use film::Spectrum;
+pub use law::Law;
 pub use pull::Pull;
 pub use study::Plan;
 pub use watch::rolling_resistance;
@@ -74,6 +77,9 @@ impl Paper for Titania {
     fn check(case: &Case, found: &mut Found) {
         check::problems(case, found);
     }
+    fn unused(case: &Case) -> &'static [&'static str] {
+        case::unused(case)
+    }
     fn derived(case: &Case) -> Vec<(String, String)> {
         case::derived(case)
     }
@@ -89,7 +95,8 @@ impl Paper for Titania {
                 Box::new(film::Plan::<Necked<Tabulated>>::of(&case))
             }
             (_, TitaniaTest::Spectroscopy(..)) => Box::new(film::Plan::<Tabulated>::of(&case)),
-            _ => Box::new(Plan::of(&case)),
+            (_, TitaniaTest::Chain(..)) => Box::new(Plan::<Tabulated>::of(&case)),
+            (_, TitaniaTest::Contact(..)) => Box::new(Plan::<crate::spec::titania::Titania>::of(&case)),
         }
     }
 }

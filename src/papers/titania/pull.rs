@@ -6,6 +6,7 @@ use super::stage::StageAct;
 use crate::error::Error;
 use crate::interrupt::Interrupt;
 use crate::run::{Driver, Each};
+use crate::spec::titania::Tabulated;
 use std::ops::ControlFlow;
 
 /// The result of stretching an agglomerate.
@@ -26,8 +27,8 @@ impl Pull {
     ///
     /// A halt, or an interruption.
     pub fn of(case: &Case, interrupt: &Interrupt) -> Result<Self, Error> {
-        let (plan, mut pull) = (Plan::of(case), Self::default());
-        let mut see = Each(|stage: &mut crate::run::RunningStage<'_, Plan>, step: &crate::run::Step| {
+        let (plan, mut pull) = (Plan::<Tabulated>::of(case), Self::default());
+        let mut see = Each(|stage: &mut crate::run::RunningStage<'_, Plan<Tabulated>>, step: &crate::run::Step| {
             if matches!(plan.stages[stage.number].act, StageAct::Pull { .. }) {
                 let (watch, simulation) = (&stage.watch, &stage.simulation);
                 pull.events.extend(step.events.iter().map(|event| (watch.pulled(simulation), event.clone())));

@@ -1,9 +1,11 @@
 //! The stages of tests of single contacts and of the stretching of an agglomerate.
 
-use super::case::{Approach, Dragging, Stretching};
+use super::case::{Approach, Dragging, Hold, Release, SpringAlong, Stretching};
 use super::pair::drag;
 use crate::spec::Vec3;
-use crate::system::{Motion, Steering, System};
+use crate::system::{Motion, Particles, Steering, System};
+use std::collections::BTreeSet;
+use std::ops::Range;
 
 /// A stage.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,18 +48,24 @@ pub enum StageAct {
     },
     /// Relaxes a chain with both ends held.
     Relax {
-        /// Number of particles.
-        particles: u32,
+        /// Number of particles of an end.
+        drawn: u32,
     },
     /// Pulls a chain at one end.
     Pull {
-        /// Number of particles.
-        particles: u32,
-        /// Stiffness of the pulling spring, pN/nm.
-        stiffness: f64,
-        /// Velocity of the far end of the spring.
+        /// Number of particles of an end.
+        drawn: u32,
+        /// Whether the other end is frozen, not held by a spring.
+        frozen: bool,
+        /// Stiffness of the springs along each axis, pN/nm.
+        stiffness: Vec3<f64>,
+        /// Velocity of the far end of the pulling spring.
         velocity: f64,
+        /// Time in which it grows, ns.
+        ramp: f64,
     },
+    /// Lets all particles go.
+    Release,
 }
 
 impl StageAct {
@@ -67,7 +75,9 @@ impl StageAct {
             Self::Approach { .. } => (Some(2), 0, 0),
             Self::Press { .. } | Self::Drag { .. } => (Some(2), 2, 0),
             Self::Relax { .. } => (None, 1, 0),
-            Self::Pull { .. } => (None, 0, 2),
+            Self::Pull { frozen: false, .. } => (None, 0, 2),
+            Self::Pull { frozen: true, .. } => (None, 1, 1),
+            Self::Release => (None, 0, 0),
         }
     }
 }
@@ -94,32 +104,63 @@ impl Stage {
     }
 
     /// A chain is relaxed and pulled.
-    pub(super) fn stretching(test: &Stretching, particles: u32, dt: f64) -> [Self; 2] {
-        let (stiffness, velocity) = (test.stiffness.value, test.velocity.value);
-        let relax = StageAct::Relax { particles };
-        let pull = StageAct::Pull { particles, stiffness, velocity };
+    pub(super) fn stretching(test: &Stretching, dt: f64) -> [Self; 2] {
+        let (velocity, ramp, drawn) = (test.velocity.value, test.ramp.value, test.drawn as u32);
+        let aside = if test.spring_along == SpringAlong::All { 1.0 } else { 0.0 };
+        let stiffness = Vec3([1.0, aside, aside]) * test.stiffness.value;
+        let pull = StageAct::Pull { drawn, frozen: test.hold == Hold::Frozen, stiffness, velocity, ramp };
+        // While the velocity grows its far end moves half as far.
+        let duration = test.distance.value / velocity + 0.5 * ramp;
+        let relax = StageAct::Relax { drawn };
         [
             Self { name: "relaxation", act: relax, damping: test.drag.value, duration: test.relaxation.value(dt) },
-            Self { name: "pulling", act: pull, damping: 0.0, duration: test.distance.value / velocity },
+            Self { name: "pulling", act: pull, damping: 0.0, duration },
         ]
     }
 
-    /// Holds and drives the walls or springs of the act: the second wall, or the second spring of a pulled chain, is driven.
+    /// All particles are let go.
+    pub(super) fn release(test: &Release, dt: f64) -> Self {
+        Self { name: "release", act: StageAct::Release, damping: test.drag.value, duration: test.duration.value(dt) }
+    }
+
+    /// Holds and drives the walls or springs of the act: the second wall, or the last spring of a pulled chain, is driven.
     pub(super) fn drive(&self, system: &mut System) {
         system.remove_walls();
         system.steerings.clear();
+        let number = system.particles.len() as u32;
         match self.act {
-            StageAct::Approach { .. } => {}
+            StageAct::Approach { .. } | StageAct::Release => {}
             StageAct::Press { load, .. } => drag(system, 0.0, load, false),
             StageAct::Drag { velocity, load, rolls } => drag(system, velocity, load, rolls),
-            StageAct::Relax { particles } => system.add_wall(HELD, |p, i| p.id[i] < 2 || p.id[i] + 2 >= particles),
-            StageAct::Pull { particles, stiffness, velocity } => {
-                let end = |ids: std::ops::Range<u32>, velocity: f64| {
+            StageAct::Relax { drawn } => {
+                let [first, last] = ends(number, drawn);
+                freeze(system, |id| first.contains(&id) || last.contains(&id));
+            }
+            StageAct::Pull { drawn, frozen, stiffness, velocity, ramp } => {
+                let [first, last] = ends(number, drawn);
+                if frozen {
+                    freeze(system, |id| first.contains(&id));
+                }
+                let end = |ids: Range<u32>, velocity: f64| {
                     let velocity = Vec3([velocity, 0.0, 0.0]);
-                    Steering::new(&system.particles, ids.collect(), stiffness, velocity)
+                    let spring = Steering::new(&system.particles, ids.collect(), 0.0, velocity);
+                    Steering { stiffness, ramp, ..spring }
                 };
-                system.steerings = vec![end(0..2, 0.0), end(particles - 2..particles, velocity)];
+                let holding = (!frozen).then(|| end(first, 0.0));
+                system.steerings = holding.into_iter().chain([end(last, velocity)]).collect();
             }
         }
     }
+}
+
+/// The ids of the particles of both ends of a chain.
+pub(super) fn ends(number: u32, drawn: u32) -> [Range<u32>; 2] {
+    [0..drawn, number - drawn..number]
+}
+
+/// Holds the spheres with these ids, and the whole of the bodies to which they belong.
+fn freeze(system: &mut System, held: impl Fn(u32) -> bool) {
+    let Particles { id, body, .. } = &system.particles;
+    let bodies: BTreeSet<u32> = (0..id.len()).filter(|&p| body[p] > 0 && held(id[p])).map(|p| body[p]).collect();
+    system.add_wall(HELD, |p, i| held(p.id[i]) || bodies.contains(&p.body[i]));
 }

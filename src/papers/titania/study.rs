@@ -1,12 +1,15 @@
-//! The stages of a case of the titania paper: tests of a single contact, or the stretching of an agglomerate.
+//! The stages of a case of the titania paper: tests of a single contact, or an agglomerate that is stretched or let go.
 
-use super::case::{self, Agglomerate, Case, ContactTests, TitaniaTest, TwoParticles, checked};
-use super::chain::{agglomerate, extent};
+use super::case::{self, Agglomerate, Case, ChainTest, ContactTests, Stretching, TitaniaTest, TwoParticles, checked};
+use super::chain::{Particle, agglomerate, extent};
 use super::columns::{self, columns_of};
+use super::law::{Law, radii};
 use super::pair::pair;
-use super::stage::{Stage, StageAct};
+use super::stage::{Stage, StageAct, ends};
 use super::watch::Watch;
+use super::{check, imported};
 use crate::error::Error;
+use crate::initial::aggregate::import::{Extras, Import};
 use crate::interrupt::Interrupt;
 use crate::observe::PairKind;
 use crate::output::{Cell, Column, Finding};
@@ -15,26 +18,38 @@ use crate::simulation::{Settings, Simulation};
 use crate::spec::titania::Titania;
 use crate::spec::{Contact, Vec3};
 use crate::system::{Domain, Particles, System};
+use std::marker::PhantomData;
 
-/// The plan of a case.
-pub struct Plan {
+/// The plan of a case, with its contact law: for a few spheres the law itself, for many with the attraction in tables.
+pub struct Plan<M = Titania> {
     pub(super) titania: case::Titania,
     pub(super) dt: f64,
     pub(super) overlap: f64,
-    /// The chain that is stretched, with the seed from which it grows and the space for its ends.
-    pub(super) chain: Option<(Agglomerate, u64, f64)>,
+    /// The chain that is stretched or let go.
+    pub(super) chain: Option<Chain>,
     pub(super) stages: Vec<Stage>,
+    pub(super) law: PhantomData<M>,
+}
+
+/// A chain.
+pub(super) struct Chain {
+    sample: Agglomerate,
+    seed: u64,
+    /// Space for an end that is drawn, nm.
+    room: f64,
+    /// What its particles must suit.
+    test: ChainTest,
 }
 
 /// Skin of the neighbour list, nm.
 const SKIN: f64 = 1.0;
 
-impl Plan {
+impl<M> Plan<M> {
     /// The plan of a case of the titania paper.
     pub fn of(case: &Case) -> Self {
         let (titania, test) = checked(case);
         let dt = test.dt().1.value;
-        let stages = match test {
+        let stages = match &test {
             TitaniaTest::Contact(TwoParticles { diameters: [first, second] }, tests) => {
                 let ContactTests { approach, slide, roll, .. } = tests;
                 let released = approach.as_ref().map(|test| Stage::approach(test, [first.value, second.value], dt));
@@ -42,37 +57,93 @@ impl Plan {
                 let rolled = roll.as_ref().map(|test| Stage::dragging(test, first.value, true, dt));
                 released.into_iter().chain(slid.into_iter().flatten()).chain(rolled.into_iter().flatten()).collect()
             }
-            TitaniaTest::Stretching(chain, test) => Stage::stretching(test, chain.particles as u32, dt).into(),
+            TitaniaTest::Chain(_, ChainTest::Stretching(test)) => Stage::stretching(test, dt).into(),
+            TitaniaTest::Chain(_, ChainTest::Release(test)) => vec![Stage::release(test, dt)],
             TitaniaTest::Spectroscopy(..) => unreachable!("{OTHER}"),
         };
         let chain = match test {
-            TitaniaTest::Stretching(chain, test) => Some((chain.clone(), case.seed, test.distance.value)),
+            TitaniaTest::Chain(sample, test) => {
+                let room = match &test {
+                    ChainTest::Stretching(test) => test.distance.value,
+                    ChainTest::Release(_) => 0.0,
+                };
+                Some(Chain { sample: sample.clone(), seed: case.seed, room, test })
+            }
             _ => None,
         };
-        Self { titania: titania.clone(), dt, overlap: case.limits.overlap, chain, stages }
+        let overlap = case.limits.overlap;
+        Self { titania: titania.clone(), dt, overlap, chain, stages, law: PhantomData }
     }
 
     /// The chain, in a box large enough for its stretching.
-    fn stretchable(&self, chain: &Agglomerate, seed: u64, room: f64, interrupt: &Interrupt) -> Result<System, Error> {
-        let built = agglomerate(&chain.recipe(), seed, interrupt)?.ok_or_else(|| {
-            let expected = "expected a length that a random chain of these particles can have";
-            Error::of_key("sample.agglomerate.length", format!("found `{}`, {expected}", chain.length))
-        })?;
-        let high: [f64; 3] = std::array::from_fn(|axis| extent(&built, axis)[1]);
-        let margin = chain.largest.value;
+    fn boxed(&self, Chain { sample, seed, room, test }: &Chain, interrupt: &Interrupt) -> Result<System, Error> {
+        let (built, extras, margin) = match &sample.import {
+            Some(import) => {
+                let (built, extras) = imported::particles(import, interrupt)?;
+                self.suits(import, &built, test)?;
+                let largest = built.iter().map(|particle| particle.1).fold(0.0, f64::max);
+                // Whole nanometres, so that places keep their digits.
+                (built, extras, largest.ceil())
+            }
+            None => {
+                let built = agglomerate(&sample.recipe(), *seed, interrupt)?.ok_or_else(|| {
+                    let expected = "expected a length that a random chain of these particles can have";
+                    Error::of_key("sample.agglomerate.length", format!("found `{}`, {expected}", sample.length))
+                })?;
+                (built, Extras::default(), sample.largest.value)
+            }
+        };
+        let extents: [[f64; 2]; 3] = std::array::from_fn(|axis| extent(&built, axis));
+        let [x, y, z] = extents.map(|[low, high]| high - low.round());
         // Twice as deep as the chain: pictures show the half behind the middle, which is to hold the whole chain.
-        let sides = [high[0] + room + 2.0 * margin, high[1] + 2.0 * margin, 2.0 * (high[2] + 2.0 * margin)];
+        let sides = [x + room + 2.0 * margin, y + 2.0 * margin, 2.0 * (z + 2.0 * margin)];
+        let corner = Vec3(extents.map(|[low, _]| margin - low.round()));
         let mut particles = Particles::default();
         for (x, d) in built {
             let ((radius, mass), tag) = (self.titania.particle(d), particles.len() as u32);
-            particles.push(x + Vec3([margin; 3]), radius, mass, tag);
+            particles.push(x + corner, radius, mass, tag);
         }
-        Ok(System::new(particles, Domain { sides, periodic: [false; 3] }))
+        let mut system = System::new(particles, Domain { sides, periodic: [false; 3] });
+        if let Some(import) = &sample.import {
+            imported::join_and_move(&import.file, &extras, &mut system)?;
+            self.ends_are_apart(import, &system, test)?;
+        }
+        Ok(system)
+    }
+
+    /// Checks the sizes and the number of particles from a file.
+    fn suits(&self, import: &Import, built: &[Particle], test: &ChainTest) -> Result<(), Error> {
+        let smallest = built.iter().map(|particle| particle.1).fold(f64::INFINITY, f64::min);
+        let mut found = Vec::new();
+        check::chain(&self.titania, smallest, test, &mut found);
+        if let Some((key, what)) = found.into_iter().next() {
+            return Err(Error::of_key(&key, what));
+        }
+        if let ChainTest::Stretching(Stretching { drawn, .. }) = test
+            && (built.len() as u64) < 2 * drawn
+        {
+            let what =
+                format!("found {} particles, expected at least {}: `drawn` at either end", built.len(), 2 * drawn);
+            return Err(Error::input(&import.file, what));
+        }
+        Ok(())
+    }
+
+    /// Checks that no rigid body is at both ends.
+    fn ends_are_apart(&self, import: &Import, system: &System, test: &ChainTest) -> Result<(), Error> {
+        let ChainTest::Stretching(Stretching { drawn, .. }) = test else { return Ok(()) };
+        let [first, last] = ends(system.particles.len() as u32, *drawn as u32);
+        let body = |id: u32| system.particles.body[id as usize];
+        if first.into_iter().any(|i| body(i) > 0 && last.clone().any(|j| body(i) == body(j))) {
+            let what = "one rigid body is at both ends, expected ends that can be drawn apart";
+            return Err(Error::input(&import.file, what));
+        }
+        Ok(())
     }
 }
 
-impl Study for Plan {
-    type Model = Titania;
+impl<M: Law> Study for Plan<M> {
+    type Model = M;
     type Watch = Watch;
 
     fn stages(&self) -> Vec<&'static str> {
@@ -81,7 +152,7 @@ impl Study for Plan {
 
     fn initial(&self, interrupt: &Interrupt) -> Result<System, Error> {
         match &self.chain {
-            Some((chain, seed, room)) => self.stretchable(chain, *seed, *room, interrupt),
+            Some(chain) => self.boxed(chain, interrupt),
             // Every test of a contact starts with a new pair.
             None => Ok(System::new(Particles::default(), Domain { sides: [1.0; 3], periodic: [false; 3] })),
         }
@@ -98,8 +169,8 @@ impl Study for Plan {
         Ok(system)
     }
 
-    fn model(&self, _: usize) -> Titania {
-        self.titania.law()
+    fn model(&self, _: usize, system: &System) -> M {
+        M::new(&self.titania, &radii(system))
     }
 
     fn settings(&self, stage: usize, _: &System) -> Settings {
@@ -127,25 +198,25 @@ impl Study for Plan {
         if self.chain.is_some() { columns::windows() } else { Vec::new() }
     }
 
-    fn watch(&self, _: usize, simulation: &Simulation<Titania>) -> Watch {
+    fn watch(&self, _: usize, simulation: &Simulation<M>) -> Watch {
         Watch::begin(simulation)
     }
 
     fn can_hold(&self, stage: usize, system: &System, _: &Watch) -> bool {
         let (spheres, walls, steerings) = self.stages[stage].act.parts();
         let counts = (system.particles.len(), system.walls.len(), system.steerings.len());
-        counts == (spheres.unwrap_or(counts.0), walls, steerings) && system.bodies.is_empty()
+        counts == (spheres.unwrap_or(counts.0), walls, steerings) && (self.chain.is_some() || system.bodies.is_empty())
     }
 
-    fn follow(&self, stage: usize, watch: &mut Watch, simulation: &Simulation<Titania>) -> Vec<String> {
+    fn follow(&self, stage: usize, watch: &mut Watch, simulation: &Simulation<M>) -> Vec<String> {
         watch.follow(&self.stages[stage].act, simulation)
     }
 
-    fn look(&self, stage: usize, watch: &mut Watch, simulation: &Simulation<Titania>) -> Vec<Cell> {
+    fn look(&self, stage: usize, watch: &mut Watch, simulation: &Simulation<M>) -> Vec<Cell> {
         watch.look(&self.stages[stage].act, simulation)
     }
 
-    fn window(&self, watch: &Watch, simulation: &Simulation<Titania>) -> Option<Vec<Cell>> {
+    fn window(&self, watch: &Watch, simulation: &Simulation<M>) -> Option<Vec<Cell>> {
         watch.window(simulation)
     }
 
@@ -153,7 +224,7 @@ impl Study for Plan {
         Some(if contact.gap < 0.0 { PairKind::Contact } else { PairKind::Meniscus })
     }
 
-    fn findings(&self, stage: usize, watch: &Watch, simulation: &Simulation<Titania>) -> Result<Vec<Finding>, Error> {
+    fn findings(&self, stage: usize, watch: &Watch, simulation: &Simulation<M>) -> Result<Vec<Finding>, Error> {
         Ok(watch.findings(&self.stages[stage].act, simulation))
     }
 }

@@ -1,6 +1,7 @@
 //! The measurements of the stages: sliding, rolling and detachment of contacts, and the forces that cause them.
 
 use super::columns::results;
+use super::law::Law;
 use super::stage::StageAct;
 use crate::case::units::in_unit;
 use crate::geometry::Sphere;
@@ -15,9 +16,6 @@ use crate::spec::titania::eq02_torque::moment_arm;
 use crate::spec::titania::eq10_peak_friction::peak_friction;
 use crate::system::Particles;
 use serde::{Deserialize, Serialize};
-
-/// Index of the pulling spring of a chain; spring 0 holds the other end.
-const DRAWN: usize = 1;
 
 /// Time over which the force of the pulling spring is averaged, ns.
 const AVERAGE: f64 = 0.05;
@@ -66,24 +64,29 @@ struct Detachment {
     mean: f64,
 }
 
-fn ids(simulation: &Simulation<Titania>, pair: &Pair<Titania>) -> (u32, u32) {
+fn ids<M: Law>(simulation: &Simulation<M>, pair: &Pair<M>) -> (u32, u32) {
     let id = &simulation.system().particles.id;
     (id[pair.i].min(id[pair.j]), id[pair.i].max(id[pair.j]))
 }
 
+/// Energy that a slip of a pair loses, zJ.
+fn slipped<M: Law>(pair: &Pair<M>) -> f64 {
+    M::slipped(&pair.outcome.losses)
+}
+
 impl Watch {
     /// Starts observing.
-    pub fn begin(simulation: &Simulation<Titania>) -> Self {
+    pub fn begin(simulation: &Simulation<impl Law>) -> Self {
         let mut bonds: Vec<_> = simulation.pairs().map(|pair| (ids(simulation, &pair), Vec3::zero())).collect();
         bonds.sort_unstable_by_key(|bond| bond.0);
         Self { bonds, swing: (f64::INFINITY, 0.0), ..Self::default() }
     }
 
     /// Observes a step and returns its events.
-    pub fn follow(&mut self, act: &StageAct, simulation: &Simulation<Titania>) -> Vec<String> {
+    pub fn follow(&mut self, act: &StageAct, simulation: &Simulation<impl Law>) -> Vec<String> {
         self.measure(act, simulation);
         let mut events = Vec::new();
-        let (law, dt) = (simulation.model(), simulation.settings().dt);
+        let (law, dt) = (simulation.model().law(), simulation.settings().dt);
         let mut bonds = Vec::with_capacity(self.bonds.len());
         for pair in simulation.pairs() {
             let (ids, contact) = (ids(simulation, &pair), &pair.contact);
@@ -95,7 +98,7 @@ impl Watch {
             if contact.gap < 0.0 {
                 let (_, r_eff) = effective_radius(contact.r_i, contact.r_j);
                 rolled = rolled + rolled_path(contact.omega_i, contact.omega_j, contact.n, r_eff, dt);
-                if pair.outcome.losses.sliding > 0.0 {
+                if slipped(&pair) > 0.0 {
                     events.push(format!("sliding of {} and {}", ids.0, ids.1));
                     let wall = simulation.system().walls.get(1);
                     self.slips.push(Slip {
@@ -117,7 +120,7 @@ impl Watch {
             if bonds.binary_search_by_key(&ids, |bond| bond.0).is_err() {
                 events.push(format!("detachment of {} and {}", ids.0, ids.1));
                 let pulled = self.pulled(simulation);
-                let force = simulation.system().steerings.get(DRAWN).map_or(0.0, |spring| spring.force.0[0]);
+                let force = simulation.system().steerings.last().map_or(0.0, |spring| spring.force.0[0]);
                 self.detachments.push(Detachment { pulled, force, mean: self.mean });
             }
         }
@@ -126,7 +129,7 @@ impl Watch {
     }
 
     /// Updates means and extremes over steps.
-    fn measure(&mut self, act: &StageAct, simulation: &Simulation<Titania>) {
+    fn measure(&mut self, act: &StageAct, simulation: &Simulation<impl Law>) {
         let system = simulation.system();
         match act {
             StageAct::Approach { diameters: [first, second], .. } => {
@@ -138,14 +141,14 @@ impl Watch {
             }
             StageAct::Drag { rolls: true, .. } => {
                 if let Some(pair) = simulation.pairs().next() {
-                    let law = simulation.model();
+                    let law = simulation.model().law();
                     self.resistance.0 += rolling_resistance(simulation);
                     self.resistance.1 += peak_friction(Titania::area(&pair.contact), law.tau_s, law.tau_r).1;
                     self.resistance.2 += 1;
                 }
             }
             StageAct::Pull { .. } => {
-                let spring = &system.steerings[DRAWN];
+                let Some(spring) = system.steerings.last() else { return };
                 let force = spring.force.0[0];
                 self.window = (self.window.0 + force, self.window.1 + 1);
                 let every = ((AVERAGE / simulation.settings().dt).round() as u64).max(1);
@@ -173,12 +176,12 @@ impl Watch {
     }
 
     /// Displacement of the far end of the pulling spring, nm.
-    pub fn pulled(&self, simulation: &Simulation<Titania>) -> f64 {
-        simulation.system().steerings.get(DRAWN).map_or(0.0, |spring| spring.drawn().0[0])
+    pub fn pulled(&self, simulation: &Simulation<impl Law>) -> f64 {
+        simulation.system().steerings.last().map_or(0.0, |spring| spring.drawn().0[0])
     }
 
     /// The cells of the columns of the stage.
-    pub fn look(&self, act: &StageAct, simulation: &Simulation<Titania>) -> Vec<Cell> {
+    pub fn look(&self, act: &StageAct, simulation: &Simulation<impl Law>) -> Vec<Cell> {
         let system = simulation.system();
         let own: Vec<f64> = match act {
             StageAct::Approach { .. } | StageAct::Press { .. } => vec![distance(simulation)],
@@ -186,9 +189,9 @@ impl Watch {
                 let wall = &system.walls[1];
                 vec![distance(simulation), wall.travel.0[0], -wall.force.0[0], rolling_resistance(simulation)]
             }
-            StageAct::Relax { .. } => Vec::new(),
+            StageAct::Relax { .. } | StageAct::Release => Vec::new(),
             StageAct::Pull { .. } => {
-                let spring = &system.steerings[DRAWN];
+                let spring = system.steerings.last().expect("a pulling spring");
                 vec![self.pulled(simulation), spring.travel.0[0], spring.force.0[0]]
             }
         };
@@ -198,13 +201,13 @@ impl Watch {
     }
 
     /// The cells of a window that has closed in this step.
-    pub fn window(&self, simulation: &Simulation<Titania>) -> Option<Vec<Cell>> {
+    pub fn window(&self, simulation: &Simulation<impl Law>) -> Option<Vec<Cell>> {
         self.mean_pull().map(|mean| [self.pulled(simulation), mean].map(Cell::Number).into())
     }
 
     /// The findings of the stage.
-    pub fn findings(&self, act: &StageAct, simulation: &Simulation<Titania>) -> Vec<Finding> {
-        let law = simulation.model();
+    pub fn findings(&self, act: &StageAct, simulation: &Simulation<impl Law>) -> Vec<Finding> {
+        let law = simulation.model().law();
         let now = simulation.elapsed();
         match act {
             StageAct::Approach { diameters: [first, second], .. } => {
@@ -260,6 +263,14 @@ impl Watch {
                 found.extend(AggregateShape::of(&spheres).findings().into_iter().map(|finding| finding.at("final")));
                 found
             }
+            StageAct::Release => {
+                vec![
+                    Finding::count(results::MENISCI, self.bonds.len() as u64),
+                    Finding::count(results::SLIDINGS, self.slips.len() as u64),
+                    Finding::count(results::ROLLINGS, self.rollings),
+                    Finding::count(results::DETACHMENTS, self.detachments.len() as u64),
+                ]
+            }
             StageAct::Press { .. } | StageAct::Relax { .. } => Vec::new(),
         }
     }
@@ -271,13 +282,13 @@ fn within(extent: f64, unit: &str) -> String {
 }
 
 /// Centre distance of two particles.
-fn distance(simulation: &Simulation<Titania>) -> f64 {
+fn distance(simulation: &Simulation<impl Law>) -> f64 {
     let x = &simulation.system().particles.x;
     (x[0] - x[1]).norm()
 }
 
 /// The rolling resistance torque of the slab, as a force at the centre of the particle.
-pub fn rolling_resistance(simulation: &Simulation<Titania>) -> f64 {
+pub fn rolling_resistance(simulation: &Simulation<impl Law>) -> f64 {
     let system = simulation.system();
     let (particle, slab, radius) = (system.place(0), system.place(1), &system.particles.radius);
     system.walls[1].torque.0[2].abs() / moment_arm(radius[particle], radius[slab], distance(simulation))

@@ -199,7 +199,7 @@ impl Study for Protocol<'_> {
     fn set_up(&self, stage: usize, system: System) -> Result<System, Error> {
         Ok(self.stages[stage].set_up(system, self.material))
     }
-    fn model(&self, stage: usize) -> Wear {
+    fn model(&self, stage: usize, _: &System) -> Wear {
         Wear { material: *self.material, interaction: self.stages[stage].interaction }
     }
     fn settings(&self, stage: usize, system: &System) -> Settings {

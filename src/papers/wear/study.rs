@@ -119,7 +119,7 @@ impl Study for Plan {
         Ok(system)
     }
 
-    fn model(&self, stage: usize) -> Wear {
+    fn model(&self, stage: usize, _: &System) -> Wear {
         material(&self.case).law(self.stages[stage].interaction)
     }
 

@@ -36,7 +36,7 @@ pub(super) fn detect(source: &Source) -> Result<Format, Error> {
         _ => Err(source.problem(
             None,
             "format",
-            "is missing, expected `mstm` (r x y z) or `fracval` (x y z r): the rows do not identify it",
+            "is missing, expected `mstm` (r x y z), or `fracval` or `csv` (x y z r): the rows do not identify it",
         )),
     }
 }
@@ -74,11 +74,16 @@ pub(super) fn xyz(source: &Source) -> Result<Raw, Error> {
                 let what = format!("found {} columns, expected {width}, as `Properties` lists", words.len());
                 return Err(source.at(k, &what));
             }
-            Some(Layout { pos, radius, diameter, .. }) => {
+            Some(Layout { pos, radius, diameter, body, v, w, .. }) => {
                 raw.push(source, k, [words[pos], words[pos + 1], words[pos + 2]], radius.map(|column| words[column]))?;
                 if diameter {
                     raw.radii.iter_mut().last().into_iter().for_each(|radius| *radius *= 0.5);
                 }
+                if let Some(column) = body {
+                    raw.extras.push_body(source, k, words[column])?;
+                }
+                let three = |first: usize| [words[first], words[first + 1], words[first + 2]];
+                raw.extras.push_motion(source, k, v.map(three), w.map(three))?;
             }
             None => {
                 let Some(&[species, x, y, z]) = words.first_chunk() else {
@@ -136,12 +141,19 @@ struct Layout {
     /// Radius or diameter.
     radius: Option<usize>,
     diameter: bool,
+    /// Number of a rigid body.
+    body: Option<usize>,
+    /// Velocity.
+    v: Option<usize>,
+    /// Angular velocity.
+    w: Option<usize>,
 }
 
 /// The columns that are described as `species:S:1:pos:R:3:radius:R:1`.
 fn layout(source: &Source, properties: &str) -> Result<Layout, Error> {
     let wrong = |what: &str| source.at(2, &format!("found `Properties={properties}`, expected {what}"));
     let (mut width, mut pos, mut radius, mut diameter, mut unread) = (0, None, None, None, Vec::new());
+    let (mut body, mut v, mut w) = (None, None, None);
     let fields: Vec<&str> = properties.split(':').collect();
     if !fields.len().is_multiple_of(3) {
         return Err(wrong("name, type and number of columns for each property"));
@@ -153,6 +165,9 @@ fn layout(source: &Source, properties: &str) -> Result<Layout, Error> {
             ("pos" | "position" | "positions", 3) => pos = Some(width),
             ("radius" | "radii", 1) => radius = Some(width),
             ("diameter", 1) => diameter = Some(width),
+            ("body" | "molecule", 1) => body = Some(width),
+            ("velo" | "velocity" | "velocities", 3) => v = Some(width),
+            ("angular_velocity", 3) => w = Some(width),
             ("species" | "id" | "type", _) => {}
             _ => unread.push(field[0]),
         }
@@ -162,7 +177,8 @@ fn layout(source: &Source, properties: &str) -> Result<Layout, Error> {
     if !unread.is_empty() {
         notice(format!("{}: the columns {} are not read", source.file.display(), unread.join(", ")));
     }
-    Ok(Layout { width, pos, radius: radius.or(diameter), diameter: radius.is_none() && diameter.is_some() })
+    let diameter_only = radius.is_none() && diameter.is_some();
+    Ok(Layout { width, pos, radius: radius.or(diameter), diameter: diameter_only, body, v, w })
 }
 
 /// Spheres that are read between two looks at the interrupt.

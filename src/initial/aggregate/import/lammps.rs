@@ -2,6 +2,7 @@
 
 use super::{Raw, Source};
 use crate::error::{Error, notice};
+use std::collections::BTreeMap;
 
 /// The columns of an atom style.
 #[derive(Clone, Copy)]
@@ -10,24 +11,27 @@ struct Style {
     x: usize,
     /// Of the diameter, if the style has one.
     diameter: Option<usize>,
+    /// Of the number of the molecule, if the style has one.
+    molecule: Option<usize>,
     /// Their number without image flags.
     width: usize,
 }
 
-/// An atom style: its name, the columns before the coordinates, the diameter among them, its columns in a hybrid style, the diameter among those.
-type Columns = (&'static str, usize, Option<usize>, usize, Option<usize>);
+/// An atom style: its name, the columns before the coordinates, the diameter among them, its columns in a hybrid style, the diameter among those; and
+/// whether it has molecules, whose column is the second, and the first in a hybrid style.
+type Columns = (&'static str, usize, Option<usize>, usize, Option<usize>, bool);
 
 /// The atom styles.
 const STYLES: &[Columns] = &[
-    ("angle", 3, None, 1, None),
-    ("atomic", 2, None, 0, None),
-    ("bond", 3, None, 1, None),
-    ("bpm/sphere", 5, Some(3), 3, Some(1)),
-    ("charge", 3, None, 1, None),
-    ("ellipsoid", 4, None, 2, None),
-    ("full", 4, None, 2, None),
-    ("molecular", 3, None, 1, None),
-    ("sphere", 4, Some(2), 2, Some(0)),
+    ("angle", 3, None, 1, None, true),
+    ("atomic", 2, None, 0, None, false),
+    ("bond", 3, None, 1, None, true),
+    ("bpm/sphere", 5, Some(3), 3, Some(1), true),
+    ("charge", 3, None, 1, None, false),
+    ("ellipsoid", 4, None, 2, None, false),
+    ("full", 4, None, 2, None, true),
+    ("molecular", 3, None, 1, None, true),
+    ("sphere", 4, Some(2), 2, Some(0), false),
 ];
 
 /// The columns of `sphere`, or of `hybrid sphere bond`: id, type, coordinates, and the columns of each style in turn.
@@ -36,14 +40,16 @@ fn style(words: &str) -> Option<Style> {
     let mut words = words.split_whitespace();
     let first = words.next()?;
     if first != "hybrid" {
-        let &(_, x, diameter, ..) = known(first)?;
-        return words.next().is_none().then_some(Style { x, diameter, width: x + 3 });
+        let &(_, x, diameter, .., molecules) = known(first)?;
+        let molecule = molecules.then_some(1);
+        return words.next().is_none().then_some(Style { x, diameter, molecule, width: x + 3 });
     }
-    let start = Style { x: 2, diameter: None, width: 5 };
+    let start = Style { x: 2, diameter: None, molecule: None, width: 5 };
     let (mut all, mut none) = (start, true);
     for word in words {
-        let &(_, _, _, width, diameter) = known(word)?;
+        let &(_, _, _, width, diameter, molecules) = known(word)?;
         all.diameter = all.diameter.or(diameter.map(|column| all.width + column));
+        all.molecule = all.molecule.or(molecules.then_some(all.width));
         (all.width, none) = (all.width + width, false);
     }
     (!none).then_some(all)
@@ -74,7 +80,7 @@ pub(super) fn read(source: &Source) -> Result<Raw, Error> {
         return Err(Error::input(source.file, "found no section `Atoms`"));
     };
     let named = title.split_once('#').map(|(_, style)| style.trim()).unwrap_or_default();
-    let Some(Style { x, diameter, width: least }) = style(named) else {
+    let Some(Style { x, diameter, molecule, width: least }) = style(named) else {
         let names: Vec<&str> = STYLES.iter().map(|style| style.0).collect();
         let what = format!(
             "found `{title}`, expected `Atoms # sphere`, another style ({}), or `hybrid` with its styles, as in `Atoms # hybrid sphere bond`",
@@ -114,7 +120,8 @@ pub(super) fn read(source: &Source) -> Result<Raw, Error> {
             Some(sides) => std::array::from_fn(|a| copy[a] as f64 * sides[a]),
             None => return Err(source.at(k, "found image flags, expected none: the box is tilted or missing")),
         };
-        rows.push((whole(id)?, k, diameter.map(|column| words[column]), [a, b, c], shift));
+        let [diameter, molecule] = [diameter, molecule].map(|column| column.map(|column| words[column]));
+        rows.push((whole(id)?, k, (diameter, molecule), [a, b, c], shift));
     }
     if let Some((k, number)) = announced(source).filter(|(_, number)| number.parse() != Ok(rows.len())) {
         return Err(source.at(k, &format!("found `{number} atoms` and {} rows of them", rows.len())));
@@ -124,14 +131,47 @@ pub(super) fn read(source: &Source) -> Result<Raw, Error> {
         return Err(source.at(pair[1].1, &format!("found the id {} twice", pair[1].0)));
     }
     let mut raw = Raw::default();
-    for (place, (_, k, diameter, x, shift)) in rows.into_iter().enumerate() {
+    let mut motion = velocities(source)?;
+    for (place, (id, k, (diameter, molecule), x, shift)) in rows.into_iter().enumerate() {
         raw.push(source, k, x, diameter)?;
+        if let Some(molecule) = molecule {
+            raw.extras.push_body(source, k, molecule)?;
+        }
+        if let Some(motion) = &mut motion {
+            let Some((line, v, w)) = motion.remove(&id) else {
+                return Err(source.at(k, &format!("found no row for {id} in the section `Velocities`")));
+            };
+            raw.extras.push_motion(source, line, Some(v), w)?;
+        }
         raw.centres[place] = std::array::from_fn(|a| raw.centres[place][a] + shift[a]);
     }
     for diameter in &mut raw.radii {
         *diameter *= 0.5;
     }
     Ok(raw)
+}
+
+/// Line, velocity and angular velocity of a sphere.
+type Moving<'a> = (usize, [&'a str; 3], Option<[&'a str; 3]>);
+
+/// The section `Velocities`, if there is one: rows of id and velocity, with the angular velocity in those of spheres.
+fn velocities<'a>(source: &Source<'a>) -> Result<Option<BTreeMap<i64, Moving<'a>>>, Error> {
+    let keyword = |line: &str| line.starts_with(|c: char| c.is_ascii_alphabetic());
+    let is_section = |line: &str| line.split('#').next().is_some_and(|line| line.trim() == "Velocities");
+    let Some((head, _)) = source.lines().filter(|(_, line)| is_section(line)).last() else { return Ok(None) };
+    let mut found = BTreeMap::new();
+    let rows = source.lines().skip(head).take_while(|(_, line)| !keyword(line));
+    for (k, line) in rows.filter(|(_, line)| !line.is_empty() && !line.starts_with('#')) {
+        let words: Vec<&str> = line.split('#').next().unwrap_or_default().split_whitespace().collect();
+        let (id, v, w) = match words[..] {
+            [id, x, y, z] => (id, [x, y, z], None),
+            [id, x, y, z, a, b, c] => (id, [x, y, z], Some([a, b, c])),
+            _ => return Err(source.at(k, &format!("found {} columns, expected 4, or 7 with spins", words.len()))),
+        };
+        let id = id.parse().map_err(|_| source.at(k, &format!("found `{id}`, expected an integer")))?;
+        found.insert(id, (k, v, w));
+    }
+    Ok(Some(found))
 }
 
 /// The side lengths of the box; none if they are missing or it is tilted.

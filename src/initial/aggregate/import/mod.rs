@@ -1,14 +1,20 @@
-//! Aggregates from other programs: FLAGE, MSTM, FracVAL, PyFracVAL, soot-dem, LAMMPS, XYZ.
+//! Aggregates from other programs: FLAGE, MSTM, FracVAL, PyFracVAL, soot-dem, LAMMPS, XYZ, CSV.
 
 mod columns;
+mod csv;
+mod extras;
 mod flage;
 mod lammps;
+mod necks;
 mod report;
 mod scale;
+mod section;
 mod vtk;
 
+pub use extras::Extras;
+pub use necks::{parse_necks, read_necks};
 pub use report::Report;
-pub use vtk::{parse_necks, read_necks};
+pub use section::{FileSizes, Import};
 
 use crate::case::section::words;
 use crate::case::unmarked;
@@ -38,6 +44,8 @@ words! {
         Lammps = "lammps",
         /// A number, a comment, rows `species x y z`, perhaps with a radius.
         Xyz = "xyz",
+        /// Rows `x,y,z,r`, or comma-separated columns that a header names.
+        Csv = "csv",
     }
 }
 
@@ -61,6 +69,8 @@ pub struct Imported {
     pub format: Format,
     /// The spheres, nm.
     pub spheres: Vec<Sphere>,
+    /// Rigid bodies and velocities.
+    pub extras: Extras,
     /// Number of parts that do not touch.
     pub components: usize,
     /// Most decimals of a coordinate in the file; an exponent counts as many.
@@ -79,6 +89,7 @@ struct Raw {
     in_radii: bool,
     /// Most decimals of a coordinate; an exponent counts as many.
     decimals: usize,
+    extras: Extras,
 }
 
 /// Reads an aggregate.
@@ -125,14 +136,14 @@ pub fn parse(
 ) -> Result<Imported, Error> {
     let source = Source { file, text: &text_of(file, content.as_ref())?, interrupt };
     let (format, raw) = raw(&source, options)?;
-    let spheres = scaled(&source, &raw, options)?;
+    let (unit, spheres) = scaled(&source, &raw, options)?;
     interrupt.check()?;
     let components = components(&spheres);
     if components > 1 && !options.disconnected {
         let what = format!("found {components} parts that do not touch, expected one; `disconnected` accepts them");
         return Err(Error::input(file, what));
     }
-    Ok(Imported { format, spheres, components, decimals: raw.decimals })
+    Ok(Imported { format, spheres, extras: raw.extras.scaled(unit), components, decimals: raw.decimals })
 }
 
 impl Imported {
@@ -153,17 +164,26 @@ fn raw(source: &Source, options: &Options) -> Result<(Format, Raw), Error> {
         Format::Vtk => vtk::read(source)?,
         Format::Lammps => lammps::read(source)?,
         Format::Xyz => columns::xyz(source)?,
+        Format::Csv => csv::read(source)?,
         Format::Mstm => columns::rows(source, true)?,
         Format::FracVal | Format::PyFracVal => columns::rows(source, false)?,
     };
     Ok((format, raw))
 }
 
-/// The spheres as extended XYZ with all their digits, nm.
-pub fn extended_xyz(spheres: &[Sphere]) -> String {
-    let row = |Sphere { centre: Vec3([x, y, z]), radius }: &Sphere| format!("X {x} {y} {z} {radius}\n");
-    let rows: String = spheres.iter().map(row).collect();
-    format!("{}\nProperties=species:S:1:pos:R:3:radius:R:1\n{rows}", spheres.len())
+/// The spheres as extended XYZ with all their digits, nm, m/s and 1/ns.
+pub fn extended_xyz(spheres: &[Sphere], Extras { bodies, v, w }: &Extras) -> String {
+    let mut text = format!("{}\nProperties=species:S:1:pos:R:3:radius:R:1", spheres.len());
+    let lists = [("body:I:1", bodies.len()), ("velo:R:3", v.len()), ("angular_velocity:R:3", w.len())];
+    lists.iter().filter(|(_, length)| *length > 0).for_each(|(name, _)| text += &format!(":{name}"));
+    text.push('\n');
+    for (k, Sphere { centre: Vec3([x, y, z]), radius }) in spheres.iter().enumerate() {
+        text += &format!("X {x} {y} {z} {radius}");
+        bodies.get(k).iter().for_each(|body| text += &format!(" {body}"));
+        [v.get(k), w.get(k)].iter().flatten().flat_map(|vector| vector.0).for_each(|x| text += &format!(" {x}"));
+        text.push('\n');
+    }
+    text
 }
 
 /// Who wrote a file, by its content.
@@ -174,6 +194,9 @@ fn detect(source: &Source) -> Result<Format, Error> {
     }
     if text.starts_with("# vtk DataFile") {
         return Ok(Format::Vtk);
+    }
+    if csv::has_header(source) || source.file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv")) {
+        return Ok(Format::Csv);
     }
     let mut lines = source.lines().filter(|(_, line)| !line.is_empty());
     // The first line of LAMMPS data is a title, the second line of XYZ a comment: both may be any text.

@@ -9,8 +9,8 @@ use std::collections::BTreeMap;
 /// Coordinates are at most this many radii: farther out single precision does not tell which spheres touch.
 const FAR: f64 = 1e6;
 
-/// The spheres in nm.
-pub(super) fn scaled(source: &Source, raw: &Raw, options: &Options) -> Result<Vec<Sphere>, Error> {
+/// The unit of length of a file, nm, and the spheres in nm.
+pub(super) fn scaled(source: &Source, raw: &Raw, options: &Options) -> Result<(f64, Vec<Sphere>), Error> {
     let (unit, own) = units(source, raw, options)?;
     let spheres = raw.spheres(source, unit, own)?;
     source.interrupt.check()?;
@@ -18,7 +18,7 @@ pub(super) fn scaled(source: &Source, raw: &Raw, options: &Options) -> Result<Ve
         Some([k, other]) => {
             Err(source.at(raw.lines[k], &format!("found the centre of the sphere in line {} again", raw.lines[other])))
         }
-        None => Ok(spheres),
+        None => Ok((unit, spheres)),
     }
 }
 
@@ -63,7 +63,7 @@ pub(super) fn units(source: &Source, raw: &Raw, options: &Options) -> Result<(f6
         _ => {
             return missing(
                 "radius",
-                "is missing, expected the radius of the spheres: an XYZ file gives it in a fifth and last column, or in a column named by `Properties`",
+                "is missing, expected the radius of the spheres: an XYZ file gives it in a fifth and last column, or in a column named by `Properties`, a CSV file in a fourth, or in a column `r`",
             );
         }
     };

@@ -283,7 +283,7 @@ quickcheck! {
             (Format::FracVal, rows(&|_, [x, y, z], r| format!("{x:e} {y:e} {z:e} {r:e}\n"))),
             (Format::PyFracVal, format!("# generation_info:\n{}", rows(&|_, [x, y, z], r| format!("{x:.17e} {y:.17e} {z:.17e} {r:.17e}\n")))),
             (Format::Lammps, format!("25 atoms\n\nAtoms # bpm/sphere\n\n{}", rows(&|k, [x, y, z], r| format!("{k} 1 1 {} 1.7 {x} {y} {z}\n", 2.0 * r)))),
-            (Format::Xyz, extended_xyz(&spheres)),
+            (Format::Xyz, extended_xyz(&spheres, &Extras::default())),
             (Format::Xyz, format!("25\n\n{}", rows(&|_, [x, y, z], r| format!("C {x} {y} {z} {r}\n")))),
         ];
         files.iter().all(|(format, text)| {

@@ -1,15 +1,9 @@
 //! The legacy VTK of soot-dem: points in units of the monomer radius, and its files of necks.
 
-use super::{Raw, Source, text_of};
-use crate::error::{Error, read_file};
+use super::{Raw, Source};
+use crate::error::Error;
 use crate::geometry::Sphere;
 use crate::initial::aggregate::necks::Neck;
-use crate::interrupt::Interrupt;
-use crate::spec::soot::eq26_coordination::are_neighbours;
-use std::path::Path;
-
-/// Largest gap of a neck, as a fraction of the mean diameter: soot-dem joins spheres up to 1 nm apart, a tenth for small ones.
-const NECK: f64 = 0.1;
 
 /// The points of a `DATASET POLYDATA` in ASCII; what follows them is not read.
 pub(super) fn read(source: &Source) -> Result<Raw, Error> {
@@ -29,35 +23,24 @@ pub(super) fn read(source: &Source) -> Result<Raw, Error> {
     Ok(raw)
 }
 
-/// The necks of an aggregate, as [`parse_necks`] finds them in a file.
-///
-/// # Errors
-///
-/// If the file cannot be read, or a neck joins no two spheres.
-pub fn read_necks(file: &Path, spheres: &[Sphere]) -> Result<Vec<Neck>, Error> {
-    parse_necks(file, &read_file(file)?, spheres)
-}
-
 /// The necks of an aggregate of `n` spheres: a field `connections`, which lists the places `i * n + j` of a matrix,
-/// each neck from both ends.
-///
-/// # Errors
-///
-/// If the field is missing or too short, or a neck joins no two spheres.
-pub fn parse_necks(file: &Path, bytes: &[u8], spheres: &[Sphere]) -> Result<Vec<Neck>, Error> {
-    let text = text_of(file, bytes)?;
-    let source = Source { file, text: &text, interrupt: &Interrupt::default() };
-    let mut words = section(&source, "connections")?;
-    let columns = count(&source, &mut words, "the number of columns")?;
-    let rows = count(&source, &mut words, "the number of rows")?;
-    let (line, _) = next(&source, &mut words, "the type of the connections")?;
+/// each neck from both ends. `allowed` says why two spheres cannot be joined.
+pub(super) fn necks(
+    source: &Source,
+    spheres: &[Sphere],
+    allowed: impl Fn(usize, usize) -> Result<(), String>,
+) -> Result<Vec<Neck>, Error> {
+    let mut words = section(source, "connections")?;
+    let columns = count(source, &mut words, "the number of columns")?;
+    let rows = count(source, &mut words, "the number of rows")?;
+    let (line, _) = next(source, &mut words, "the type of the connections")?;
     let Some(size) = columns.checked_mul(rows) else {
         return Err(source.at(line, &format!("found {columns} times {rows} connections, expected fewer")));
     };
     let number = spheres.len();
     let mut ends = Vec::new();
     for _ in 0..size {
-        let (line, word) = next(&source, &mut words, &format!("{size} connections"))?;
+        let (line, word) = next(source, &mut words, &format!("{size} connections"))?;
         let place =
             word.parse::<usize>().ok().filter(|&place| place < number * number && place / number != place % number);
         let Some(place) = place else {
@@ -69,16 +52,14 @@ pub fn parse_necks(file: &Path, bytes: &[u8], spheres: &[Sphere]) -> Result<Vec<
     ends.sort_unstable();
     // Necks of another aggregate mostly lie between spheres that are far apart, or are seen from one end.
     for &(i, j, line) in &ends {
-        let (a, b) = (&spheres[i], &spheres[j]);
-        let what = if are_neighbours(a.centre, b.centre, a.radius, b.radius, NECK) == 0.0 {
-            format!("whose gap is {:.3} nm, expected at most {NECK} of their mean diameter", a.gap(b))
-        } else if ends.binary_search_by_key(&(j, i), |&(i, j, _)| (i, j)).is_err() {
-            format!("but not {}, expected each neck from both ends", j * number + i)
-        } else {
-            continue;
+        let seen_from_both = || match ends.binary_search_by_key(&(j, i), |&(i, j, _)| (i, j)) {
+            Ok(_) => Ok(()),
+            Err(_) => Err(format!("but not {}, expected each neck from both ends", j * number + i)),
         };
         let place = i * number + j;
-        return Err(source.at(line, &format!("found {place}, a neck of the spheres {i} and {j}, {what}")));
+        allowed(i, j)
+            .and_then(|()| seen_from_both())
+            .map_err(|what| source.at(line, &format!("found {place}, a neck of the spheres {i} and {j}, {what}")))?;
     }
     ends.retain(|&(i, j, _)| i < j);
     ends.dedup_by_key(|&mut (i, j, _)| (i, j));

@@ -1,7 +1,8 @@
 //! The derived values of a case of the soot paper.
 
-use super::{Case, Import, Sizes, Torsion, key, parts};
+use super::{Case, Torsion, key, parts};
 use crate::case::units::{in_unit, rounded};
+use crate::initial::aggregate::import::{FileSizes, Import};
 use crate::spec::mechanics::primary_particle::solid_inertia;
 use crate::spec::mechanics::sphere::sphere_mass;
 use crate::spec::soot::eq24_fractal::gyration_radius;
@@ -25,7 +26,7 @@ pub fn derived(case: &Case) -> Vec<(String, String)> {
     let (soot, sample, stages) = parts(case);
     let mut rows = Vec::new();
     let imported = sample.import.as_ref().and_then(Import::sizes);
-    if let Some(Sizes { number, least, median, largest }) = imported {
+    if let Some(FileSizes { number, least, median, largest }) = imported {
         let radii = if least == largest {
             in_unit(median, "nm")
         } else {
@@ -33,7 +34,7 @@ pub fn derived(case: &Case) -> Vec<(String, String)> {
         };
         rows.extend([("number of spheres".into(), number.to_string()), ("radii of the spheres".into(), radii)]);
     }
-    let sizes = imported.map(|Sizes { least, median, largest, .. }| ([least, largest], median));
+    let sizes = imported.map(|FileSizes { least, median, largest, .. }| ([least, largest], median));
     if let Some((radii, r)) = sizes.or_else(|| Some((sample.radii()?, sample.radius.value))) {
         let limit = soot.step_limit(radii);
         let mass = sphere_mass(soot.density.value, r);

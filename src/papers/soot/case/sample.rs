@@ -2,7 +2,7 @@
 
 use crate::case::quantity::{Length, Quantity, quantity};
 use crate::case::section::{section, words};
-use crate::initial::aggregate::import::{self, Format};
+use crate::initial::aggregate::import::Import;
 use crate::initial::aggregate::necks::{NECK_DISTANCE, NeckLength};
 use std::path::PathBuf;
 
@@ -21,12 +21,13 @@ section! {
         deviation: f64 = 1.0,
         /// Order of aggregation.
         growth: Growth = Growth::Clusters,
-        /// Imports the spheres from a file instead of growing the aggregate; the keys above are then ignored.
+        /// Imports the spheres from a file instead of growing the aggregate; the keys above are then ignored. They are joined by necks, never rigid bodies; velocities in the file are those at
+        /// the start, except in a deposition.
         import: Option<Import> = None,
         /// File with a deposited aggregate to start from; it must have been made with the same model and the same values of the other keys. A different
         /// seed removes different necks and indents a different sphere.
         deposited: Option<PathBuf> = None,
-        /// Fraction of the contacts that are necks, chosen at random.
+        /// Fraction of the contacts, or of the necks of an imported file, that are necks, chosen at random.
         neck_fraction: f64 = 0.5,
         /// Largest gap or overlap of a neck; the default allows for rounding only. Unless `neck_length` says otherwise the springs of a neck are relaxed at contact, so
         /// a neck across a finite gap is stretched from the beginning; the authors allow 1 nm.
@@ -49,54 +50,6 @@ words! {
         Clusters = "clusters",
         /// Particle-cluster aggregation: one sphere after the other, for compact aggregates.
         Spheres = "spheres",
-    }
-}
-
-section! {
-    /// An aggregate from FLAGE, MSTM, FracVAL, PyFracVAL, soot-dem (VTK), LAMMPS, or an XYZ file.
-    pub struct Import {
-        /// The file.
-        file: PathBuf,
-        /// File format, if the content does not identify it.
-        format: Option<Format> = None,
-        /// The file of necks that soot-dem writes beside the spheres; `neck_fraction` then applies to these necks instead of all contacts.
-        necks: Option<PathBuf> = None,
-        /// Unit of length, if the format does not define one.
-        unit: Option<Quantity<Length>> = None,
-        /// Radius of all spheres, if the file gives none.
-        radius: Option<Quantity<Length>> = None,
-        /// Whether spheres that do not form one connected aggregate are accepted.
-        disconnected: bool = false,
-    }
-}
-
-/// How many spheres a file has, and their radii, nm.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sizes {
-    /// Number of spheres, at least one.
-    pub number: usize,
-    /// Smallest radius.
-    pub least: f64,
-    /// Median radius.
-    pub median: f64,
-    /// Largest radius.
-    pub largest: f64,
-}
-
-impl Import {
-    /// What the file does not say.
-    pub fn options(&self) -> import::Options {
-        let length = |quantity: &Option<Quantity<Length>>| quantity.as_ref().map(|length| length.value);
-        let (unit, radius) = (length(&self.unit), length(&self.radius));
-        import::Options { format: self.format, unit, radius, disconnected: self.disconnected }
-    }
-
-    /// The sizes of the spheres in the file, if it can be read.
-    pub fn sizes(&self) -> Option<Sizes> {
-        let mut radii = import::radii(&self.file, &self.options()).ok()?;
-        radii.sort_unstable_by(f64::total_cmp);
-        let (least, largest) = (*radii.first()?, *radii.last()?);
-        Some(Sizes { number: radii.len(), least, median: radii[radii.len() / 2], largest })
     }
 }
 

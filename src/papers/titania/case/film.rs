@@ -3,6 +3,7 @@
 use crate::case::InSteps;
 use crate::case::quantity::{Drag, Force, Length, Quantity, Scaled, Temperature, Time, Velocity, Viscosity, quantity};
 use crate::case::section::{defaults, section};
+use crate::initial::aggregate::import::Import;
 use crate::initial::film::{Diameters, FilmPlan, Gas, Numbers};
 use std::path::PathBuf;
 
@@ -27,6 +28,10 @@ section! {
         gas: GasOfFilm = defaults(),
         /// Drift velocity of the deposition.
         drift: Quantity<Velocity> = quantity("0.1 m/s"),
+        /// Imports the particles from a file instead of depositing aggregates; of the keys above only `sides` counts then. Radii in the file are nominal: particles at rest touch there. The
+        /// floor is z = 0: bodies of which a particle touches it are fixed. Where necks join particles instead (`neck_springs`), they are those in its file of necks, or join all particles
+        /// of a body that touch.
+        import: Option<Import> = None,
         /// File in which the relaxed film is saved.
         save: Option<PathBuf> = None,
         /// File with a relaxed film to start from; it must have been made with the same model, relaxation, seed and values of the keys above.
@@ -138,6 +143,14 @@ impl Film {
                 free_path: gas.free_path.value,
             },
             drift: drift.value,
+        }
+    }
+
+    /// Number of particles; those of a file that cannot be read do not count.
+    pub fn number(&self) -> u64 {
+        match &self.import {
+            Some(import) => import.sizes().map_or(0, |sizes| sizes.number as u64),
+            None => self.particles,
         }
     }
 

@@ -13,6 +13,11 @@ const LAYERS: f64 = 200.0;
 /// Checks the film; diameters must be `thick`.
 pub(super) fn sample(film: &Film, thick: &str, core_gap: f64, found: &mut Found) {
     let at = |key: &str| format!("sample.film.{key}");
+    if film.import.is_some() {
+        let (width, depth) = (&film.sides[0], &film.sides[1]);
+        expect(found, width.value > 0.0, &at("sides[0]"), width, "more than zero");
+        return expect(found, depth.value > 0.0, &at("sides[1]"), depth, "more than zero");
+    }
     let most = "1 to 10000000";
     expect(found, (1..=10_000_000).contains(&film.particles), &at("particles"), film.particles, most);
     let diameters = &film.diameters;

@@ -17,6 +17,7 @@ use crate::reproduce::{Chapter, Claim, Evidence, Figure, Setting, near};
 use crate::run::{self, Driver, Each};
 use crate::spec::{Contact, Flat, PairModel, Vec3};
 use crate::system::System;
+use std::marker::PhantomData;
 use std::ops::ControlFlow;
 
 /// The chapters.
@@ -163,7 +164,7 @@ fn repulsion(chapter: &mut Evidence) {
 
 /// Stages of two particles, without a case.
 fn plan(titania: &Titania, dt: f64, stages: Vec<Stage>) -> Plan {
-    Plan { titania: titania.clone(), dt, overlap: defaults::<Limits>().overlap, chain: None, stages }
+    Plan { titania: titania.clone(), dt, overlap: defaults::<Limits>().overlap, chain: None, stages, law: PhantomData }
 }
 
 fn apart(system: &System) -> f64 {

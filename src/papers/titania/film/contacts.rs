@@ -1,6 +1,6 @@
 //! Contact events: sliding, formation and detachment, and the rolling of rigid bodies.
 
-use super::Law;
+use crate::papers::titania::Law;
 use crate::simulation::Simulation;
 use crate::spec::Vec3;
 use crate::spec::mechanics::quaternion::{product, rotation_vector};
@@ -43,7 +43,7 @@ impl Contacts {
     /// Examines all contacts and returns the events since the last examination. A spring that has shortened by more than half a period in
     /// between has slipped.
     pub(super) fn look<M: Law>(&mut self, simulation: &Simulation<M>) -> Vec<String> {
-        let (system, period) = (simulation.system(), simulation.model().tables().law().lambda_t);
+        let (system, period) = (simulation.system(), simulation.model().law().lambda_t);
         let id = &system.particles.id;
         let (mut events, mut now) = (Vec::new(), Vec::with_capacity(self.known.len()));
         for (i, j, contact, memory) in simulation.contacts() {

@@ -2,28 +2,28 @@
 
 pub(super) mod columns;
 mod contacts;
-mod law;
+mod import;
 pub mod spectrum;
 mod tip;
 mod watch;
 
-pub use law::Law;
 pub use spectrum::Spectrum;
 
 use super::case::{self, Case, Spectroscopy, TitaniaTest, checked};
+use super::law::{Law, radii};
 use crate::error::{Error, Halt};
+use crate::initial::aggregate::import::Import;
 use crate::initial::film::{DepositedFilm, FilmSphere};
 use crate::interrupt::Interrupt;
 use crate::observe::PairKind;
 use crate::observe::film::Structure;
-use crate::output::{Cell, Column, Finding, load_sample, save_sample};
+use crate::output::{Cell, Column, Finding, load_sample, save_sample, sha256_file};
 use crate::run::{Progress, Study};
 use crate::simulation::{EXAMINED, Settings, Simulation};
-use crate::spec::titania::Tabulated;
 use crate::spec::{Contact, Vec3};
 use crate::system::{Motion, System};
 use columns::results;
-use std::sync::OnceLock;
+use std::marker::PhantomData;
 use watch::Watch;
 
 /// The plan of a case.
@@ -34,7 +34,7 @@ pub struct Plan<M> {
     seed: u64,
     overlap: f64,
     stages: Vec<FilmStage>,
-    model: OnceLock<M>,
+    law: PhantomData<M>,
 }
 
 /// A stage.
@@ -65,8 +65,6 @@ const FIXED: usize = 0;
 const TIP: usize = 1;
 /// Skin of the neighbour list, nm.
 const SKIN: f64 = 3.0;
-/// Largest error of the tables of the attraction, pN.
-const TOLERANCE: f64 = 0.1;
 const AT_REST: [Motion; 3] = [Motion::Velocity(0.0); 3];
 
 impl<M: Law> Plan<M> {
@@ -78,35 +76,37 @@ impl<M: Law> Plan<M> {
         let (titania, film, test) = (titania.clone(), film.clone(), test.clone());
         let stages = if film.load.is_some() { &FilmStage::ALL[1..] } else { &FilmStage::ALL[..] }.to_vec();
         let (seed, overlap) = (case.seed, case.limits.overlap);
-        Self { titania, film, test, seed, overlap, stages, model: OnceLock::new() }
+        Self { titania, film, test, seed, overlap, stages, law: PhantomData }
     }
 
-    /// All parameters that determine a relaxed film.
-    fn origin(&self) -> String {
-        let film = case::Film { save: None, load: None, ..self.film.clone() };
+    /// All parameters that determine a relaxed film. Files count by their contents: they may be copies.
+    fn origin(&self) -> Result<String, Error> {
+        let mut film = case::Film { save: None, load: None, ..self.film.clone() };
+        for path in film.import.iter_mut().flat_map(Import::files_mut) {
+            *path = sha256_file(path)?.into();
+        }
         let Spectroscopy { relaxation, drag, dt, .. } = &self.test;
-        serde_json::to_string(&(&self.titania, film, relaxation, drag, dt, self.seed)).expect("a case is plain data")
+        let all = (&self.titania, film, relaxation, drag, dt, self.seed);
+        Ok(serde_json::to_string(&all).expect("a case is plain data"))
     }
 
-    /// The contact radii of the particles, and their nominal diameters.
+    /// The contact radii that grown particles may have, and their nominal diameters.
     fn sizes(&self) -> Vec<(f64, f64)> {
         self.film.sizes().into_iter().map(|d| (self.titania.particle(d).0, d)).collect()
     }
 
-    /// Whether all spheres are particles of the film or, in some stages, of the tip.
+    /// Whether all spheres are particles of the film or, in some stages, of the tip. Particles of a file may have any size.
     fn has_sizes(&self, system: &System, with_tip: bool) -> bool {
         let sizes = self.sizes();
         let tip = with_tip.then(|| self.titania.particle(2.0 * self.test.tip.radius.value).0);
         let known = |radius: &f64| Some(*radius) == tip || sizes.iter().any(|size| size.0 == *radius);
-        system.particles.radius.iter().all(known)
+        self.film.import.is_some() || system.particles.radius.iter().all(known)
     }
 
     /// The present structure of the film; spheres touch if their water layers do.
     fn structure(&self, system: &System) -> Structure {
         let p = &system.particles;
-        let sizes = self.sizes();
-        let nominal =
-            |radius: f64| sizes.iter().find(|size| size.0 == radius).expect("a particle has one of the sizes").1;
+        let nominal = |radius: f64| self.titania.nominal(radius);
         let sphere = |i: usize| FilmSphere { centre: p.x[i], diameter: nominal(p.radius[i]), aggregate: p.tag[i] };
         let spheres: Vec<FilmSphere> = (0..p.len()).map(sphere).collect();
         let mut on_floor = vec![false; p.tag.iter().max().map_or(0, |&tag| tag as usize + 1)];
@@ -114,7 +114,7 @@ impl<M: Law> Plan<M> {
         let thickness = spheres.iter().map(|s| s.centre.0[2] + 0.5 * s.diameter).fold(0.0, f64::max);
         let [width, depth, _] = system.domain.sides;
         let film = DepositedFilm { spheres, on_floor, sides: [width, depth], thickness };
-        Structure::of(&film, 2.0 * sizes[0].0 - sizes[0].1, self.seed)
+        Structure::of(&film, 2.0 * self.titania.layer.value - self.titania.core_gap.value, self.seed)
     }
 
     /// The spheres of the tip above the middle of the film, and their radius and mass.
@@ -160,17 +160,22 @@ impl<M: Law> Study for Plan<M> {
     }
 
     fn expected_spheres(&self) -> f64 {
-        self.film.particles as f64
+        self.film.number() as f64
     }
 
     fn initial(&self, interrupt: &Interrupt) -> Result<System, Error> {
         if let Some(path) = &self.film.load {
-            let system = load_sample(path, &self.origin(), "model, film, relaxation or seed")?;
+            let system = load_sample(path, &self.origin()?, "model, film, relaxation or seed")?;
             let known = self.has_sizes(&system, false);
             return if known { Ok(system) } else { Err(Error::input(path, "holds particles of other sizes")) };
         }
-        let film = self.film.plan().build(self.seed, interrupt).map_err(|failure| failure.of("sample.film"))?;
-        let system = film.system(M::BONDING, |d| self.titania.particle(d));
+        let system = match &self.film.import {
+            Some(import) => self.imported(import, interrupt)?,
+            None => {
+                let film = self.film.plan().build(self.seed, interrupt).map_err(|failure| failure.of("sample.film"))?;
+                film.system(M::BONDING, |d| self.titania.particle(d))
+            }
+        };
         // A film that leaves nothing below the tip is found before it is relaxed.
         self.tip(&system).map(|_| system)
     }
@@ -187,16 +192,8 @@ impl<M: Law> Study for Plan<M> {
         Ok(system)
     }
 
-    fn model(&self, _: usize) -> M {
-        let model = self.model.get_or_init(|| {
-            let mut diameters = self.film.sizes();
-            diameters.push(2.0 * self.test.tip.radius.value);
-            let mut radii: Vec<f64> = diameters.iter().map(|d| self.titania.particle(*d).0).collect();
-            radii.sort_by(f64::total_cmp);
-            radii.dedup();
-            M::new(&self.titania, Tabulated::new(self.titania.law(), &radii, TOLERANCE))
-        });
-        model.clone()
+    fn model(&self, _: usize, system: &System) -> M {
+        M::new(&self.titania, &radii(system))
     }
 
     fn settings(&self, stage: usize, _: &System) -> Settings {
@@ -227,7 +224,7 @@ impl<M: Law> Study for Plan<M> {
     fn end(&self, stage: usize, simulation: Simulation<M>) -> Result<System, Error> {
         let system = simulation.into_system_with_springs();
         if let (FilmStage::Relaxation, Some(path)) = (self.stages[stage], &self.film.save) {
-            save_sample(path, &self.origin(), &system)?;
+            save_sample(path, &self.origin()?, &system)?;
         }
         Ok(system)
     }

@@ -2,10 +2,11 @@
 
 use super::columns::results;
 use super::contacts::Contacts;
-use super::{FIXED, FilmStage, Law, TIP};
+use super::{FIXED, FilmStage, TIP};
 use crate::geometry::clusters::Clusters;
 use crate::initial::film::Bonding;
 use crate::output::{Cell, Finding};
+use crate::papers::titania::Law;
 use crate::simulation::Simulation;
 use crate::system::System;
 use serde::{Deserialize, Serialize};
