@@ -1,5 +1,6 @@
 //! The papers' additions to the engine: one module and one entry of a list per paper.
 
+mod path;
 mod quantities;
 pub mod soot;
 pub mod titania;
@@ -214,12 +215,12 @@ impl Papers {
     ///
     /// All problems of the case, by line and key.
     pub fn parse(&self, file: &Path, text: &str) -> Result<Job, Error> {
-        let all = self.0.iter().map(|paper| words(*paper)).fold(Words::default(), |mut all, own| {
-            all.model.extend(own.model);
-            all.sample.extend(own.sample);
-            all.experiment.extend(own.experiment);
-            all
-        });
+        let all = || self.0.iter().map(|paper| words(*paper));
+        let all = Words {
+            model: each_once(all().flat_map(|words| words.model)),
+            sample: each_once(all().flat_map(|words| words.sample)),
+            experiment: each_once(all().flat_map(|words| words.experiment)),
+        };
         let outline = Outline::read(file, text, &all)?;
         let paper = self.find(outline.model).expect("the outline holds one of the names");
         outline.suits(&words(paper), file, text)?;
@@ -232,12 +233,22 @@ impl Papers {
         for (place, name) in ["model", "sample", "experiment"].into_iter().enumerate() {
             let key = keys.iter_mut().find(|key| key.key == name).expect("every case has these sections");
             key.keys = self.0.iter().flat_map(|paper| std::mem::take(&mut paper.sections()[place])).collect();
-            let names: Vec<&str> = key.keys.iter().map(|key| key.key).collect();
+            let names = each_once(key.keys.iter().map(|key| key.key));
             key.expects = case::section::one_of_these(&names);
             key.schema = case::json_schema::choice(&key.keys);
         }
         keys
     }
+}
+
+/// Words without repetition: papers may have samples and experiments of the same name.
+fn each_once(words: impl Iterator<Item = &'static str>) -> Vec<&'static str> {
+    words.fold(Vec::new(), |mut all, word| {
+        if !all.contains(&word) {
+            all.push(word);
+        }
+        all
+    })
 }
 
 /// The words of a paper below `model`, `sample` and `experiment`.

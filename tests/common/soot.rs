@@ -26,7 +26,10 @@ pub(crate) const DT: f64 = 20e-6;
 /// The published interactions with the softer necks.
 pub(crate) fn law() -> Soot {
     let text = "title: t\nmodel: {soot: {necks: S}}\nsample: {aggregate: {}}\nexperiment: {restructuring: {}}\n";
-    parts(&parse::<soot::Soot>(Path::new("published"), text).expect("a case of defaults")).0.law(Along)
+    parts(&parse::<soot::Soot>(Path::new("published"), text).expect("a case of defaults"))
+        .expect("an aggregate")
+        .0
+        .law(Along)
 }
 
 /// The same without a coating.

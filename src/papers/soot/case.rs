@@ -1,10 +1,12 @@
 //! The sections of a case of the soot paper. Defaults are the authors' published inputs, except the largest gap of a neck.
 
 mod derived;
+mod pair;
 mod sample;
 mod stages;
 
 pub use derived::{derived, unused};
+pub use pair::*;
 pub use sample::*;
 pub use stages::*;
 
@@ -34,6 +36,8 @@ choice! {
     pub enum Sample {
         /// A fractal aggregate.
         Aggregate = "aggregate": Aggregate,
+        /// Two spheres.
+        Pair = "pair": TwoSpheres,
     }
 }
 
@@ -44,6 +48,8 @@ choice! {
         Deposition = "deposition": Deposition,
         /// Restructuring of a coated aggregate.
         Restructuring = "restructuring": Restructuring,
+        /// A path of sliding, rolling and twisting of two spheres at a fixed distance.
+        Path = "path": Path,
         /// A sequence of depositions, indentations and restructurings.
         Sequence = "sequence": Vec<SootStage>,
     }
@@ -183,21 +189,30 @@ impl Soot {
     }
 }
 
-/// The model, the sample and the stages of a case.
-pub fn parts(case: &Case) -> (&Soot, &Aggregate, Vec<SootStage>) {
-    let (Model::Soot(soot), Sample::Aggregate(sample)) = (&case.model, &case.sample);
+/// The model, the sample and the stages of a case about an aggregate.
+pub fn parts(case: &Case) -> Option<(&Soot, &Aggregate, Vec<SootStage>)> {
+    let (Model::Soot(soot), Sample::Aggregate(sample)) = (&case.model, &case.sample) else { return None };
     let stages = match &case.experiment {
         Experiment::Deposition(test) => vec![SootStage::Deposition(test.clone())],
         Experiment::Restructuring(test) => vec![SootStage::Restructuring(test.clone())],
         Experiment::Sequence(stages) => stages.clone(),
+        Experiment::Path(_) => return None,
     };
-    (soot, sample, stages)
+    Some((soot, sample, stages))
+}
+
+/// The model, the spheres and the path of a case about two spheres.
+pub fn path(case: &Case) -> Option<(&Soot, &TwoSpheres, &Path)> {
+    match (&case.model, &case.sample, &case.experiment) {
+        (Model::Soot(soot), Sample::Pair(pair), Experiment::Path(path)) => Some((soot, pair, path)),
+        _ => None,
+    }
 }
 
 /// Chooses the springs of necks if the case does not.
 pub fn choose_necks(case: &mut Case) {
-    let (.., stages) = parts(case);
-    let restructured = stages.iter().all(|stage| matches!(stage, SootStage::Restructuring(_)));
+    let restructured =
+        parts(case).is_some_and(|(.., stages)| stages.iter().all(|stage| matches!(stage, SootStage::Restructuring(_))));
     let Model::Soot(soot) = &mut case.model;
     if soot.neck_springs.is_none() {
         soot.necks.get_or_insert(if restructured { NeckSet::P } else { NeckSet::S });
@@ -214,11 +229,11 @@ pub fn key(case: &Case, number: usize, stage: &SootStage) -> String {
 
 /// The files that a case reads.
 pub fn reads(case: &mut Case) -> Vec<&mut PathBuf> {
-    let Sample::Aggregate(Aggregate { import, deposited, .. }) = &mut case.sample;
+    let Sample::Aggregate(Aggregate { import, deposited, .. }) = &mut case.sample else { return Vec::new() };
     let imported = import.iter_mut().flat_map(Import::files_mut);
     let surfaces: Vec<&mut Solid> = match &mut case.experiment {
         Experiment::Deposition(test) => test.substrate.iter_mut().collect(),
-        Experiment::Restructuring(_) => Vec::new(),
+        Experiment::Restructuring(_) | Experiment::Path(_) => Vec::new(),
         Experiment::Sequence(stages) => stages.iter_mut().filter_map(SootStage::solid_mut).collect(),
     };
     imported.chain(deposited).chain(surfaces.into_iter().map(|solid| &mut solid.stl)).collect()
@@ -226,11 +241,11 @@ pub fn reads(case: &mut Case) -> Vec<&mut PathBuf> {
 
 /// The files that a case writes beside its run folder, with the sections that ask for them.
 pub fn saves(case: &mut Case) -> Vec<(String, &mut PathBuf)> {
-    let stages = parts(case).2;
+    let Some((.., stages)) = parts(case) else { return Vec::new() };
     let keys: Vec<String> = stages.iter().enumerate().map(|(number, stage)| key(case, number, stage)).collect();
     let saves: Vec<Option<&mut PathBuf>> = match &mut case.experiment {
         Experiment::Deposition(test) => vec![test.save.as_mut()],
-        Experiment::Restructuring(_) => Vec::new(),
+        Experiment::Restructuring(_) | Experiment::Path(_) => Vec::new(),
         Experiment::Sequence(stages) => stages.iter_mut().map(SootStage::save_mut).collect(),
     };
     keys.into_iter().zip(saves).filter_map(|(key, save)| Some((key, save?))).collect()

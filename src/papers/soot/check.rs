@@ -1,11 +1,13 @@
 //! Checks of a case of the soot paper beyond its grammar.
 
 use super::case::{
-    Aggregate, Case, Deposition, Indentation, NeckStrength, Restructuring, Solid, Soot, SootStage, key, parts,
+    Aggregate, Case, Deposition, Experiment, Indentation, Model, NeckStrength, Path, Restructuring, Solid, Soot,
+    SootStage, TwoSpheres, key, parts, path,
 };
 use crate::case::check::{Found, expect};
 use crate::case::springs::{necks, springs};
 use crate::case::units::{decimal, in_unit};
+use crate::papers::path::legs;
 use crate::spec::soot::eq24_fractal::gyration_radius;
 
 /// Lower bound, for three to a few hundred equal spheres, of the radius of gyration over radius and cube root of their number: 0.77 for four spheres and for twelve around one, 0.86 for an infinite close packing.
@@ -16,8 +18,15 @@ const MOST: u64 = 10_000_000;
 
 /// Checks a case of the soot paper.
 pub fn problems(case: &Case, found: &mut Found) {
-    let (soot, sample, stages): (&Soot, &Aggregate, _) = parts(case);
+    let Model::Soot(soot) = &case.model;
     interactions(soot, found);
+    if let Some((_, pair, path)) = path(case) {
+        return of_pair(soot, pair, path, found);
+    }
+    let Some((_, sample, stages)): Option<(_, &Aggregate, _)> = parts(case) else {
+        let sample = if matches!(case.experiment, Experiment::Path(_)) { "`pair`" } else { "`aggregate`" };
+        return found.push(("sample".into(), format!("expected {sample} for this experiment")));
+    };
     let at = |key: &str| format!("sample.aggregate.{key}");
     let r = sample.radius.value;
     let most = format!("1 to {MOST}");
@@ -54,6 +63,21 @@ pub fn problems(case: &Case, found: &mut Found) {
             let keys = stages.iter().enumerate().map(|(number, stage)| (stage, key(case, number, stage)));
             sized(soot, radii, keys, found);
         }
+    }
+}
+
+fn of_pair(soot: &Soot, pair: &TwoSpheres, path: &Path, found: &mut Found) {
+    for (place, radius) in pair.radii.iter().enumerate() {
+        expect(found, radius.value > 0.0, &format!("sample.pair.radii[{place}]"), radius, "more than zero");
+    }
+    expect(found, path.distance.value > 0.0, "experiment.path.distance", &path.distance, "more than zero");
+    legs(&path.legs, &path.dt, found);
+    if found.is_empty() {
+        let (radii, dt) = (pair.radii(), &path.dt);
+        sized(soot, radii, std::iter::empty(), found);
+        let limit = soot.step_limit(radii);
+        let text = format!("less than the stability limit of two spheres, {}", in_unit(limit, "fs"));
+        expect(found, dt.value < limit, "experiment.path.dt", dt, &text);
     }
 }
 

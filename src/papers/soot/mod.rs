@@ -16,16 +16,19 @@ pub use study::Plan;
 
 use super::{AtStart, Paper};
 use crate::case::check::Found;
+use crate::case::quantity::{Length, Quantity};
 use crate::figures::Graph;
 use crate::geometry::Sphere;
 use crate::initial::aggregate::necks::{Neck, NeckLength};
 use crate::output::Column;
 use crate::output::aggregate::{CONVEXITY, COORDINATION, GYRATION_RADIUS};
 use crate::output::columns::{KINETIC, TIME};
+use crate::papers::path::PathPlan;
 #[cfg(feature = "cli")]
 use crate::reproduce::Chapter;
 use crate::run::Runnable;
-use crate::spec::soot::{Along, Printed, Programmed};
+use crate::spec::mechanics::sphere::sphere_mass;
+use crate::spec::soot::{Along, Printed, Programmed, Reading};
 use case::{Case, Experiment, Model, Sample, Torsion};
 use columns::{HEIGHT, PULL, READING, TIP_DISPLACEMENT};
 use std::path::{Path, PathBuf};
@@ -91,9 +94,24 @@ impl Paper for Soot {
     fn study(case: Case) -> Box<dyn Runnable> {
         let Model::Soot(model) = &case.model;
         match model.torsion {
-            Torsion::Spring => Box::new(Plan::of(&case, Along)),
-            Torsion::AsPrinted => Box::new(Plan::of(&case, Printed)),
-            Torsion::AsPublished => Box::new(Plan::of(&case, Programmed)),
+            Torsion::Spring => planned(&case, Along),
+            Torsion::AsPrinted => planned(&case, Printed),
+            Torsion::AsPublished => planned(&case, Programmed),
         }
     }
+}
+
+/// The plan of a case whose springs are read like this.
+fn planned<S: Reading + 'static>(case: &Case, reading: S) -> Box<dyn Runnable> {
+    let Some((soot, pair, path)) = case::path(case) else { return Box::new(Plan::of(case, reading)) };
+    let sphere = |radius: &Quantity<Length>| (radius.value, sphere_mass(soot.density.value, radius.value));
+    Box::new(PathPlan {
+        model: soot.law(reading),
+        spheres: pair.radii.each_ref().map(sphere),
+        distance: path.distance.value,
+        neck: pair.neck,
+        legs: path.legs.clone(),
+        dt: path.dt.value,
+        overlap: case.limits.overlap,
+    })
 }

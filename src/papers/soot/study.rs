@@ -51,7 +51,7 @@ const INDENTED_SPHERE: &str = "indented sphere";
 impl<S: Reading> Plan<S> {
     /// The plan of a case of the soot paper.
     pub fn of(case: &Case, reading: S) -> Self {
-        let (soot, sample, stages) = parts(case);
+        let (soot, sample, stages) = parts(case).expect("a checked case that is not about a pair");
         let (soot, sample) = (soot.clone(), sample.clone());
         let keys = stages.iter().enumerate().map(|(number, stage)| key(case, number, stage)).collect();
         Self { seed: case.seed, max_overlap: case.limits.overlap, soot, reading, sample, stages, keys }

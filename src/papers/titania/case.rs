@@ -15,6 +15,7 @@ use crate::case::section::{choice, section, words};
 use crate::case::springs::FourSprings;
 use crate::case::units::{BOLTZMANN, in_unit, rounded};
 use crate::initial::aggregate::import::{FileSizes, Import};
+use crate::papers::path::Leg;
 use crate::spec::PairModel;
 use crate::spec::mechanics::sphere::sphere_mass;
 use crate::spec::mechanics::thermal::thermal_energy;
@@ -50,6 +51,8 @@ choice! {
     pub enum Experiment {
         /// Tests of a single contact: a particle approaches another, and slides or rolls over a slab.
         Contact = "contact": ContactTests,
+        /// A path of sliding, rolling and twisting of two particles at a fixed distance.
+        Path = "path": Path,
         /// Stretching of an agglomerate.
         Stretching = "stretching": Stretching,
         /// Free motion of an agglomerate, with the velocities of its file.
@@ -247,6 +250,18 @@ section! {
 }
 
 section! {
+    /// Two particles at a fixed distance slide, roll and twist by prescription, leg by leg.
+    pub struct Path {
+        /// Distance of their centres, if not that at rest.
+        distance: Option<Quantity<Length>> = None,
+        /// The legs, one after the other; the tangential spring goes on from leg to leg.
+        legs: Vec<Leg>,
+        /// Time step.
+        dt: Quantity<Time> = quantity("0.1 ps"),
+    }
+}
+
+section! {
     /// An agglomerate is pulled along x at the last particles of one end while the first of the other end are held, Section 3.1.
     pub struct Stretching {
         /// Duration of the relaxation before, with both ends frozen.
@@ -318,6 +333,8 @@ pub enum ChainTest {
 pub enum TitaniaTest<'a> {
     /// Two particles.
     Contact(&'a TwoParticles, &'a ContactTests),
+    /// Two particles at a fixed distance.
+    Path(&'a TwoParticles, &'a Path),
     /// An agglomerate.
     Chain(&'a Agglomerate, ChainTest),
     /// A film.
@@ -328,7 +345,7 @@ impl TitaniaTest<'_> {
     /// The file from which the sample comes.
     pub fn import(&self) -> Option<&Import> {
         match self {
-            Self::Contact(..) => None,
+            Self::Contact(..) | Self::Path(..) => None,
             Self::Chain(Agglomerate { import, .. }, _) | Self::Spectroscopy(Film { import, .. }, _) => import.as_ref(),
         }
     }
@@ -339,7 +356,8 @@ impl TitaniaTest<'_> {
             return import.sizes().map(|FileSizes { least, largest, .. }| [2.0 * least, 2.0 * largest]);
         }
         Some(match self {
-            Self::Contact(TwoParticles { diameters: [first, second] }, _) => {
+            Self::Contact(TwoParticles { diameters: [first, second] }, _)
+            | Self::Path(TwoParticles { diameters: [first, second] }, _) => {
                 [first.value.min(second.value), first.value.max(second.value)]
             }
             Self::Chain(agglomerate, _) => [agglomerate.smallest.value, agglomerate.largest.value],
@@ -351,6 +369,7 @@ impl TitaniaTest<'_> {
     pub fn dt(&self) -> (&'static str, &Quantity<Time>) {
         match self {
             Self::Contact(_, tests) => ("experiment.contact.dt", &tests.dt),
+            Self::Path(_, test) => ("experiment.path.dt", &test.dt),
             Self::Chain(_, test) => test.dt(),
             Self::Spectroscopy(_, test) => ("experiment.spectroscopy.dt", &test.dt),
         }
@@ -448,6 +467,7 @@ pub fn parts(case: &Case) -> (&Titania, Option<TitaniaTest<'_>>) {
     let Model::Titania(titania) = &case.model;
     let test = match (&case.sample, &case.experiment) {
         (Sample::Pair(pair), Experiment::Contact(tests)) => TitaniaTest::Contact(pair, tests),
+        (Sample::Pair(pair), Experiment::Path(test)) => TitaniaTest::Path(pair, test),
         (Sample::Agglomerate(chain), Experiment::Stretching(test)) => {
             TitaniaTest::Chain(chain, ChainTest::Stretching(test.clone()))
         }

@@ -3,13 +3,14 @@
 mod film;
 
 use super::case::{
-    Agglomerate, Case, ChainTest, Dragging, Experiment, Film, Stretching, Tension, Titania, TitaniaTest, TwoParticles,
-    parts, step_limit,
+    Agglomerate, Case, ChainTest, Dragging, Experiment, Film, Path, Stretching, Tension, Titania, TitaniaTest,
+    TwoParticles, parts, step_limit,
 };
 use crate::case::check::{Found, expect};
 use crate::case::quantity::{Quantity, Time};
 use crate::case::units::{decimal, in_unit};
 use crate::initial::aggregate::import::Import;
+use crate::papers::path;
 use crate::spec::mechanics::stable_step::stable_time_step;
 
 /// Checks a case.
@@ -17,7 +18,7 @@ pub(super) fn problems(case: &Case, found: &mut Found) {
     let (titania, Some(test)) = parts(case) else {
         let sample = match case.experiment {
             Experiment::Stretching(_) | Experiment::Release(_) => "`agglomerate`",
-            Experiment::Contact(_) => "`pair`",
+            Experiment::Contact(_) | Experiment::Path(_) => "`pair`",
             Experiment::Spectroscopy(_) => "`film`",
         };
         return found.push(("sample".into(), format!("expected {sample} for this experiment")));
@@ -28,11 +29,15 @@ pub(super) fn problems(case: &Case, found: &mut Found) {
     let thick =
         format!("more than the equilibrium distance of the bare surfaces (`core_gap`), {}", in_unit(core_gap, "nm"));
     match &test {
-        TitaniaTest::Contact(TwoParticles { diameters }, tests) => {
-            for (place, d) in diameters.iter().enumerate() {
-                let key = format!("sample.pair.diameters[{place}]");
-                expect(found, d.value > core_gap, &key, d, &thick);
+        TitaniaTest::Path(pair, Path { distance, legs, dt }) => {
+            two(pair, &thick, core_gap, found);
+            path::legs(legs, dt, found);
+            if let Some(distance) = distance {
+                expect(found, distance.value > 0.0, "experiment.path.distance", distance, "more than zero");
             }
+        }
+        TitaniaTest::Contact(pair, tests) => {
+            two(pair, &thick, core_gap, found);
             if tests.approach.is_none() && tests.slide.is_none() && tests.roll.is_none() {
                 let what = "expected at least one of the keys `approach`, `slide`, `roll`";
                 found.push(("experiment.contact".into(), what.into()));
@@ -108,6 +113,12 @@ pub(super) fn step(titania: &Titania, diameters: [f64; 2], (key, dt): (&str, &Qu
     let limit = step_limit(titania, diameters);
     let expected = format!("more than zero and less than the stability limit {}", in_unit(limit, "fs"));
     expect(found, dt.value > 0.0 && dt.value < limit, key, dt, &expected);
+}
+
+fn two(TwoParticles { diameters }: &TwoParticles, thick: &str, core_gap: f64, found: &mut Found) {
+    for (place, d) in diameters.iter().enumerate() {
+        expect(found, d.value > core_gap, &format!("sample.pair.diameters[{place}]"), d, thick);
+    }
 }
 
 /// Checks a chain that is generated.

@@ -95,6 +95,7 @@ impl Paper for Titania {
                 Box::new(film::Plan::<Necked<Tabulated>>::of(&case))
             }
             (_, TitaniaTest::Spectroscopy(..)) => Box::new(film::Plan::<Tabulated>::of(&case)),
+            (titania, TitaniaTest::Path(pair, path)) => Box::new(pair::path(titania, pair, path, case.limits.overlap)),
             (_, TitaniaTest::Chain(..)) => Box::new(Plan::<Tabulated>::of(&case)),
             (_, TitaniaTest::Contact(..)) => Box::new(Plan::<crate::spec::titania::Titania>::of(&case)),
         }

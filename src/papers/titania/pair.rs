@@ -1,7 +1,9 @@
 //! Two particles of the titania paper, and the dragging of one over the other.
 
-use super::case::Titania;
+use super::case::{Path, Titania, TwoParticles};
+use crate::papers::path::PathPlan;
 use crate::spec::Vec3;
+use crate::spec::titania::Titania as Law;
 use crate::spec::titania::eq02_torque::moment_arm;
 use crate::system::{Domain, Motion, Particles, System};
 
@@ -20,6 +22,15 @@ pub fn pair(titania: &Titania, diameters: [f64; 2], axis: usize, gap: f64) -> Sy
         particles.push(x, radius, mass, tag);
     }
     System::new(particles, Domain { sides: [side; 3], periodic: [false; 3] })
+}
+
+/// The plan of a path of two particles.
+pub(super) fn path(titania: &Titania, pair: &TwoParticles, path: &Path, overlap: f64) -> PathPlan<Law> {
+    let spheres = pair.diameters.each_ref().map(|d| titania.particle(d.value));
+    let model = titania.law();
+    let at_rest = || model.equilibrium(spheres[0].0, spheres[1].0);
+    let distance = path.distance.as_ref().map_or_else(at_rest, |distance| distance.value);
+    PathPlan { model, spheres, distance, neck: false, legs: path.legs.clone(), dt: path.dt.value, overlap }
 }
 
 /// Holds the second particle and drags the first along x under a load along y; if it rolls, it rotates without sliding.

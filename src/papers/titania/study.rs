@@ -59,7 +59,7 @@ impl<M> Plan<M> {
             }
             TitaniaTest::Chain(_, ChainTest::Stretching(test)) => Stage::stretching(test, dt).into(),
             TitaniaTest::Chain(_, ChainTest::Release(test)) => vec![Stage::release(test, dt)],
-            TitaniaTest::Spectroscopy(..) => unreachable!("{OTHER}"),
+            TitaniaTest::Path(..) | TitaniaTest::Spectroscopy(..) => unreachable!("{OTHER}"),
         };
         let chain = match test {
             TitaniaTest::Chain(sample, test) => {
@@ -229,4 +229,4 @@ impl<M: Law> Study for Plan<M> {
     }
 }
 
-const OTHER: &str = "a film has a plan of its own";
+const OTHER: &str = "films and paths have plans of their own";

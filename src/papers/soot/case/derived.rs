@@ -1,6 +1,6 @@
 //! The derived values of a case of the soot paper.
 
-use super::{Case, Torsion, key, parts};
+use super::{Case, Torsion, key, parts, path};
 use crate::case::units::{in_unit, rounded};
 use crate::initial::aggregate::import::{FileSizes, Import};
 use crate::spec::mechanics::primary_particle::solid_inertia;
@@ -18,12 +18,12 @@ pub fn unused(case: &Case) -> &'static [&'static str] {
         "sample.aggregate.deviation",
         "sample.aggregate.growth",
     ];
-    if parts(case).1.import.is_some() { OF_GROWTH } else { &[] }
+    if parts(case).is_some_and(|(_, sample, _)| sample.import.is_some()) { OF_GROWTH } else { &[] }
 }
 
 /// The derived values of a case, with units. A file that cannot be read is reported when it is needed; of a deposited aggregate little is known before.
 pub fn derived(case: &Case) -> Vec<(String, String)> {
-    let (soot, sample, stages) = parts(case);
+    let Some((soot, sample, stages)) = parts(case) else { return of_path(case) };
     let mut rows = Vec::new();
     let imported = sample.import.as_ref().and_then(Import::sizes);
     if let Some(FileSizes { number, least, median, largest }) = imported {
@@ -68,6 +68,14 @@ pub fn derived(case: &Case) -> Vec<(String, String)> {
         rows.push(("attraction at the cutoff".into(), in_unit(left, "N")));
     }
     rows
+}
+
+fn of_path(case: &Case) -> Vec<(String, String)> {
+    let Some((soot, pair, path)) = path(case) else { return Vec::new() };
+    let limit = soot.step_limit(pair.radii());
+    let share = rounded(path.dt.value / limit);
+    let text = format!("{} = {share} of the largest stable time step", in_unit(path.dt.value, "fs"));
+    vec![("largest stable time step".into(), in_unit(limit, "fs")), ("experiment.path.dt".into(), text)]
 }
 
 /// Ratio of the largest stable time steps of a sphere with six necks and a sphere with one.
