@@ -51,13 +51,21 @@ pub fn problems(case: &Case, found: &mut Found) {
     }
     if found.is_empty() {
         expect(found, !stages.is_empty(), "experiment.sequence", "nothing", "at least one stage");
-        let mut deposited = sample.deposited.is_some();
+        let mut deposited = sample.deposited.is_some() || sample.on_substrate;
+        if sample.on_substrate && (sample.import.is_none() || sample.deposited.is_some()) {
+            let what = "expected an `import` beside it, and no `deposited`: it is about the spheres of a file";
+            found.push((at("on_substrate"), what.into()));
+        }
         for (number, stage) in stages.iter().enumerate() {
             let key = key(case, number, stage);
             self::stage(stage, &key, found);
             let follows = deposited || !matches!(stage, SootStage::Indentation(_));
             expect(found, follows, &key, "an indentation", "a deposition before it");
-            deposited |= matches!(stage, SootStage::Deposition(_));
+            let deposits = matches!(stage, SootStage::Deposition(_));
+            if sample.on_substrate && deposits {
+                found.push((key.clone(), "expected no deposition of an aggregate that lies `on_substrate`".into()));
+            }
+            deposited |= deposits;
         }
         if let Some(radii) = sample.radii() {
             let keys = stages.iter().enumerate().map(|(number, stage)| (stage, key(case, number, stage)));

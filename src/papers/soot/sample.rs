@@ -56,7 +56,13 @@ impl<S: Reading> Plan<S> {
         let sample = &self.sample;
         if let Some(import) = &sample.import {
             let imported = import::read(&import.file, &import.options(), interrupt)?;
-            let spheres = centred(imported.spheres);
+            let spheres = if sample.on_substrate { imported.spheres } else { centred(imported.spheres) };
+            if sample.on_substrate
+                && let Some(below) = spheres.iter().position(|sphere| sphere.centre.0[2] <= 0.0)
+            {
+                let what = format!("the centre of the sphere {below} is not above the substrate, the plane z = 0");
+                return Err(Error::input(&import.file, what));
+            }
             self.suits(spheres.iter().map(|sphere| sphere.radius))?;
             if imported.extras.bodies.iter().any(|&body| body > 0) {
                 notice(format!("{}: the bodies are not read, necks join the spheres", import.file.display()));

@@ -1,6 +1,6 @@
 //! The set-up of a stage: surfaces, velocities and necks of the aggregate.
 
-use super::case::{Deposition, Indentation, Restructuring, Solid, SootStage};
+use super::case::{Deposition, Indentation, Indented, Restructuring, Solid, SootStage};
 use super::tip::tetrahedron;
 use crate::error::Error;
 use crate::initial::aggregate::necks::keep_fraction;
@@ -22,6 +22,8 @@ pub(super) struct Ground {
     pub target: Stream,
     /// Radius of the spheres, nm.
     pub radius: f64,
+    /// The key of the stage in the case.
+    pub key: String,
 }
 
 /// The initial system of a stage.
@@ -67,16 +69,23 @@ fn deposit(test: &Deposition, solid: Option<Mesh>, radius: f64, system: &mut Sys
     particles.v.fill(Vec3([0.0, 0.0, -test.velocity.value]));
     particles.w.fill(Vec3::zero());
     system.lag = 0.0;
-    let shape = match solid {
-        None => Shape::Plane { point: Vec3::zero(), normal: Vec3([0.0, 0.0, 1.0]) },
+    let substrate = match solid {
+        None => plane(),
         Some(mesh) => {
             let [low, high] = mesh.bounds();
             let middle = (low + high) * 0.5;
             let [a, b, _] = system.domain.sides;
-            Shape::Mesh(mesh.displaced(Vec3([0.5 * a - middle.0[0], 0.5 * b - middle.0[1], -high.0[2]])))
+            let shape = Shape::Mesh(mesh.displaced(Vec3([0.5 * a - middle.0[0], 0.5 * b - middle.0[1], -high.0[2]])));
+            Surface::new("substrate", SUBSTRATE, shape, PrescribedMotion::Still)
         }
     };
-    system.surfaces = vec![Surface::new("substrate", SUBSTRATE, shape, PrescribedMotion::Still)];
+    system.surfaces = vec![substrate];
+}
+
+/// The substrate as a plane.
+pub(super) fn plane() -> Surface {
+    let shape = Shape::Plane { point: Vec3::zero(), normal: Vec3([0.0, 0.0, 1.0]) };
+    Surface::new("substrate", SUBSTRATE, shape, PrescribedMotion::Still)
 }
 
 fn indent(test: &Indentation, solid: Option<Mesh>, ground: &mut Ground, system: &mut System) -> Result<(), Error> {
@@ -90,23 +99,71 @@ fn indent(test: &Indentation, solid: Option<Mesh>, ground: &mut Ground, system: 
     let particles = &system.particles;
     let motion =
         PrescribedMotion::Reversal { velocity: test.velocity.value, rate: test.turn_rate.value, turn: test.turn.value };
-    let above = |p: usize| {
-        let apex = particles.x[p] + Vec3([0.0, 0.0, particles.radius[p] + test.gap.value(ground.radius)]);
-        Surface::new("tip", TIP, Shape::Mesh(mesh.displaced(apex - lowest)), motion)
+    let gap = test.gap.value(ground.radius);
+    let at = |apex: Vec3<f64>| Surface::new("tip", TIP, Shape::Mesh(mesh.displaced(apex - lowest)), motion);
+    let above = |p: usize| at(particles.x[p] + Vec3([0.0, 0.0, particles.radius[p] + gap]));
+    let is_free = |p: usize| is_unhindered(particles, p) && is_met_first(particles, p, &above(p));
+    let tip = match &test.indent {
+        None => {
+            let mut free: Vec<usize> = (0..particles.len()).filter(|&p| is_free(p)).collect();
+            free.sort_by_key(|&p| particles.id[p]);
+            let drawn = ground.target.uniform() * free.len() as f64;
+            let Some(&target) = free.get(drawn as usize) else {
+                let file = test.tip.as_ref().map(|tip| tip.stl.as_path()).unwrap_or(Path::new("tip"));
+                return Err(Error::input(file, "its lowest point is above no sphere that it would touch first"));
+            };
+            above(target)
+        }
+        Some(Indented::Sphere(number)) => {
+            let place = particles.id.iter().position(|&id| u64::from(id) == *number);
+            let Some(target) = place.filter(|&p| is_free(p)) else {
+                let free = (0..particles.len()).filter(|&p| is_free(p)).map(|p| particles.id[p]);
+                let free: BTreeSet<u32> = free.collect();
+                let few: Vec<String> = free.iter().take(20).map(u32::to_string).collect();
+                let others = if free.len() > few.len() { ", ..." } else { "" };
+                let what = format!("found `{number}`, expected an exposed sphere: {}{others}", few.join(", "));
+                return Err(Error::of_key(&format!("{}.indent.sphere", ground.key), what));
+            };
+            above(target)
+        }
+        Some(Indented::Place([x, y])) => {
+            let [a, b, _] = system.domain.sides;
+            let over = |z: f64| at(Vec3([0.5 * a + x.value, 0.5 * b + y.value, z]));
+            lowered(particles, gap, over).ok_or_else(|| {
+                let what = format!("found `{x}, {y}`, expected a place above a sphere");
+                Error::of_key(&format!("{}.indent.place", ground.key), what)
+            })?
+        }
     };
-    let mut free: Vec<usize> = (0..particles.len())
-        .filter(|&p| is_unhindered(particles, p) && is_met_first(particles, p, &above(p)))
-        .collect();
-    free.sort_by_key(|&p| particles.id[p]);
-    let drawn = ground.target.uniform() * free.len() as f64;
-    let Some(&target) = free.get(drawn as usize) else {
-        let file = test.tip.as_ref().map(|tip| tip.stl.as_path()).unwrap_or(Path::new("tip"));
-        return Err(Error::input(file, "its lowest point is above no sphere that it would touch first"));
-    };
-    let tip = above(target);
     system.surfaces.push(tip);
     Ok(())
 }
+
+/// The tip above a place, so low that its gap to the nearest sphere is this; none if it would reach the substrate before. Its gaps change by at most the way
+/// that it is lowered, so it never goes too far.
+fn lowered(Particles { x, radius, .. }: &Particles, gap: f64, over: impl Fn(f64) -> Surface) -> Option<Surface> {
+    let mut height = (0..x.len()).map(|p| x[p].0[2] + radius[p]).fold(0.0, f64::max) + gap;
+    let mut seen = Vec::new();
+    loop {
+        let tip = over(height);
+        let mut nearest = f64::INFINITY;
+        for p in 0..x.len() {
+            seen.clear();
+            tip.distance_minima(x[p], f64::INFINITY, &mut seen);
+            nearest = seen.iter().map(|place| place.distance - radius[p]).fold(nearest, f64::min);
+        }
+        if nearest - gap <= NEAR {
+            return Some(tip);
+        }
+        height -= nearest - gap;
+        if height <= gap {
+            return None;
+        }
+    }
+}
+
+/// Precision of the gap between the tip and the sphere that it approaches, nm.
+const NEAR: f64 = 1e-9;
 
 /// Whether no other sphere hides a sphere from above.
 fn is_unhindered(Particles { x, radius, .. }: &Particles, p: usize) -> bool {

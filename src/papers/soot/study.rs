@@ -117,15 +117,18 @@ impl<S: Reading> Study for Plan<S> {
         let (spheres, necks, Extras { v, w, .. }) = self.aggregate(interrupt)?;
         let mut particles = Particles::default();
         let reach = spheres.iter().map(|sphere| sphere.centre.norm() + sphere.radius).fold(0.0, f64::max);
+        // What lies on the substrate keeps its height; the middle of the box is the origin of its other places.
+        let middle = Vec3([reach, reach, if self.sample.on_substrate { 0.0 } else { reach }]);
         for &Sphere { centre, radius } in &spheres {
-            particles.push(centre + Vec3([reach; 3]), radius, sphere_mass(self.soot.density.value, radius), 0);
+            particles.push(centre + middle, radius, sphere_mass(self.soot.density.value, radius), 0);
         }
         particles.v.iter_mut().zip(v).for_each(|(own, v)| *own = v);
         particles.w.iter_mut().zip(w).for_each(|(own, w)| *own = w);
         let domain = Domain { sides: [2.0 * reach; 3], periodic: [false; 3] };
         let springs = initial_springs::<S>(self.sample.neck_length, &spheres, &necks);
         let necks = necks.into_iter().map(|(i, j)| (i as u32, j as u32)).collect();
-        Ok(System { necks, springs, ..System::new(particles, domain) })
+        let surfaces = if self.sample.on_substrate { vec![stage::plane()] } else { Vec::new() };
+        Ok(System { necks, springs, surfaces, ..System::new(particles, domain) })
     }
 
     fn set_up(&self, stage: usize, system: System) -> Result<System, Error> {
@@ -134,6 +137,7 @@ impl<S: Reading> Study for Plan<S> {
             necks: self.stream(stage, NECK_REMOVAL, self.sample.neck_fraction < 1.0, stage::removes_necks),
             target: self.stream(stage, INDENTED_SPHERE, false, indents),
             radius: median_radius(&system.particles),
+            key: self.keys[stage].clone(),
         };
         stage::set_up::<Self::Model>(&self.stages[stage], ground, system)
     }

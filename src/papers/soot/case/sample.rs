@@ -24,6 +24,8 @@ section! {
         /// Imports the spheres from a file instead of growing the aggregate; the keys above are then ignored. They are joined by necks, never rigid bodies; velocities in the file are those at
         /// the start, except in a deposition.
         import: Option<Import> = None,
+        /// Whether the spheres of the file lie on the substrate, the plane z = 0, and stay where they are: a deposited aggregate of another program, for an indentation without a deposition.
+        on_substrate: bool = false,
         /// File with a deposited aggregate to start from; it must have been made with the same model and the same values of the other keys. A different
         /// seed removes different necks and indents a different sphere.
         deposited: Option<PathBuf> = None,

@@ -36,7 +36,9 @@ section! {
     pub struct Indentation {
         /// Fraction of the necks that are kept, chosen at random; the others are removed when the stage begins.
         keep_necks: f64 = 0.98,
-        /// Initial gap between the tip and the sphere.
+        /// What is indented; by default an exposed sphere that is drawn at random: one that no other hides from above, and that the tip touches first.
+        indent: Option<Indented> = None,
+        /// Initial gap between the tip and the sphere that it approaches.
         gap: InRadii = Scaled::times(0.5),
         /// A triangulated tip instead of the tetrahedron, placed with its lowest point above the sphere.
         tip: Option<Solid> = None,
@@ -56,6 +58,16 @@ section! {
         integrator: Integrator = Integrator::HalfStep,
         /// Interval, in steps, at which the attraction of non-touching pairs is recomputed.
         attraction_every: u64 = 1,
+    }
+}
+
+choice! {
+    /// What is indented.
+    pub enum Indented {
+        /// The exposed sphere with this number, counted from 0, in the order of a file.
+        Sphere = "sphere": u64,
+        /// The place below the lowest point of the tip: x and y from where the centre of mass of the aggregate was at first, or from the origin of the file of an aggregate that lies `on_substrate`.
+        Place = "place": [Quantity<Length>; 2],
     }
 }
 
