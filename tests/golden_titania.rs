@@ -4,6 +4,7 @@ use serde_json::Value;
 use std::path::Path;
 use veridem_spec::titania::Parameters;
 use veridem_spec::titania::eq12_sliding::{sawtooth, sliding_spring, spring_energy};
+use veridem_spec::titania::eq13_rolling::RollingOver;
 use veridem_spec::{Contact, Vec3};
 
 fn runs(name: &str) -> Vec<Value> {
@@ -44,7 +45,9 @@ fn pairs_approach_and_relax_as_integrated_independently() {
             for _ in 0..steps {
                 let along = |x| Vec3::new(x, 0.0, 0.0);
                 let c = Contact::new(along(2.0 * r - delta), along(-rate), none, none, r, r);
-                rate -= law.act([r - 0.5 * delta; 2], &c, -f_a, none, dt).wrench.force.0[0] / m_eff * dt;
+                rate -= law.act(RollingOver::Rolling, [r - 0.5 * delta; 2], &c, -f_a, none, dt).wrench.force.0[0]
+                    / m_eff
+                    * dt;
                 delta += rate * dt;
             }
             // the scheme is of first order: at most a few steps ahead or behind

@@ -2,11 +2,11 @@
 
 use crate::equation::Equation;
 use crate::mechanics::contact_kinematics::ContactKinematics;
-use crate::mechanics::four_springs::{Friction, Memory, Springs, SpringsOutcome, never};
+use crate::mechanics::four_springs::{Friction, Memory, Order, Springs, SpringsOutcome, never};
 use crate::{Contact, Real, Vec3, equation};
 
 /// Force on i, torques on i and j, and the three springs.
-type Effect<R> = (Vec3<R>, Vec3<R>, Vec3<R>, Vec3<R>, Vec3<R>, R);
+type Effect<R, O = R> = (Vec3<R>, Vec3<R>, Vec3<R>, Vec3<R>, Vec3<R>, O);
 
 /// **Section 2.1.2**, Eqs. 3 to 12 together, unnumbered: a neck, from two particles and their springs to forces and springs.
 ///
@@ -175,7 +175,92 @@ pub fn frictional_contact<R: Real>(
     effect(springs.evaluate(&Friction::from_ratio([mu_t, mu_r, mu_o], phi), never::<R>(), &at, memory, dt))
 }
 
-fn effect<R: Real>(evaluate: SpringsOutcome<R>) -> Effect<R> {
+/// **Section 2.1.3**, Eqs. 3 to 17 together, unnumbered: a frictional contact as the published program reads its springs.
+///
+/// ```math
+/// (\mathbf{x}, \mathbf{v}, \boldsymbol{\omega}, r)_{i,j}, \; (k, \eta)_{\mathrm{n,t,r,o}}, \; \mu, \; \boldsymbol{\xi}_{\mathrm{t,r,o}}, \; \Delta t \mapsto
+/// \mathbf{f}, \boldsymbol{\tau}_i, \boldsymbol{\tau}_j, \boldsymbol{\xi}_{\mathrm{t,r,o}}
+/// ```
+///
+/// # Reading
+///
+/// As [`frictional_contact`], but for two steps, in which the program differs: springs act before they are stretched, so that they lag by one step; and the torsion spring is turned into the contact plane, as the text says of
+/// all three, where it acts like a rolling spring. Each of [`Along`](super::law::Along), [`Printed`](super::law::Printed) and [`Lagging`](super::law::Lagging) keeps one or both steps; what else the program does otherwise is listed at
+/// [`Programmed`](super::law::Programmed).
+///
+/// | name | symbol | unit | domain | meaning |
+/// |---|---|---|---|---|
+/// | `x_i` | $\mathbf{x}_i$ | m (3) | any | position of i |
+/// | `x_j` | $\mathbf{x}_j$ | m (3) | any | position of j, distinct from `x_i` |
+/// | `v_i` | $\mathbf{v}_i$ | m/s (3) | any | velocity of i |
+/// | `v_j` | $\mathbf{v}_j$ | m/s (3) | any | velocity of j |
+/// | `omega_i` | $\boldsymbol{\omega}_i$ | rad/s (3) | any | angular velocity of i |
+/// | `omega_j` | $\boldsymbol{\omega}_j$ | rad/s (3) | any | angular velocity of j |
+/// | `r_i` | $r_i$ | m | > 0 | radius of i |
+/// | `r_j` | $r_j$ | m | > 0 | radius of j |
+/// | `k_n` | $k_\mathrm{n}$ | N/m | >= 0 | normal stiffness |
+/// | `k_t` | $k_\mathrm{t}$ | N/m | >= 0 | tangential stiffness |
+/// | `k_r` | $k_\mathrm{r}$ | N/m | >= 0 | rolling stiffness |
+/// | `k_o` | $k_\mathrm{o}$ | N/m | >= 0 | torsional stiffness |
+/// | `eta_n` | $\eta_\mathrm{n}$ | kg/s | >= 0 | normal damping |
+/// | `eta_t` | $\eta_\mathrm{t}$ | kg/s | >= 0 | tangential damping |
+/// | `eta_r` | $\eta_\mathrm{r}$ | kg/s | >= 0 | rolling damping |
+/// | `eta_o` | $\eta_\mathrm{o}$ | kg/s | >= 0 | torsional damping |
+/// | `mu_t` | $\mu_\mathrm{s}$ | 1 | >= 0 | static friction coefficient of sliding |
+/// | `mu_r` | $\mu_\mathrm{s,r}$ | 1 | >= 0 | static friction coefficient of rolling |
+/// | `mu_o` | $\mu_\mathrm{s,o}$ | 1 | >= 0 | static friction coefficient of torsion |
+/// | `phi` | $\mu_\mathrm{d} / \mu_\mathrm{s}$ | 1 | [0, 1] | ratio of the dynamic to the static coefficients |
+/// | `xi_t` | $\boldsymbol{\xi}_\mathrm{t}$ | m (3) | any | tangential spring before |
+/// | `xi_r` | $\boldsymbol{\xi}_\mathrm{r}$ | m (3) | any | rolling spring before |
+/// | `xi_o` | $\boldsymbol{\xi}_\mathrm{o}$ | m (3) | any | torsion spring before |
+/// | `dt` | $\Delta t$ | s | >= 0 | time step |
+/// | → `force` | $\mathbf{f}$ | N (3) | | force on i; the force on j is its negative |
+/// | → `torque_i` | $\boldsymbol{\tau}_i$ | N m (3) | | torque on i about its centre |
+/// | → `torque_j` | $\boldsymbol{\tau}_j$ | N m (3) | | torque on j about its centre |
+/// | → `xi_t_next` | $\boldsymbol{\xi}_\mathrm{t}$ | m (3) | | tangential spring now |
+/// | → `xi_r_next` | $\boldsymbol{\xi}_\mathrm{r}$ | m (3) | | rolling spring now |
+/// | → `xi_o_next` | $\boldsymbol{\xi}_\mathrm{o}$ | m (3) | | torsion spring now |
+///
+/// Rounding: at most 4 ULP.
+///
+/// # Laws
+///
+/// * `published_springs_act_before_they_are_stretched`
+#[inline(always)]
+pub fn published_contact<R: Real>(
+    x_i: Vec3<R>,
+    x_j: Vec3<R>,
+    v_i: Vec3<R>,
+    v_j: Vec3<R>,
+    omega_i: Vec3<R>,
+    omega_j: Vec3<R>,
+    r_i: R,
+    r_j: R,
+    k_n: R,
+    k_t: R,
+    k_r: R,
+    k_o: R,
+    eta_n: R,
+    eta_t: R,
+    eta_r: R,
+    eta_o: R,
+    mu_t: R,
+    mu_r: R,
+    mu_o: R,
+    phi: R,
+    xi_t: Vec3<R>,
+    xi_r: Vec3<R>,
+    xi_o: Vec3<R>,
+    dt: R,
+) -> Effect<R, Vec3<R>> {
+    let at = ContactKinematics::of_spheres(&Contact::new(x_i - x_j, v_i - v_j, omega_i, omega_j, r_i, r_j));
+    let springs = Springs { k_n, k_t, k_r, k_o, eta_n, eta_t, eta_r, eta_o };
+    let memory = Memory { tangential: xi_t, rolling: xi_r, torsion: xi_o, rest: R::zero() };
+    let friction = Friction::from_ratio([mu_t, mu_r, mu_o], phi);
+    effect(springs.grip_in(Order::ActFirst, &friction, never::<R>(), &at, memory, dt))
+}
+
+fn effect<R: Real, O>(evaluate: SpringsOutcome<R, O>) -> Effect<R, O> {
     let SpringsOutcome { wrench, memory, .. } = evaluate;
     (wrench.force, wrench.torque_i, wrench.torque_j, memory.tangential, memory.rolling, memory.torsion)
 }
@@ -184,6 +269,7 @@ pub(super) fn equations() -> Vec<Equation> {
     vec![
         equation!("soot/def_contact.rs", "soot-neck", [], neck),
         equation!("soot/def_contact.rs", "soot-contact", [], frictional_contact),
+        equation!("soot/def_contact.rs", "soot-published-contact", [], published_contact),
     ]
 }
 
@@ -304,6 +390,25 @@ mod laws {
             prop_assert!(f_n >= -1e-15);
             prop_assert!(evaluate.wrench.force.perpendicular_to(c.n).norm() <= FRICTION.static_t * f_n + 1e-14);
             prop_assert!(evaluate.losses.normal >= -1e-15);
+        }
+
+        #[test]
+        fn published_springs_act_before_they_are_stretched(c in pair(), memory in memory()) {
+            prop_assume!(c.gap < -1e-3);
+            let at = ContactKinematics::of_spheres(&c);
+            let rough = Friction::from_ratio([1e9; 3], 1.0);
+            let undamped = Springs { eta_n: 0.0, eta_t: 0.0, eta_r: 0.0, eta_o: 0.0, ..SPRINGS };
+            let Memory { tangential, rolling, .. } = memory;
+            let [tangential, rolling] = [tangential, rolling].map(|xi| xi.perpendicular_to(c.n));
+            let before = Memory { tangential, rolling, torsion: Vec3::zero(), rest: 0.0 };
+            let acted = undamped.grip_in(Order::ActFirst, &rough, false, &at, before, DT);
+            // The force is that of the springs before, without the elongation of this step.
+            prop_assert!((acted.wrench.force.perpendicular_to(c.n) + tangential * undamped.k_t).norm() < 1e-12);
+            prop_assert!((acted.memory.tangential - tangential - at.v_t * DT).norm() < 1e-12);
+            // The torsion spring is a vector: a step of twisting along the normal, which the next step turns into the plane.
+            prop_assert!((acted.memory.torsion - c.n * acted.memory.torsion.dot(c.n)).norm() < 1e-12);
+            let again = undamped.grip_in(Order::ActFirst, &rough, false, &at, acted.memory, 0.0);
+            prop_assert!(again.memory.torsion.dot(c.n).abs() < 1e-9);
         }
 
         #[test]

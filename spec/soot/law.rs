@@ -27,6 +27,14 @@ impl Reading for Along {
     const ORDER: Order = Order::StretchFirst;
 }
 
+/// Torsion springs along the normal, and all springs act before they are stretched, lagging by one step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lagging;
+impl Reading for Lagging {
+    type Torsion<R: Real> = R;
+    const ORDER: Order = Order::ActFirst;
+}
+
 /// As printed: torsion springs are rotated into the contact plane before every step. Only the last increment remains along the normal, so torsion meets no lasting
 /// resistance. The spring in the plane only grows, and bends the pair in the directions in which the normal has moved, with work that is not taken from a spring.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,7 +44,9 @@ impl Reading for Printed {
     const ORDER: Order = Order::StretchFirst;
 }
 
-/// As in the authors' program: as printed, and all springs act before they are stretched, lagging by one step.
+/// As the springs are in the authors' program: as printed, and all act before they are stretched, lagging by one step. The program differs from it in these: it turns rolling and torsion springs into torques with the
+/// radius as arm, not with the distance from the centre to the contact for rolling; while spheres part and their dashpot outweighs their overlap it lets the normal force pull, and friction push along the motion, where
+/// nothing acts here; at its start it evaluates all forces three times and stretches the springs each time; and facets of a surface act one by one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Programmed;
 impl Reading for Programmed {

@@ -6,6 +6,15 @@ use crate::{Real, equation};
 /// The damping constants in use, N s/m³: the paper's and the authors' program's.
 pub const GAMMA_0: (f64, f64) = (0.5e6, 5e6);
 
+/// The radii of which the damping coefficient takes the effective one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DampingRadius {
+    /// Those of the bare particles.
+    Bare,
+    /// Those of the contact spheres, as in the authors' program.
+    Contact,
+}
+
 /// **Eq. 7**, Section 2.2: damping coefficient of a pair.
 ///
 /// ```math

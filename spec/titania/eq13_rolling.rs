@@ -13,6 +13,15 @@ pub enum Rolling {
     Unlimited,
 }
 
+/// The angular velocity over whose length the rolling torque is spread.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RollingOver {
+    /// That of rolling.
+    Rolling,
+    /// The whole relative one, with the twist about the normal, as in the authors' program: [`rolling_share`].
+    Spin,
+}
+
 /// **Eq. 13**, Section 2.4: magnitude of the rolling torque.
 ///
 /// ```math
@@ -82,10 +91,40 @@ pub fn rolling_torque<R: Real>(m_r: R, omega_i: Vec3<R>, omega_j: Vec3<R>, n: Ve
     omega_r * -R::select(speed.gt(R::zero()), m_r / speed, R::zero())
 }
 
+/// **Eq. 13** in the authors' program: the share of rolling in a relative spin, by which twisting weakens the resistance to rolling.
+///
+/// ```math
+/// \frac{|\boldsymbol{\omega}_r|}{|\boldsymbol{\omega}_i - \boldsymbol{\omega}_j|}
+/// ```
+///
+/// # Reading
+///
+/// The paper does not define the direction of the torque. The program divides the rolling part of the relative angular velocity by the length of the whole. One at rest, where there is no torque.
+///
+/// | name | symbol | unit | domain | meaning |
+/// |---|---|---|---|---|
+/// | `omega_i` | $\boldsymbol{\omega}_i$ | rad/s (3) | any | angular velocity of i |
+/// | `omega_j` | $\boldsymbol{\omega}_j$ | rad/s (3) | any | angular velocity of j |
+/// | `n` | $\mathbf{n}_{ij}$ | 1 (3) | unit | normal, from j to i |
+/// | → `share` | $s$ | 1 | | factor of the rolling torque |
+///
+/// Rounding: at most 1 ULP.
+///
+/// # Laws
+///
+/// * `twisting_weakens_the_resistance_of_the_program`
+#[inline(always)]
+pub fn rolling_share<R: Real>(omega_i: Vec3<R>, omega_j: Vec3<R>, n: Vec3<R>) -> R {
+    let omega = omega_i - omega_j;
+    let whole = omega.norm();
+    R::select(whole.gt(R::zero()), omega.perpendicular_to(n).norm() / whole, R::one())
+}
+
 pub(super) fn equations() -> Vec<Equation> {
     vec![
         equation!("titania/eq13_rolling.rs", "titania-13", ["13"], rolling_resistance),
         equation!("titania/eq13_rolling.rs", "titania-13-torque", [], rolling_torque),
+        equation!("titania/eq13_rolling.rs", "titania-13-share", [], rolling_share),
     ]
 }
 
@@ -127,6 +166,17 @@ mod laws {
             prop_assert!(relative(torque).dot(before) >= -1e-13 && relative(torque).norm() <= before.norm());
             let unlimited = before * (-m_r / before.norm());
             prop_assert_eq!((torque - unlimited).norm() > 1e-12, relative(unlimited).dot(before) < -1e-10);
+        }
+
+        #[test]
+        fn twisting_weakens_the_resistance_of_the_program(omega in vector(), twist in 0.1..3.0f64) {
+            let rolled = omega.perpendicular_to(N);
+            prop_assume!(rolled.norm() > 0.1);
+            let expected = rolled.norm() / rolled.norm().hypot(twist);
+            prop_assert!((rolling_share(rolled + N * twist, Vec3::zero(), N) - expected).abs() < 1e-13);
+            prop_assert!((rolling_share(rolled, Vec3::zero(), N) - 1.0).abs() < 1e-14);
+            prop_assert!(rolling_share(N * twist, Vec3::zero(), N) < 1e-14);
+            prop_assert_eq!(rolling_share(omega, omega, N), 1.0);
         }
 
         #[test]

@@ -8,12 +8,12 @@ use super::eq02_torque::{Arms, contact_torques};
 use super::eq03_attraction::Solvation;
 use super::eq05_amplitude::amplitude;
 use super::eq06_normal_damping::dashpot;
-use super::eq07_damping_coefficient::{GAMMA_0, damping_coefficient};
+use super::eq07_damping_coefficient::{DampingRadius, GAMMA_0, damping_coefficient};
 use super::eq08_repulsion::hertz;
 use super::eq09_stiffness::{Stiffness, mixed_stiffness, stiffness};
 use super::eq11_contact_area::section;
 use super::eq12_sliding::{Slip, sliding_spring, spring_energy};
-use super::eq13_rolling::{Rolling, rolling_torque};
+use super::eq13_rolling::{Rolling, RollingOver, rolling_share, rolling_torque};
 use super::table::Table;
 use crate::mechanics::projected_spring::stretched_spring;
 use crate::mechanics::reduced_mass::effective_mass;
@@ -81,6 +81,10 @@ pub struct Titania {
     pub arms: Arms,
     /// Rolling resistance of a particle that hardly rolls.
     pub rolling: Rolling,
+    /// The angular velocity over which the rolling torque is spread.
+    pub rolling_over: RollingOver,
+    /// The radii that count for the damping.
+    pub damping_radius: DampingRadius,
 }
 
 flat_struct! {
@@ -161,6 +165,8 @@ impl Titania {
             stiffness: Stiffness::PerPair,
             arms: Arms::HalfGap,
             rolling: Rolling::Stopping,
+            rolling_over: RollingOver::Rolling,
+            damping_radius: DampingRadius::Bare,
         }
     }
 
@@ -246,8 +252,11 @@ impl Titania {
 
     /// The constants of the contact of a pair of known stiffness.
     pub(super) fn parameters_with<R: Real>(&self, k_n: R, r_i: R, r_j: R, m_i: R, m_j: R) -> Parameters<R> {
-        let (core_i, core_j) = (self.core(r_i), self.core(r_j));
-        let gamma_n = damping_coefficient(effective_radius(core_i, core_j).0, R::lit(self.gamma_0));
+        let (damped_i, damped_j) = match self.damping_radius {
+            DampingRadius::Bare => (self.core(r_i), self.core(r_j)),
+            DampingRadius::Contact => (r_i, r_j),
+        };
+        let gamma_n = damping_coefficient(effective_radius(damped_i, damped_j).0, R::lit(self.gamma_0));
         Parameters {
             k_n,
             r_eff: effective_radius(r_i, r_j).1,
@@ -285,7 +294,7 @@ impl PairModel for Titania {
     }
 
     fn pair<R: Real>(&self, c: &Contact<R>, (contact, attraction): &Coefficients<R>, spring: Vec3<R>, dt: R) -> Act<R> {
-        contact.act(self.arms.of(c, self.h_n), c, attraction.force(c.distance), spring, dt)
+        contact.act(self.rolling_over, self.arms.of(c, self.h_n), c, attraction.force(c.distance), spring, dt)
     }
 
     fn stored<R: Real>(&self, c: &Contact<R>, (contact, attraction): &Coefficients<R>, spring: &Vec3<R>) -> Held<R> {
@@ -308,7 +317,15 @@ impl<R: Real> Parameters<R> {
     /// Eqs. 1 to 13 composed: the forces of a pair with attraction `f_na` along the normal (negative), its spring advanced by
     /// `dt`. Out of contact only the attraction acts, and the spring is reset.
     #[inline(always)]
-    pub fn act(&self, [arm_i, arm_j]: [R; 2], c: &Contact<R>, f_na: R, spring: Vec3<R>, dt: R) -> Act<R> {
+    pub fn act(
+        &self,
+        over: RollingOver,
+        [arm_i, arm_j]: [R; 2],
+        c: &Contact<R>,
+        f_na: R,
+        spring: Vec3<R>,
+        dt: R,
+    ) -> Act<R> {
         let (zero, delta_n) = (R::zero(), -c.gap);
         let touches = delta_n.gt(zero);
         let a = section(c.r_i, c.r_j, c.distance, delta_n);
@@ -324,6 +341,10 @@ impl<R: Real> Parameters<R> {
         let (f_nr, _, _) = hertz(self.k_n, delta_n, self.r_eff);
         let f_nd = Vec3::select(touches, dashpot(self.gamma_n, c), Vec3::zero());
         let rolling = rolling_torque(self.r_eff * self.tau_r * a, c.omega_i, c.omega_j, c.n, self.inertia, dt);
+        let rolling = match over {
+            RollingOver::Rolling => rolling,
+            RollingOver::Spin => rolling * rolling_share(c.omega_i, c.omega_j, c.n),
+        };
         let (torque_i, torque_j) = contact_torques(arm_i, arm_j, f_t, c.n, -rolling);
         let wrench = Wrench { force: total_force(c.n * f_na, c.n * f_nr, f_nd, f_t), torque_i, torque_j };
         let lost = Lost {

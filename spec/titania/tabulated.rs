@@ -105,7 +105,14 @@ impl PairModel for Tabulated {
         spring: Vec3<R>,
         dt: R,
     ) -> Act<R> {
-        contact.act(self.law.arms.of(c, self.law.h_n), c, piece.force(&self.lists, c.distance), spring, dt)
+        contact.act(
+            self.law.rolling_over,
+            self.law.arms.of(c, self.law.h_n),
+            c,
+            piece.force(&self.lists, c.distance),
+            spring,
+            dt,
+        )
     }
 
     fn stored<R: Real>(&self, c: &Contact<R>, (contact, piece): &Self::Coefficients<R>, spring: &Vec3<R>) -> Held<R> {

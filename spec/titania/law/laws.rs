@@ -35,8 +35,14 @@ impl Pair {
         Contact::new(x, v, omega[0], omega[1], self.r[0], self.r[1])
     }
     fn act(&self, c: &Contact<f64>, spring: Vec3<f64>) -> (Wrench<f64>, Vec3<f64>, Lost<f64>) {
-        let Outcome { wrench, memory, losses } =
-            self.k.act(self.law.arms.of(c, self.law.h_n), c, self.attraction.force(c.distance), spring, DT);
+        let Outcome { wrench, memory, losses } = self.k.act(
+            self.law.rolling_over,
+            self.law.arms.of(c, self.law.h_n),
+            c,
+            self.attraction.force(c.distance),
+            spring,
+            DT,
+        );
         (wrench, memory, losses)
     }
 }
@@ -227,7 +233,7 @@ fn approach(gamma_0: f64, start: f64, duration: f64, dt: f64) -> (Vec<f64>, f64)
     let at = |d: f64, v: f64| pair.contact(Vec3::new(d, 0.0, 0.0), Vec3::new(v, 0.0, 0.0), [none; 2]);
     let act = |d: f64, v: f64| {
         let c = at(d, v);
-        pair.k.act(pair.law.arms.of(&c, pair.law.h_n), &c, pair.attraction.force(d), none, dt)
+        pair.k.act(pair.law.rolling_over, pair.law.arms.of(&c, pair.law.h_n), &c, pair.attraction.force(d), none, dt)
     };
     let energy = |d: f64, v: f64| {
         let held = pair.k.stored(&at(d, v), pair.attraction.potential(d), &none);

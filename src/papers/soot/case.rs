@@ -17,7 +17,7 @@ use crate::initial::aggregate::import::Import;
 use crate::spec::PairModel;
 use crate::spec::mechanics::four_springs::Friction;
 use crate::spec::mechanics::sphere::sphere_mass;
-use crate::spec::soot::{self, Along, Printed, Programmed};
+use crate::spec::soot::{self, Along, Lagging, Printed, Programmed};
 use std::path::PathBuf;
 
 /// A case of the soot paper.
@@ -90,6 +90,8 @@ section! {
         cutoff: Quantity<Length> = quantity("70 nm"),
         /// Resistance of contacts and necks to torsion.
         torsion: Torsion = Torsion::Spring,
+        /// Whether the springs of contacts and necks act before or after they are stretched by a step.
+        springs_act: SpringsAct = SpringsAct::AfterStretching,
     }
 }
 
@@ -110,8 +112,19 @@ words! {
         Spring = "spring",
         /// A dashpot only; the spring is rotated into the contact plane, as the paper says, and bends the pair.
         AsPrinted = "as-printed",
-        /// As `as-printed`, and all springs lag by one step, as in the authors' program, which reduces each damping coefficient by the stiffness times the time step.
+        /// The springs of the authors' program: `as-printed`, and all springs act before they are stretched, whatever `springs_act` says. The program differs from it at its start, where it stretches all springs three times; where
+        /// spheres part so fast that their dashpot pulls, in which case its friction pushes along the motion; in the arm of the rolling torque, for which it takes the radius; and at surfaces, of which every facet acts.
         AsPublished = "as-published",
+    }
+}
+
+words! {
+    /// Order of stretching and acting within a step.
+    pub enum SpringsAct {
+        /// They act with the elongation at the end of the step.
+        AfterStretching = "after-stretching",
+        /// They act with the elongation at its beginning: they lag by one step, which reduces each damping coefficient by the stiffness times the time step.
+        BeforeStretching = "before-stretching",
     }
 }
 
@@ -256,10 +269,16 @@ impl Soot {
     /// necks, to 0.56 in a row of five spheres.
     pub fn step_limit(&self, [least, largest]: [f64; 2]) -> f64 {
         let m = sphere_mass(self.density.value, least);
-        match self.torsion {
-            Torsion::Spring => self.law(Along).critical_time_step_among(least, m, largest),
-            Torsion::AsPrinted => self.law(Printed).critical_time_step_among(least, m, largest),
-            Torsion::AsPublished => self.law(Programmed).critical_time_step_among(least, m, largest),
+        match (self.torsion, self.lags()) {
+            (Torsion::Spring, false) => self.law(Along).critical_time_step_among(least, m, largest),
+            (Torsion::Spring, true) => self.law(Lagging).critical_time_step_among(least, m, largest),
+            (_, false) => self.law(Printed).critical_time_step_among(least, m, largest),
+            (_, true) => self.law(Programmed).critical_time_step_among(least, m, largest),
         }
+    }
+
+    /// Whether springs act before they are stretched.
+    pub fn lags(&self) -> bool {
+        self.torsion == Torsion::AsPublished || self.springs_act == SpringsAct::BeforeStretching
     }
 }

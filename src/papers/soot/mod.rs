@@ -28,7 +28,7 @@ use crate::papers::path::PathPlan;
 use crate::reproduce::Chapter;
 use crate::run::Runnable;
 use crate::spec::mechanics::sphere::sphere_mass;
-use crate::spec::soot::{Along, Printed, Programmed, Reading};
+use crate::spec::soot::{Along, Lagging, Printed, Programmed, Reading};
 use case::{Case, Experiment, Model, Sample, Torsion};
 use columns::{HEIGHT, PULL, READING, TIP_DISPLACEMENT};
 use std::path::{Path, PathBuf};
@@ -93,10 +93,11 @@ impl Paper for Soot {
     }
     fn study(case: Case) -> Box<dyn Runnable> {
         let Model::Soot(model) = &case.model;
-        match model.torsion {
-            Torsion::Spring => planned(&case, Along),
-            Torsion::AsPrinted => planned(&case, Printed),
-            Torsion::AsPublished => planned(&case, Programmed),
+        match (model.torsion, model.lags()) {
+            (Torsion::Spring, false) => planned(&case, Along),
+            (Torsion::Spring, true) => planned(&case, Lagging),
+            (_, false) => planned(&case, Printed),
+            (_, true) => planned(&case, Programmed),
         }
     }
 }

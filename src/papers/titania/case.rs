@@ -11,7 +11,7 @@ use crate::case::quantity::{
     DampingPerArea, Density, Drag, Energy, Force, Length, Pressure, Quantity, Scaled, Stiffness, SurfaceEnergy,
     Temperature, Time, Velocity, Volume, quantity,
 };
-use crate::case::section::{choice, section, words};
+use crate::case::section::{choice, defaults, section, words};
 use crate::case::springs::FourSprings;
 use crate::case::units::{BOLTZMANN, in_unit, rounded};
 use crate::initial::aggregate::import::{FileSizes, Import};
@@ -20,7 +20,9 @@ use crate::spec::PairModel;
 use crate::spec::mechanics::sphere::sphere_mass;
 use crate::spec::mechanics::thermal::thermal_energy;
 use crate::spec::titania::def_radius::radii;
-use crate::spec::titania::{self, eq02_torque, eq03_attraction, eq09_stiffness, eq12_sliding, eq13_rolling};
+use crate::spec::titania::{
+    self, eq02_torque, eq03_attraction, eq07_damping_coefficient, eq09_stiffness, eq12_sliding, eq13_rolling,
+};
 use std::path::PathBuf;
 
 /// A case of the titania paper.
@@ -89,8 +91,12 @@ section! {
         solvation_growth: Quantity<Stiffness> = quantity("-2.4 N/m"),
         /// Period and decay length of the solvation force.
         solvation_period: Quantity<Length> = quantity("0.21 nm"),
+        /// Whose reading of the paper is computed where there are several.
+        readings: Readings = Readings::Own,
         /// Damping constant gamma_0 of Eq. 7; the authors' program uses ten times the value in the paper.
         damping_constant: Quantity<DampingPerArea> = quantity("0.5e6 N s/m^3"),
+        /// Radii of which the effective radius R* of Eq. 7 is taken.
+        damping_radius: DampingRadius = DampingRadius::Bare,
         /// Shear strength tau_S of sliding.
         sliding_strength: Quantity<Pressure> = quantity("0.65 GPa"),
         /// Shear strength tau_R of rolling.
@@ -105,6 +111,8 @@ section! {
         moment_arms: MomentArms = MomentArms::HalfGap,
         /// Rolling resistance of a particle that has almost stopped rolling.
         rolling: Rolling = Rolling::Stopping,
+        /// Angular velocity over whose length the rolling torque is spread.
+        rolling_over: RollingOver = RollingOver::Rolling,
         /// Springs of the necks between the particles of an aggregate, as in the soot paper; without them aggregates are rigid.
         neck_springs: Option<FourSprings> = None,
         /// Energy stored in the four springs of a neck at which it breaks; without this key necks never break.
@@ -161,6 +169,37 @@ words! {
         Stopping = "stopping",
         /// The particle rolls back, as in the authors' program.
         Unlimited = "unlimited",
+    }
+}
+
+words! {
+    /// Angular velocity over whose length the rolling torque is spread.
+    pub enum RollingOver {
+        /// That of rolling: twisting about the normal does not count.
+        Rolling = "rolling",
+        /// The whole relative one, as in the authors' program: twisting weakens the resistance to rolling.
+        Spin = "spin",
+    }
+}
+
+words! {
+    /// Radii of which the effective radius of the damping is taken.
+    pub enum DampingRadius {
+        /// Those of the bare particles.
+        Bare = "bare",
+        /// Those of the contact spheres, as in the authors' program.
+        Contact = "contact",
+    }
+}
+
+words! {
+    /// Whose reading of the paper is computed.
+    pub enum Readings {
+        /// Ours.
+        Own = "own",
+        /// That of the authors' program, which decides these keys: `damping_constant: 5e6 N s/m^3`, `damping_radius: contact`, `rolling: unlimited`, `rolling_over: spin`. Its tables of the attraction and its elastic bonds of the released version are
+        /// not reproduced.
+        AsPublished = "as-published",
     }
 }
 
@@ -446,6 +485,14 @@ impl Titania {
                 Rolling::Stopping => eq13_rolling::Rolling::Stopping,
                 Rolling::Unlimited => eq13_rolling::Rolling::Unlimited,
             },
+            rolling_over: match self.rolling_over {
+                RollingOver::Rolling => eq13_rolling::RollingOver::Rolling,
+                RollingOver::Spin => eq13_rolling::RollingOver::Spin,
+            },
+            damping_radius: match self.damping_radius {
+                DampingRadius::Bare => eq07_damping_coefficient::DampingRadius::Bare,
+                DampingRadius::Contact => eq07_damping_coefficient::DampingRadius::Contact,
+            },
             ..paper
         }
     }
@@ -460,6 +507,45 @@ impl Titania {
     pub fn nominal(&self, radius: f64) -> f64 {
         2.0 * (radius - self.layer.value) + self.core_gap.value
     }
+}
+
+/// The damping constant of the authors' program.
+const PROGRAMMED: &str = "5e6 N s/m^3";
+
+/// Sets the keys that the authors' program decides, where they have their defaults.
+pub fn read_as_published(case: &mut Case) {
+    let Model::Titania(titania) = &mut case.model;
+    if titania.readings == Readings::AsPublished {
+        if titania.damping_constant == defaults::<Titania>().damping_constant {
+            titania.damping_constant = quantity(PROGRAMMED);
+        }
+        titania.damping_radius = DampingRadius::Contact;
+        titania.rolling = Rolling::Unlimited;
+        titania.rolling_over = RollingOver::Spin;
+    }
+}
+
+/// Finds what the authors' program reads otherwise than the case says.
+pub fn unlike_published(titania: &Titania) -> Vec<(&'static str, String)> {
+    let program = Titania { readings: Readings::AsPublished, ..defaults() };
+    let written = |same: bool, key, value: String| (!same).then_some((key, value));
+    let word = |word: &dyn std::fmt::Debug| format!("{word:?}").to_lowercase();
+    let all = [
+        written(
+            titania.damping_constant.value == quantity::<DampingPerArea>(PROGRAMMED).value,
+            "damping_constant",
+            titania.damping_constant.to_string(),
+        ),
+        written(titania.slip == program.slip, "slip", word(&titania.slip)),
+        written(
+            titania.contact_stiffness == program.contact_stiffness,
+            "contact_stiffness",
+            word(&titania.contact_stiffness),
+        ),
+        written(titania.moment_arms == program.moment_arms, "moment_arms", "half-layer".into()),
+        written(titania.solvation == program.solvation, "solvation", word(&titania.solvation)),
+    ];
+    if titania.readings == Readings::AsPublished { all.into_iter().flatten().collect() } else { Vec::new() }
 }
 
 /// The model of a case, and its test if sample and experiment match.

@@ -4,7 +4,7 @@ mod film;
 
 use super::case::{
     Agglomerate, Case, ChainTest, Dragging, Experiment, Film, Path, Stretching, Tension, Titania, TitaniaTest,
-    TwoParticles, parts, step_limit,
+    TwoParticles, parts, step_limit, unlike_published,
 };
 use crate::case::check::{Found, expect};
 use crate::case::quantity::{Quantity, Time};
@@ -183,6 +183,10 @@ fn necks(titania: &Titania, test: &TitaniaTest, found: &mut Found) {
 
 fn interactions(titania: &Titania, found: &mut Found) {
     let at = |key: &str| format!("model.titania.{key}");
+    for (key, value) in unlike_published(titania) {
+        let what = format!("found `{value}`, expected no such key beside `readings: as-published`, which decides it");
+        found.push((at(key), what));
+    }
     let humidity = titania.humidity;
     let between = "more than 0 and less than 1";
     expect(found, humidity > 0.0 && humidity < 1.0, &at("humidity"), decimal(humidity), between);

@@ -74,6 +74,9 @@ impl Paper for Titania {
     type Sample = Sample;
     type Experiment = Experiment;
 
+    fn complete(case: &mut Case) {
+        case::read_as_published(case);
+    }
     fn check(case: &Case, found: &mut Found) {
         check::problems(case, found);
     }

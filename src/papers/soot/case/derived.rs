@@ -1,6 +1,6 @@
 //! The derived values of a case of the soot paper.
 
-use super::{Case, Torsion, key, parts, path};
+use super::{Case, key, parts, path};
 use crate::case::units::{in_unit, rounded};
 use crate::initial::aggregate::import::{FileSizes, Import};
 use crate::spec::mechanics::primary_particle::solid_inertia;
@@ -48,7 +48,7 @@ pub fn derived(case: &Case) -> Vec<(String, String)> {
             let gyration = gyration_radius(sample.prefactor, sample.spheres as f64, r, sample.fractal_dimension);
             rows.push(("radius of gyration R_g".into(), in_unit(gyration, "nm")));
         }
-        if soot.torsion == Torsion::AsPublished {
+        if soot.lags() {
             let lag = in_unit(soot.law(Programmed).contact.lag_limit(), "fs");
             rows.push(("time step above which contacts gain energy until they slip".into(), lag));
         } else {
