@@ -49,7 +49,7 @@ fn a_chain_from_a_file_does_what_the_generated_one_does() {
     assert_eq!(run(place.path(), &CHAIN.replace("SAMPLE", "{}"), "grown", &[]), (Some(0), String::new()));
     let import = "{import: {file: chain.csv, unit: 1 nm}}";
     assert_eq!(run(place.path(), &CHAIN.replace("SAMPLE", import), "read", &[]), (Some(0), String::new()));
-    for name in ["series.csv", "events.jsonl", "results.yaml"] {
+    for name in ["series.csv", "series.pulling.csv", "windows.csv", "events.jsonl", "results.yaml"] {
         assert_eq!(file(place.path(), "read", name), file(place.path(), "grown", name), "{name}");
     }
 }

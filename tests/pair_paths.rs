@@ -21,11 +21,14 @@ fn rows(text: &str) -> Vec<[Vec3<f64>; 4]> {
         .unwrap();
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     let mut reader = csv::Reader::from_path(place.path().join("run/path/series.csv")).unwrap();
-    let first = reader.headers().unwrap().iter().position(|name| name == "force x on the first [pN]").unwrap();
+    let place_of = |wanted: &str, reader: &mut csv::Reader<std::fs::File>| {
+        reader.headers().unwrap().iter().position(|name| name == wanted).unwrap()
+    };
+    let (first, step) = (place_of("force x on the first [pN]", &mut reader), place_of("step", &mut reader));
     let number = |row: &csv::StringRecord, k: usize| row[first + k].parse::<f64>();
+    // The row at the start of a leg is what the first step will do, or the last one has done.
     let vectors = |row: csv::StringRecord| {
-        number(&row, 0).ok()?;
-        Some([0, 3, 6, 9].map(|k| Vec3([0, 1, 2].map(|a| number(&row, k + a).unwrap()))))
+        (&row[step] != "0").then(|| [0, 3, 6, 9].map(|k| Vec3([0, 1, 2].map(|a| number(&row, k + a).unwrap()))))
     };
     reader.records().filter_map(|row| vectors(row.unwrap())).collect()
 }

@@ -221,7 +221,7 @@ pub fn frictional_contact<R: Real>(
 /// | → `xi_r_next` | $\boldsymbol{\xi}_\mathrm{r}$ | m (3) | | rolling spring now |
 /// | → `xi_o_next` | $\boldsymbol{\xi}_\mathrm{o}$ | m (3) | | torsion spring now |
 ///
-/// Rounding: at most 4 ULP.
+/// Rounding: at most 5 ULP.
 ///
 /// # Laws
 ///

@@ -8,8 +8,8 @@ use crate::error::Error;
 use crate::interrupt::Interrupt;
 use crate::output::{Cell, Column, Finding};
 use crate::run::Study;
-use crate::simulation::{Settings, Simulation};
-use crate::spec::{PairModel, Vec3};
+use crate::simulation::{Pair, Settings, Simulation};
+use crate::spec::{PairModel, Vec3, Wrench};
 use crate::system::{Domain, Motion, Particles, System, Wall};
 
 section! {
@@ -123,7 +123,7 @@ impl<M: PairModel + Clone> Study for PathPlan<M> {
         ((self.legs[stage].duration.value(dt) / dt).round() as u64).max(1)
     }
 
-    fn columns(&self) -> Vec<Column> {
+    fn columns(&self, _: usize) -> Vec<Column> {
         COLUMNS.into()
     }
 
@@ -134,13 +134,17 @@ impl<M: PairModel + Clone> Study for PathPlan<M> {
         (particles.len(), walls.len()) == (2, 2) && bodies.is_empty() && steerings.is_empty() && surfaces.is_empty()
     }
 
-    fn look(&self, (): &mut (), simulation: &Simulation<M>) -> Vec<Cell> {
-        let System { walls, step: 1.., .. } = simulation.system() else { return vec![Cell::Nothing; COLUMNS.len()] };
-        walls
-            .iter()
-            .flat_map(|Wall { force, torque, .. }| [*force, *torque])
-            .flat_map(|v| v.0.map(Cell::Number))
-            .collect()
+    fn look(&self, _: usize, (): &mut (), simulation: &Simulation<M>) -> Vec<Cell> {
+        let walls = &simulation.system().walls;
+        let acting = match simulation.pairs().next() {
+            // Nothing has acted on the walls yet: the first step will do this.
+            Some(Pair { outcome, .. }) if walls[0].age == 0.0 => {
+                let Wrench { force, torque_i, torque_j } = outcome.wrench;
+                [force, torque_i, -force, torque_j]
+            }
+            _ => [walls[0].force, walls[0].torque, walls[1].force, walls[1].torque],
+        };
+        acting.into_iter().flat_map(|v| v.0.map(Cell::Number)).collect()
     }
 
     fn findings(&self, stage: usize, (): &(), simulation: &Simulation<M>) -> Result<Vec<Finding>, Error> {

@@ -122,7 +122,7 @@ fn indent(test: &Indentation, solid: Option<Mesh>, ground: &mut Ground, system: 
                 let few: Vec<String> = free.iter().take(20).map(u32::to_string).collect();
                 let others = if free.len() > few.len() { ", ..." } else { "" };
                 let what = format!("found `{number}`, expected an exposed sphere: {}{others}", few.join(", "));
-                return Err(Error::of_key(&format!("{}.indent.sphere", ground.key), what));
+                return Err(Error::of_key(format!("{}.indent.sphere", ground.key), what));
             };
             above(target)
         }
@@ -131,7 +131,7 @@ fn indent(test: &Indentation, solid: Option<Mesh>, ground: &mut Ground, system: 
             let over = |z: f64| at(Vec3([0.5 * a + x.value, 0.5 * b + y.value, z]));
             lowered(particles, gap, over).ok_or_else(|| {
                 let what = format!("found `{x}, {y}`, expected a place above a sphere");
-                Error::of_key(&format!("{}.indent.place", ground.key), what)
+                Error::of_key(format!("{}.indent.place", ground.key), what)
             })?
         }
     };

@@ -375,7 +375,7 @@ pub enum TitaniaTest<'a> {
     /// Two particles at a fixed distance.
     Path(&'a TwoParticles, &'a Path),
     /// An agglomerate.
-    Chain(&'a Agglomerate, ChainTest),
+    Chain(&'a Agglomerate, Box<ChainTest>),
     /// A film.
     Spectroscopy(&'a Film, &'a Spectroscopy),
 }
@@ -555,10 +555,10 @@ pub fn parts(case: &Case) -> (&Titania, Option<TitaniaTest<'_>>) {
         (Sample::Pair(pair), Experiment::Contact(tests)) => TitaniaTest::Contact(pair, tests),
         (Sample::Pair(pair), Experiment::Path(test)) => TitaniaTest::Path(pair, test),
         (Sample::Agglomerate(chain), Experiment::Stretching(test)) => {
-            TitaniaTest::Chain(chain, ChainTest::Stretching(test.clone()))
+            TitaniaTest::Chain(chain, Box::new(ChainTest::Stretching(test.clone())))
         }
         (Sample::Agglomerate(chain), Experiment::Release(test)) => {
-            TitaniaTest::Chain(chain, ChainTest::Release(test.clone()))
+            TitaniaTest::Chain(chain, Box::new(ChainTest::Release(test.clone())))
         }
         (Sample::Film(film), Experiment::Spectroscopy(test)) => TitaniaTest::Spectroscopy(film, test),
         _ => return (titania, None),

@@ -61,7 +61,7 @@ pub(super) fn problems(case: &Case, found: &mut Found) {
             if sample.import.is_none() {
                 agglomerate(sample, test, &thick, core_gap, found);
             }
-            match test {
+            match &**test {
                 ChainTest::Stretching(test) => stretched(test, found),
                 ChainTest::Release(test) => {
                     let at = |key: &str| format!("experiment.release.{key}");

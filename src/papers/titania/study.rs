@@ -57,17 +57,19 @@ impl<M> Plan<M> {
                 let rolled = roll.as_ref().map(|test| Stage::dragging(test, first.value, true, dt));
                 released.into_iter().chain(slid.into_iter().flatten()).chain(rolled.into_iter().flatten()).collect()
             }
-            TitaniaTest::Chain(_, ChainTest::Stretching(test)) => Stage::stretching(test, dt).into(),
-            TitaniaTest::Chain(_, ChainTest::Release(test)) => vec![Stage::release(test, dt)],
+            TitaniaTest::Chain(_, test) => match &**test {
+                ChainTest::Stretching(test) => Stage::stretching(test, dt).into(),
+                ChainTest::Release(test) => vec![Stage::release(test, dt)],
+            },
             TitaniaTest::Path(..) | TitaniaTest::Spectroscopy(..) => unreachable!("{OTHER}"),
         };
         let chain = match test {
             TitaniaTest::Chain(sample, test) => {
-                let room = match &test {
+                let room = match &*test {
                     ChainTest::Stretching(test) => test.distance.value,
                     ChainTest::Release(_) => 0.0,
                 };
-                Some(Chain { sample: sample.clone(), seed: case.seed, room, test })
+                Some(Chain { sample: sample.clone(), seed: case.seed, room, test: *test })
             }
             _ => None,
         };
@@ -117,7 +119,7 @@ impl<M> Plan<M> {
         let mut found = Vec::new();
         check::chain(&self.titania, smallest, test, &mut found);
         if let Some((key, what)) = found.into_iter().next() {
-            return Err(Error::of_key(&key, what));
+            return Err(Error::of_key(key, what));
         }
         if let ChainTest::Stretching(Stretching { drawn, .. }) = test
             && (built.len() as u64) < 2 * drawn

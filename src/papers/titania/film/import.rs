@@ -30,7 +30,7 @@ impl<M: Law> Plan<M> {
             found.push((format!("sample.film.sides[{axis}]"), what));
         }
         if let Some((key, what)) = found.into_iter().next() {
-            return Err(Error::of_key(&key, what));
+            return Err(Error::of_key(key, what));
         }
         let spheres: Vec<Sphere> = particles.iter().map(|&(centre, d)| Sphere { centre, radius: 0.5 * d }).collect();
         let necks = import.necks.as_ref().map(|file| read_necks(file, &spheres)).transpose()?;
