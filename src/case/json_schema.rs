@@ -56,7 +56,13 @@ fn properties(keys: &[Key]) -> Map<String, Value> {
         }
         (key.key.to_string(), schema)
     };
-    keys.iter().map(property).collect()
+    let mut properties = Map::new();
+    for (name, schema) in keys.iter().map(property) {
+        // Two sections of one name, as of two models, accept either.
+        let either = properties.remove(&name).map(|other| json!({ "anyOf": [other, schema.clone()] }));
+        properties.insert(name, either.unwrap_or(schema));
+    }
+    properties
 }
 
 /// The schema of a document with these keys.

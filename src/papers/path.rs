@@ -6,6 +6,7 @@ use crate::case::quantity::{Quantity, Rate, Time, Velocity, quantity};
 use crate::case::section::section;
 use crate::error::Error;
 use crate::interrupt::Interrupt;
+use crate::output::columns::columns;
 use crate::output::{Cell, Column, Finding};
 use crate::run::Study;
 use crate::simulation::{Pair, Settings, Simulation};
@@ -63,21 +64,52 @@ pub(super) struct PathPlan<M> {
     pub overlap: f64,
 }
 
-/// The columns of the series: what acts on each sphere in the last step.
-const COLUMNS: [Column; 12] = [
-    Column::new("force x on the first", "pN"),
-    Column::new("force y on the first", "pN"),
-    Column::new("force z on the first", "pN"),
-    Column::new("torque x on the first", "pN nm"),
-    Column::new("torque y on the first", "pN nm"),
-    Column::new("torque z on the first", "pN nm"),
-    Column::new("force x on the second", "pN"),
-    Column::new("force y on the second", "pN"),
-    Column::new("force z on the second", "pN"),
-    Column::new("torque x on the second", "pN nm"),
-    Column::new("torque y on the second", "pN nm"),
-    Column::new("torque z on the second", "pN nm"),
-];
+columns! {
+    /// The columns of the series: what acts on each sphere in the last step.
+    pub(super) const COLUMNS {
+        /// Force on the first sphere along x.
+        FORCE_X_FIRST = "force x on the first" in "pN";
+        /// Force on the first sphere along y.
+        FORCE_Y_FIRST = "force y on the first" in "pN";
+        /// Force on the first sphere along z.
+        FORCE_Z_FIRST = "force z on the first" in "pN";
+        /// Torque about the centre of the first sphere along x.
+        TORQUE_X_FIRST = "torque x on the first" in "pN nm";
+        /// Torque about the centre of the first sphere along y.
+        TORQUE_Y_FIRST = "torque y on the first" in "pN nm";
+        /// Torque about the centre of the first sphere along z.
+        TORQUE_Z_FIRST = "torque z on the first" in "pN nm";
+        /// Force on the second sphere along x.
+        FORCE_X_SECOND = "force x on the second" in "pN";
+        /// Force on the second sphere along y.
+        FORCE_Y_SECOND = "force y on the second" in "pN";
+        /// Force on the second sphere along z.
+        FORCE_Z_SECOND = "force z on the second" in "pN";
+        /// Torque about the centre of the second sphere along x.
+        TORQUE_X_SECOND = "torque x on the second" in "pN nm";
+        /// Torque about the centre of the second sphere along y.
+        TORQUE_Y_SECOND = "torque y on the second" in "pN nm";
+        /// Torque about the centre of the second sphere along z.
+        TORQUE_Z_SECOND = "torque z on the second" in "pN nm";
+    }
+}
+
+/// The results.
+pub(super) mod results {
+    use crate::output::columns::columns;
+
+    columns! {
+        /// The results of each leg.
+        pub(in crate::papers) const ALL {
+            /// Force on the first sphere away from the second at the end of the leg.
+            NORMAL = "normal force at the end" in "nN";
+            /// Size of the force on the first sphere in the plane of the contact at the end of the leg.
+            TANGENTIAL = "tangential force at the end" in "nN";
+            /// Size of the torque on the first sphere at the end of the leg.
+            TORQUE = "torque on the first at the end" in "nN nm";
+        }
+    }
+}
 
 impl<M: PairModel + Clone> Study for PathPlan<M> {
     type Model = M;
@@ -149,11 +181,12 @@ impl<M: PairModel + Clone> Study for PathPlan<M> {
 
     fn findings(&self, stage: usize, (): &(), simulation: &Simulation<M>) -> Result<Vec<Finding>, Error> {
         let Wall { force: Vec3([x, y, z]), torque, .. } = simulation.system().walls[0];
-        let named = |what: &str| format!("{}: {what}", self.names()[stage]);
-        Ok(vec![
-            Finding::number(named("normal force at the end"), x, "nN"),
-            Finding::number(named("tangential force at the end"), Vec3([0.0, y, z]).norm(), "nN"),
-            Finding::number(named("torque on the first at the end"), torque.norm(), "nN nm"),
-        ])
+        let stage = &self.names()[stage];
+        let found = [
+            Finding::number(results::NORMAL, x),
+            Finding::number(results::TANGENTIAL, Vec3([0.0, y, z]).norm()),
+            Finding::number(results::TORQUE, torque.norm()),
+        ];
+        Ok(found.map(|finding| finding.during(stage)).into())
     }
 }

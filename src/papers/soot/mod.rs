@@ -23,7 +23,7 @@ use crate::initial::aggregate::necks::{Neck, NeckLength};
 use crate::output::Column;
 use crate::output::aggregate::{CONVEXITY, COORDINATION, GYRATION_RADIUS};
 use crate::output::columns::{KINETIC, TIME};
-use crate::papers::path::PathPlan;
+use crate::papers::path::{self, PathPlan};
 #[cfg(feature = "cli")]
 use crate::reproduce::Chapter;
 use crate::run::Runnable;
@@ -56,6 +56,8 @@ impl Paper for Soot {
         ("Columns of all stages, beside the first three of the shape", columns::AGGREGATE),
         ("Columns of stages with a substrate", columns::ON_SUBSTRATE),
         ("Columns of an indentation", columns::ON_TIP),
+        ("Columns of a path", path::COLUMNS),
+        ("Results of each leg of a path", path::results::ALL),
         ("Results, beside the initial and the final shape", columns::results::ALL),
     ];
     #[cfg(feature = "cli")]

@@ -21,7 +21,7 @@ pub use pull::Pull;
 pub use study::Plan;
 pub use watch::rolling_resistance;
 
-use super::Paper;
+use super::{Paper, path};
 use crate::case::check::Found;
 use crate::figures::Graph;
 use crate::output::Column;
@@ -61,6 +61,8 @@ impl Paper for Titania {
         ("Columns of pairs and agglomerates", columns::COUNTS),
         ("Windows of 50 ps of a stretched agglomerate, with the column `pulled`", columns::IN_WINDOW),
         ("Results of pairs and agglomerates", columns::results::ALL),
+        ("Columns of a path", path::COLUMNS),
+        ("Results of each leg of a path", path::results::ALL),
         ("Columns of a film under a tip", film::columns::TIPPED),
         ("Columns of a film", film::columns::COUNTS),
         ("Columns of a film of rigid aggregates, and of a film with necks", film::columns::BY_BONDING),
