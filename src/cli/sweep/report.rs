@@ -125,6 +125,7 @@ fn numbers(axis: &Axis) -> Option<(String, Vec<f64>)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::output::Column;
 
     fn axis(key: &str, values: &[&str]) -> Axis {
         Axis { key: key.into(), values: values.iter().map(|value| value.to_string()).collect() }
@@ -152,8 +153,10 @@ mod tests {
                 resolved: String::new(),
             });
         }
+        let result = |name, unit| Column { name, unit, about: "" };
         let found =
-            [3.0, 4.0, 5.0].map(|force| vec![Finding::number("force", force, "pN"), Finding::words("fate", "cut")]);
+            |force| vec![Finding::number(result("force", "pN"), force), Finding::words(result("fate", ""), "cut")];
+        let found = [3.0, 4.0, 5.0].map(found);
         let findings: Vec<_> = found.into_iter().chain([Vec::new()]).collect();
         let plots = plots(&axes, &points, &findings);
         assert_eq!((plots.len(), &*plots[0].x.label, &*plots[0].y.label), (1, "dt [ps]", "force [pN]"));

@@ -124,6 +124,7 @@ pub(super) fn files(folder: &RunFolder, frames: usize) -> Result<Vec<(String, St
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::output::Column;
 
     #[test]
     fn keys_are_those_of_the_command_line() {
@@ -146,12 +147,16 @@ mod tests {
 
     #[test]
     fn the_headline_is_a_verdict_or_else_a_number() {
-        let number = Finding::number("strength", 3980.0, "GPa");
-        assert_eq!(headline(&[number.clone(), Finding::words("fate", "cut")]).as_deref(), Some("fate: cut"));
-        let particles = Finding::words("detachment 1: particles", "6 and 8");
-        assert_eq!(headline(&[Finding::count("slips", 3), particles]).as_deref(), Some("slips: 3"));
+        let result = |name, unit| Column { name, unit, about: "" };
+        let number = Finding::number(result("strength", "GPa"), 3980.0);
         assert_eq!(
-            headline(&[Finding::reached("time", None, "ns", "never"), number]).as_deref(),
+            headline(&[number.clone(), Finding::words(result("fate", ""), "cut")]).as_deref(),
+            Some("fate: cut")
+        );
+        let particles = Finding::words(result("particles", ""), "6 and 8").during("detachment 1");
+        assert_eq!(headline(&[Finding::count(result("slips", ""), 3), particles]).as_deref(), Some("slips: 3"));
+        assert_eq!(
+            headline(&[Finding::reached(result("time", "ns"), None, "never"), number]).as_deref(),
             Some("strength: 3.980 GPa")
         );
         assert_eq!(headline(&[]), None);
