@@ -13,8 +13,8 @@ const PAPERS: [&str; 3] = ["wear", "soot", "titania"];
 const ROOMS: [&str; 20] = [
     "main",
     "cli",
-    "golden",
     "papers",
+    "golden",
     "reproduce",
     "run",
     "figures",

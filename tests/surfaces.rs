@@ -3,18 +3,16 @@
 mod common;
 
 use common::instruction_sets;
-use common::soot::{DT, RADIUS, SPHERES, between, dry, momentum, plane, settings, space};
-use std::path::Path;
+use common::soot::{DT, SPHERES, between, dry, momentum, plane, settings};
 use std::process::{Command, Output};
 use veridem::forces::Instructions;
 use veridem::output::{RunFolder, Series};
 use veridem::run::{advance, advance_until};
 use veridem::simulation::{Settings, Simulation};
 use veridem::spec::Vec3;
-use veridem::spec::mechanics::sphere::sphere_mass;
-use veridem::spec::soot::{Soot, TIP};
+use veridem::spec::soot::Soot;
 use veridem::system::Mesh;
-use veridem::system::{Particles, PrescribedMotion, Shape, Surface, System};
+use veridem::system::{Shape, System};
 
 /// A square far larger than the aggregate, whose diagonal passes below it.
 fn sheet() -> Shape {
@@ -110,27 +108,6 @@ fn a_sphere_that_sinks_into_a_surface_is_reported() {
     let mut simulation = Simulation::new(dry(), deep, settings(DT)).expect("a stable step");
     let halt = advance(&mut simulation, 1).expect_err("too deep").to_string();
     assert!(halt.contains("overlaps a surface by 0.343 of its radius (limit 0.1)"), "{halt}");
-}
-
-#[test]
-fn a_sphere_falls_on_the_tip_as_the_energy_integral_says() {
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("golden/trajectories/soot_falls.json");
-    let golden: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(file).unwrap()).unwrap();
-    let run =
-        golden["runs"].as_array().unwrap().iter().find(|run| run["partner"] == "plane").expect("a fall on a plane");
-    let number = |value: &serde_json::Value| value.as_str().unwrap().parse::<f64>().unwrap();
-    let (start, expected) = (1e9 * number(&run["delta_start"]), 1e9 * number(&run["total_time"]));
-
-    let mut particles = Particles::default();
-    particles.push(Vec3([0.0, 0.0, RADIUS + start]), RADIUS, sphere_mass(1.7e-3, RADIUS), 0);
-    let surfaces = vec![Surface::new("tip", TIP, sheet(), PrescribedMotion::Still)];
-    let system = System { surfaces, ..System::new(particles, space()) };
-    let mut simulation = Simulation::new(dry(), system, settings(DT)).expect("a stable step");
-    advance_until(&mut simulation, |now| now.system().particles.x[0].0[2] <= RADIUS + 1.0).expect("a stable step");
-    let (system, speed) = (simulation.system(), number(&run["final_speed"]));
-    assert!((system.time - expected).abs() < 2.0 * DT, "{} instead of {expected} ns", system.time);
-    assert!((-system.particles.v[0].0[2] / speed - 1.0).abs() < 1e-4, "{:?}", system.particles.v[0]);
-    assert!(system.particles.w[0].norm() == 0.0);
 }
 
 #[test]

@@ -2,7 +2,8 @@
 
 use super::{OutputMode, print};
 use crate::error::{AtPath, Error};
-use crate::golden::{INDEX, check, documented, index, measure, regenerate, samples};
+use crate::golden::{INDEX, check, check_trajectories, documented, index, measure, regenerate, samples};
+use crate::papers::Papers;
 use serde_json::json;
 use std::path::PathBuf;
 
@@ -21,7 +22,7 @@ pub(super) struct Arguments {
 
 #[derive(clap::Subcommand)]
 enum Action {
-    /// Compare every vector with 256-bit arithmetic, f64 with every vector, and the index with the sources
+    /// Compare every vector with 256-bit arithmetic, f64 with every vector, the papers' models with every trajectory, and the index with the sources
     Check,
     /// Regenerate the vectors and the index, and print the changes; independent values are kept
     Regenerate,
@@ -30,7 +31,7 @@ enum Action {
 }
 
 /// Checks, regenerates or measures.
-pub(super) fn run(arguments: &Arguments, manner: OutputMode) -> Result<(), Error> {
+pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
     let root = &arguments.root;
     let equations = documented().map_err(Error::Verification)?;
     let (golden, index_file) = (root.join("golden"), root.join(INDEX));
@@ -39,14 +40,19 @@ pub(super) fn run(arguments: &Arguments, manner: OutputMode) -> Result<(), Error
         Action::Check => {
             let mut wrong: Vec<String> =
                 equations.iter().flat_map(|(e, document)| check(&golden, e, document)).collect();
+            let trajectories = papers.trajectories();
+            wrong.extend(check_trajectories(&golden, &trajectories));
             if std::fs::read_to_string(&index_file).at(&index_file)? != index(root, &equations).at(root)? {
                 wrong.push(format!("{} is out of date", index_file.display()));
             }
             if !wrong.is_empty() {
                 return Err(Error::Verification(wrong.join("\n")));
             }
-            manner.say(format!("the golden vectors of {} equations hold", equations.len()));
-            (String::new(), json!({ "equations": equations.len() }))
+            let (equations, trajectories) = (equations.len(), trajectories.len());
+            manner.say(format!(
+                "the golden vectors of {equations} equations and {trajectories} files of trajectories hold"
+            ));
+            (String::new(), json!({ "equations": equations, "trajectories": trajectories }))
         }
         Action::Regenerate => {
             let mut changes = vec![];

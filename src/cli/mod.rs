@@ -74,7 +74,7 @@ enum Command {
     Movie(movie::Arguments),
     /// List, show and evaluate the equations
     Eq(eq::Arguments),
-    /// Check or regenerate the golden vectors
+    /// Check the golden vectors and trajectories, or regenerate the vectors
     #[cfg(feature = "verify")]
     Golden(golden::Arguments),
     /// List the keys of a case file
@@ -157,7 +157,7 @@ fn execute(papers: Papers) -> ExitCode {
         Command::Movie(arguments) => movie::run(&arguments, manner),
         Command::Eq(arguments) => eq::run(&arguments, manner),
         #[cfg(feature = "verify")]
-        Command::Golden(arguments) => golden::run(&arguments, manner),
+        Command::Golden(arguments) => golden::run(&arguments, papers, manner),
         Command::Schema(arguments) => schema::run(&arguments, papers, manner),
         Command::Units(arguments) => units::run(&arguments, manner),
         Command::Completions(arguments) => completions::run(&arguments, papers, manner),

@@ -12,6 +12,8 @@ use crate::case::{self, Case, Outline, Words};
 use crate::error::Error;
 use crate::figures::Graph;
 use crate::geometry::Sphere;
+#[cfg(feature = "verify")]
+use crate::golden::Trajectory;
 use crate::initial::aggregate::necks::{Neck, NeckLength};
 use crate::output::Column;
 #[cfg(feature = "cli")]
@@ -50,6 +52,9 @@ pub trait Paper: Sync {
     /// The chapters of its claims.
     #[cfg(feature = "cli")]
     const CHAPTERS: &'static [Chapter] = &[];
+    /// The golden trajectories that belong to it.
+    #[cfg(feature = "verify")]
+    const TRAJECTORIES: &'static [Trajectory] = &[];
 
     /// The section below `model`: a choice of one key, which is the name.
     type Model: Part;
@@ -114,6 +119,9 @@ pub trait AnyPaper: Sync {
     /// [`Paper::CHAPTERS`].
     #[cfg(feature = "cli")]
     fn chapters(&self) -> &'static [Chapter];
+    /// [`Paper::TRAJECTORIES`].
+    #[cfg(feature = "verify")]
+    fn trajectories(&self) -> &'static [Trajectory];
     /// The keys below `model`, `sample` and `experiment`.
     fn sections(&self) -> [Vec<Key>; 3];
     /// [`Paper::imported`].
@@ -142,6 +150,10 @@ impl<P: Paper> AnyPaper for P {
     #[cfg(feature = "cli")]
     fn chapters(&self) -> &'static [Chapter] {
         P::CHAPTERS
+    }
+    #[cfg(feature = "verify")]
+    fn trajectories(&self) -> &'static [Trajectory] {
+        P::TRAJECTORIES
     }
     fn sections(&self) -> [Vec<Key>; 3] {
         [P::Model::keys(), P::Sample::keys(), P::Experiment::keys()]
@@ -198,6 +210,12 @@ impl Papers {
     /// The paper with this name.
     pub fn find(&self, name: &str) -> Option<&'static dyn AnyPaper> {
         self.0.iter().copied().find(|paper| paper.name() == name)
+    }
+
+    /// The golden trajectories of all papers.
+    #[cfg(feature = "verify")]
+    pub fn trajectories(&self) -> Vec<&'static Trajectory> {
+        self.0.iter().flat_map(|paper| paper.trajectories()).collect()
     }
 
     /// Reads and checks a case file.

@@ -10,6 +10,8 @@ mod sample;
 mod stage;
 mod study;
 pub mod tip;
+#[cfg(feature = "verify")]
+mod trajectories;
 pub mod watch;
 
 pub use study::Plan;
@@ -19,6 +21,8 @@ use crate::case::check::Found;
 use crate::case::quantity::{Length, Quantity};
 use crate::figures::Graph;
 use crate::geometry::Sphere;
+#[cfg(feature = "verify")]
+use crate::golden::Trajectory;
 use crate::initial::aggregate::necks::{Neck, NeckLength};
 use crate::output::Column;
 use crate::output::aggregate::{CONVEXITY, COORDINATION, GYRATION_RADIUS};
@@ -62,6 +66,8 @@ impl Paper for Soot {
     ];
     #[cfg(feature = "cli")]
     const CHAPTERS: &'static [Chapter] = claims::CHAPTERS;
+    #[cfg(feature = "verify")]
+    const TRAJECTORIES: &'static [Trajectory] = trajectories::TRAJECTORIES;
 
     type Model = Model;
     type Sample = Sample;

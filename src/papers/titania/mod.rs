@@ -13,6 +13,8 @@ pub mod pair;
 mod pull;
 mod stage;
 mod study;
+#[cfg(feature = "verify")]
+mod trajectories;
 mod watch;
 
 pub use film::Spectrum;
@@ -24,6 +26,8 @@ pub use watch::rolling_resistance;
 use super::{Paper, path};
 use crate::case::check::Found;
 use crate::figures::Graph;
+#[cfg(feature = "verify")]
+use crate::golden::Trajectory;
 use crate::output::Column;
 use crate::output::columns::TIME;
 #[cfg(feature = "cli")]
@@ -71,6 +75,8 @@ impl Paper for Titania {
     ];
     #[cfg(feature = "cli")]
     const CHAPTERS: &'static [Chapter] = claims::CHAPTERS;
+    #[cfg(feature = "verify")]
+    const TRAJECTORIES: &'static [Trajectory] = trajectories::TRAJECTORIES;
 
     type Model = Model;
     type Sample = Sample;

@@ -11,6 +11,8 @@ pub mod junction;
 pub mod protocol;
 pub mod stages;
 mod study;
+#[cfg(feature = "verify")]
+mod trajectories;
 mod watch;
 
 pub use derived::{Critical, Scales, material};
@@ -19,6 +21,8 @@ pub use study::Plan;
 use super::Paper;
 use crate::case::check::Found;
 use crate::figures::Graph;
+#[cfg(feature = "verify")]
+use crate::golden::Trajectory;
 use crate::output::Column;
 use crate::output::columns::STEP;
 #[cfg(feature = "cli")]
@@ -55,6 +59,8 @@ impl Paper for Wear {
     ];
     #[cfg(feature = "cli")]
     const CHAPTERS: &'static [Chapter] = claims::CHAPTERS;
+    #[cfg(feature = "verify")]
+    const TRAJECTORIES: &'static [Trajectory] = trajectories::TRAJECTORIES;
 
     type Model = Model;
     type Sample = Sample;
