@@ -1,5 +1,9 @@
 //! Do the commands around a run work as documented?
 
+#[path = "common/program.rs"]
+mod program;
+
+use program::veridem as telling;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 use std::time::{Duration, Instant};
@@ -8,13 +12,9 @@ fn case(name: &str) -> String {
     format!("{}/tests/cases/good/{name}.yaml", env!("CARGO_MANIFEST_DIR"))
 }
 
+/// Without its messages on standard error.
 fn veridem(place: &Path, arguments: &[&str]) -> Output {
     telling(place, &[&["--quiet"], arguments].concat())
-}
-
-/// With its messages on standard error.
-fn telling(place: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_veridem")).current_dir(place).args(arguments).output().unwrap()
 }
 
 fn text(bytes: &[u8]) -> String {

@@ -1,13 +1,15 @@
 //! Does a film under a tip run, and do its forces agree with its energy balance?
 
+#[path = "common/program.rs"]
+mod program;
+
 use std::path::Path;
 use std::process::Command;
 use veridem::output::{RunFolder, Series};
 use veridem::papers::titania::Spectrum;
 
 fn veridem(place: &Path, arguments: &[&str]) -> String {
-    let output =
-        Command::new(env!("CARGO_BIN_EXE_veridem")).current_dir(place).args(arguments).output().expect("the program");
+    let output = program::veridem(place, arguments);
     assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
     String::from_utf8(output.stdout).expect("text")
 }

@@ -1,11 +1,11 @@
 //! Does every invalid input give a helpful error, and every valid one pass?
 
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+#[path = "common/program.rs"]
+mod program;
 
-fn veridem_in(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_veridem")).current_dir(folder).args(arguments).output().unwrap()
-}
+use program::veridem as veridem_in;
+use std::path::{Path, PathBuf};
+use std::process::Command;
 
 fn cases(kind: &str) -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases").join(kind);

@@ -1,11 +1,10 @@
 //! Do paths in a case go from its folder, and does a run keep what it has read?
 
-use std::path::Path;
-use std::process::{Command, Output};
+#[path = "common/program.rs"]
+mod program;
 
-fn veridem(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_veridem")).current_dir(folder).args(arguments).output().expect("a command")
-}
+use program::veridem;
+use std::path::Path;
 
 fn succeeds(folder: &Path, arguments: &[&str]) -> String {
     let done = veridem(folder, arguments);

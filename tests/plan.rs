@@ -1,13 +1,15 @@
 //! Does a run do as its check says, and is nothing excessive begun by mistake?
 
+#[path = "common/program.rs"]
+mod program;
+
 use serde_json::Value;
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::Output;
 
 /// Exit status, result and messages of a command in a folder.
 fn veridem(place: &Path, arguments: &[&str]) -> (i32, String, String) {
-    let output = Command::new(env!("CARGO_BIN_EXE_veridem")).current_dir(place).args(arguments).output();
-    let Output { status, stdout, stderr } = output.unwrap();
+    let Output { status, stdout, stderr } = program::veridem(place, arguments);
     let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).to_string();
     (status.code().expect("no signal"), text(&stdout), text(&stderr))
 }

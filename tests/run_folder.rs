@@ -1,5 +1,8 @@
 //! Is nothing lost but what a run has made, and nothing taken for a result that is none?
 
+#[path = "common/program.rs"]
+mod program;
+
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use veridem::output::{Lock, Manifest, RunFolder, Status};
@@ -12,8 +15,7 @@ fn case(name: &str) -> String {
 
 /// Exit status and messages of a command in a folder.
 fn veridem(place: &Path, arguments: &[&str]) -> (i32, String) {
-    let output = Command::new(env!("CARGO_BIN_EXE_veridem")).current_dir(place).args(arguments).output();
-    let Output { status, stderr, .. } = output.unwrap();
+    let Output { status, stderr, .. } = program::veridem(place, arguments);
     (status.code().expect("no signal"), String::from_utf8_lossy(&stderr).to_string())
 }
 

@@ -1,7 +1,10 @@
 //! Do spheres that overlap, or whose places are rounded, stay at rest with necks as given, and is the energy accounted for when such necks break?
 
+#[path = "common/program.rs"]
+mod program;
+
+use program::veridem;
 use std::path::Path;
-use std::process::{Command, Output};
 use veridem::interrupt::Interrupt;
 use veridem::papers::parse;
 use veridem::papers::soot::{self, Plan};
@@ -107,10 +110,6 @@ fn a_neck_as_given_goes_on_from_a_snapshot_with_the_same_bits() {
         Simulation::resume(plan.model(0, half.system()), settings, half.snapshot()).expect("a valid snapshot");
     advance(&mut resumed, 600).expect("a stable step");
     assert_eq!(whole.snapshot(), resumed.snapshot());
-}
-
-fn veridem(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_veridem")).current_dir(folder).args(arguments).output().expect("a command")
 }
 
 #[test]

@@ -1,12 +1,14 @@
 //! Do cases of the titania paper run, and do the results agree with the law?
 
+#[path = "common/program.rs"]
+mod program;
+
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use veridem::output::{RunFolder, Series};
 
 fn veridem(place: &Path, arguments: &[&str]) -> String {
-    let output =
-        Command::new(env!("CARGO_BIN_EXE_veridem")).current_dir(place).args(arguments).output().expect("the program");
+    let output = program::veridem(place, arguments);
     assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
     String::from_utf8(output.stdout).expect("text")
 }
