@@ -19,7 +19,9 @@ use std::os::unix::process::ExitStatusExt;
 use std::path::Path;
 use std::process::Stdio;
 use std::time::Instant;
-use user::{FILE, RUN, desk, difference, go_on, outcome, told, trials, undisturbed, veridem};
+use user::{
+    FILE, RUN, desk, desk_with_input, difference, go_on, go_on_to, outcome, told, trials, undisturbed, veridem,
+};
 
 /// Says how often something was tried, and fails with all that failed.
 fn conclude(tried: usize, of: &str, failures: Vec<String>) {
@@ -136,6 +138,33 @@ fn a_kill_at_any_moment_loses_nothing_that_was_checkpointed() {
         go_on(place.path()).err().map(|what| format!("trial {trial}: {what}"))
     });
     conclude(tried as usize, "kills at random moments", failures.flatten().collect());
+}
+
+#[test]
+fn a_kill_of_a_run_that_keeps_a_copy_of_its_input_loses_nothing() {
+    let place = desk_with_input();
+    let (journal, output) = layer::journal(place.path(), &["run", FILE]);
+    assert!(output.status.success(), "{}", told(&output));
+    let whole = outcome(place.path());
+    assert!(whole.contains_key(Path::new("inputs/row.xyz")), "{:?}", whole.keys());
+    let (calls, tried) = (journal.len() as u64 - 1, trials(6));
+    let failures = (0..tried).into_par_iter().filter_map(|trial| {
+        let call = 1 + ChaCha8Rng::seed_from_u64(trial).next_u64() % calls;
+        let place = desk_with_input();
+        let killed = layer::above(place.path(), &["run", FILE], &[("LAYER_KILL", call.to_string())]);
+        if killed.status.signal() != Some(9) {
+            return Some(format!("call {call}: {}", told(&killed)));
+        }
+        // Once there is a checkpoint, the copy alone will do.
+        let saved = |entry: std::io::Result<std::fs::DirEntry>| {
+            entry.unwrap().path().extension() == Some("checkpoint".as_ref())
+        };
+        if std::fs::read_dir(place.path().join(RUN).join("checkpoints")).is_ok_and(|mut files| files.any(saved)) {
+            std::fs::remove_file(place.path().join("row.xyz")).unwrap();
+        }
+        go_on_to(place.path(), &whole).err().map(|what| format!("killed before call {call} of {calls}: {what}"))
+    });
+    conclude(tried as usize, "kills of a run with a copy of its input", failures.collect());
 }
 
 /// Number of file calls of the small run.

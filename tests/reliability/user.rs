@@ -35,6 +35,16 @@ pub(crate) fn desk() -> TempDir {
     place
 }
 
+/// The same, where the case imports its aggregate, of which the run keeps a copy.
+pub(crate) fn desk_with_input() -> TempDir {
+    let place = tempfile::tempdir().unwrap();
+    let import = "import: {file: row.xyz, unit: 1 nm}";
+    std::fs::write(place.path().join(FILE), CASE.replace("spheres: 4", import)).unwrap();
+    let row = "4\n\nC 0 0 0 14\nC 28 0 0 14\nC 56 0 0 14\nC 56 28 0 14\n";
+    std::fs::write(place.path().join("row.xyz"), row).unwrap();
+    place
+}
+
 /// The program, in a folder.
 pub(crate) fn veridem(place: &Path, arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_veridem"));
@@ -75,7 +85,11 @@ pub(crate) fn outcome(place: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
 
 /// The first file in which a run differs from the one that nothing disturbed.
 pub(crate) fn difference(place: &Path) -> Option<String> {
-    let (found, expected) = (outcome(place), undisturbed());
+    difference_from(place, undisturbed())
+}
+
+fn difference_from(place: &Path, expected: &BTreeMap<PathBuf, Vec<u8>>) -> Option<String> {
+    let found = outcome(place);
     let names = found.keys().chain(expected.keys());
     names.filter(|name| found.get(*name) != expected.get(*name)).map(|name| name.display().to_string()).next()
 }
@@ -87,6 +101,11 @@ pub(crate) fn told(output: &Output) -> String {
 
 /// Resumes a run, or begins it anew if there is nothing to resume, and compares; returns why it was not resumed.
 pub(crate) fn go_on(place: &Path) -> Result<Option<String>, String> {
+    go_on_to(place, undisturbed())
+}
+
+/// The same, where these are the files of the run that nothing disturbed.
+pub(crate) fn go_on_to(place: &Path, expected: &BTreeMap<PathBuf, Vec<u8>>) -> Result<Option<String>, String> {
     let resumed = veridem(place, &["resume", RUN]).output().unwrap();
     let again = match resumed.status.code() {
         Some(0) => None,
@@ -98,7 +117,7 @@ pub(crate) fn go_on(place: &Path) -> Result<Option<String>, String> {
     if let Some(again) = again.as_ref().filter(|again| !again.status.success()) {
         return Err(format!("{}; begun anew: {}", told(&resumed), told(again)));
     }
-    match difference(place) {
+    match difference_from(place, expected) {
         None => Ok(again.map(|_| told(&resumed))),
         Some(file) => Err(format!("{file} differs; {}", told(&resumed))),
     }
