@@ -2,7 +2,9 @@
 
 use super::Case;
 use super::check::{self, Found};
+use super::quantity::in_range;
 use super::section::Part;
+use super::units::{number_and_unit, shifted};
 use crate::error::{Error, Problem, read_file};
 use serde::de::{DeserializeSeed, Deserializer, IgnoredAny, MapAccess, Visitor};
 use std::fmt;
@@ -63,11 +65,14 @@ const DEPTH: usize = 1000;
 ///
 /// # Errors
 ///
-/// If its brackets are nested too deeply.
+/// If its brackets are nested too deeply, or a number is so small that the reader would take it for zero.
 pub fn document<'a>(file: &Path, text: &'a str) -> Result<&'a str, Error> {
     let text = unmarked(text);
     let (mut depth, mut quoted) = (0_usize, false);
     for (line, number) in text.lines().zip(1..) {
+        if let Some((key, what)) = vanishing(line) {
+            return Err(Error::Input(vec![Problem { file: file.into(), line: Some(number), key, what }]));
+        }
         let mut remark = false;
         for character in line.chars() {
             match character {
@@ -90,6 +95,23 @@ pub fn document<'a>(file: &Path, text: &'a str) -> Result<&'a str, Error> {
         }
     }
     Ok(text)
+}
+
+/// The key and the error of a number without a unit, in a line of a case, that is not zero but below the range of `f64`.
+fn vanishing(line: &str) -> Option<(String, String)> {
+    let mut key = "";
+    for part in line.split('#').next()?.split(|c| ",:[]{}".contains(c)).map(str::trim) {
+        match number_and_unit(part) {
+            Some((number, "")) if shifted(number, 0) == 0.0 => {
+                if let Err(what) = in_range(0.0, number) {
+                    return Some((key.into(), what));
+                }
+            }
+            Some(_) => {}
+            None => key = part,
+        }
+    }
+    None
 }
 
 /// Most problems that are reported of a file: each is found again in its text.
