@@ -230,11 +230,12 @@ impl<'a, S: Study> Driver<'a, S> {
         sink: &mut impl Sink<S>,
     ) -> Result<System, Error> {
         sink.end(&mut stage, run)?;
-        let RunningStage { number, simulation, watch, .. } = stage;
-        let findings = self.study.findings(number, &watch, &simulation)?;
+        let findings = self.study.findings(stage.number, &stage.watch, &stage.simulation)?;
         if let Some(finding) = findings.iter().find(|finding| !finding.is_finite()) {
-            return Err(simulation.not_a_number(&finding.name).into());
+            let halt = stage.simulation.not_a_number(&finding.name);
+            return Err(sink.halt(&mut stage, halt));
         }
+        let RunningStage { number, simulation, .. } = stage;
         run.findings.extend(findings);
         self.study.end(number, simulation)
     }
