@@ -5,8 +5,8 @@ use crate::error::Error;
 use signal_hook::consts::{SIGHUP, SIGXCPU, SIGXFSZ};
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, OnceLock};
 use std::time::{Duration, Instant};
 
 /// Signals, and the remaining time and steps. Long computations poll it, and save their state before they stop.
@@ -16,6 +16,9 @@ pub struct Interrupt {
     deadline: Option<Instant>,
     steps: Option<u64>,
 }
+
+/// The signals of this process, once it handles them.
+static OF_PROCESS: OnceLock<Interrupt> = OnceLock::new();
 
 impl Interrupt {
     /// Stops on SIGINT, SIGTERM, SIGHUP and SIGXCPU, after `time` of the wall clock, and after a number of steps of this process.
@@ -37,7 +40,13 @@ impl Interrupt {
             flag::register(number, first)?;
             flag::register(number, signal.clone())?;
         }
+        OF_PROCESS.set(Self { signal: signal.clone(), ..Self::default() }).ok();
         Ok(Self { signal, deadline: time.and_then(|time| Instant::now().checked_add(time)), steps })
+    }
+
+    /// Stops on the signals that this process handles, if it handles any: where none is handed down.
+    pub fn of_process() -> Self {
+        OF_PROCESS.get().cloned().unwrap_or_default()
     }
 
     /// The same wish, and to stop after `time` of the wall clock.

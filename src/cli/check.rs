@@ -19,6 +19,7 @@ pub(super) struct Arguments {
 pub(super) fn run(arguments: &Arguments, papers: Papers, excess: bool, manner: OutputMode) -> Result<(), Error> {
     let interrupt = Limits::default().interrupt()?;
     let job = Job { excess, ..papers.read(&arguments.case)? };
+    interrupt.check()?;
     let plan = job.plan(&interrupt)?;
     let mut checked: Mapping = serde_yaml::from_str(&job.resolved).expect("a resolved case is a mapping");
     checked.insert("plan".into(), plan.into());

@@ -1,13 +1,12 @@
 //! `veridem import`: describes an aggregate from another program, and writes its spheres as extended XYZ.
 
-use super::run::table;
+use super::run::{Limits, table};
 use super::{OutputMode, print};
 use crate::case::quantity::{Length, Quantity};
 use crate::error::{Error, notice};
 use crate::geometry::centred;
 use crate::initial::aggregate::import::{Options, extended_xyz, read, read_necks};
 use crate::initial::aggregate::necks::{NECK_DISTANCE, NeckLength, missing_necks, necks};
-use crate::interrupt::Interrupt;
 use crate::observe::aggregate::AggregateShape;
 use crate::output::{Finding, write_atomically};
 use crate::papers::{AtStart, Papers};
@@ -58,24 +57,27 @@ pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> 
     let format = word("--format", &arguments.format)?;
     let neck_length = word("--neck-length", &arguments.neck_length)?.unwrap_or(NeckLength::Touching);
     let options = Options { format, unit, radius, disconnected: arguments.disconnected };
-    let imported = read(&arguments.file, &options, &Interrupt::default())?;
+    let interrupt = Limits::default().interrupt()?;
+    let imported = read(&arguments.file, &options, &interrupt)?;
     // As a run has them: the place decides about the last digits of gaps.
     let spheres = centred(imported.spheres.clone());
     let (necks, which) = match &arguments.necks {
-        Some(file) => (read_necks(file, &spheres)?, String::new()),
+        Some(file) => (read_necks(file, &spheres, &interrupt)?, String::new()),
         None => {
-            let found = necks(&spheres, neck_distance, neck_length, true);
+            let found = necks(&spheres, neck_distance, neck_length, true, &interrupt)?;
             let across = if neck_length == NeckLength::AsGiven { "any overlap and gaps" } else { "gaps and overlaps" };
             (found, format!(" across {across} below {neck_distance} nm, `neck_distance`"))
         }
     };
-    let starts: Vec<AtStart> =
-        papers.0.iter().filter_map(|paper| paper.imported(&spheres, &necks, neck_length)).collect();
+    let starts = papers.0.iter().map(|paper| paper.imported(&spheres, &necks, neck_length, &interrupt));
+    let starts: Vec<AtStart> = starts.filter_map(Result::transpose).collect::<Result<_, _>>()?;
+    let missing = missing_necks(&spheres, necks.len(), neck_distance, neck_length, imported.decimals, &interrupt)?;
+    let (format, report) = (imported.format, imported.report(&interrupt)?);
     if let Some(path) = &arguments.out {
         write_atomically(path, extended_xyz(&imported.spheres, &imported.extras).as_bytes())?;
         manner.say(format!("written: {}", path.display()));
     }
-    if let Some(remark) = missing_necks(&spheres, necks.len(), neck_distance, neck_length, imported.decimals) {
+    if let Some(remark) = missing {
         notice(format!("{}: {remark}", arguments.file.display()));
     }
     for AtStart { paper, refusal, .. } in &starts {
@@ -83,7 +85,7 @@ pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> 
             notice(format!("{}: refused by a run with the defaults of `{paper}`: {refusal}", arguments.file.display()));
         }
     }
-    let (format, report) = (imported.format, imported.report());
+    interrupt.check()?;
     let shape = AggregateShape::of(&spheres).findings();
     if manner.json {
         let described = serde_json::json!({ "format": format, "necks": necks.len(), "report": report, "shape": Finding::results(&shape), "at_start": starts });

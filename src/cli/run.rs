@@ -58,6 +58,8 @@ pub(super) fn run(arguments: &Arguments, papers: Papers, excess: bool, manner: O
     }
     let root = arguments.out.join(name);
     let job = Job { excess, ..papers.read(&arguments.case)? };
+    // A signal ends the reading early, and without derived values.
+    Interrupt::of_process().check()?;
     let mut progress = Progress::new(manner);
     let ended = job.launch(&root, arguments.force, &interrupt, &mut |message| progress.tell(message));
     progress.finish();

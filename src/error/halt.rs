@@ -119,6 +119,8 @@ pub enum Reason {
         /// Ids of the spheres.
         pair: (u32, u32),
     },
+    /// It was to stop before its first step.
+    Interrupted,
     /// A saved state is not one of this model with these settings.
     Snapshot,
     /// The neighbours of a sphere do not fit into one block of the pair loop.
@@ -153,6 +155,7 @@ impl fmt::Display for Halt {
             Reason::Neck { pair: (i, j) } => {
                 write!(f, "particles {i} and {j} are joined by a neck but belong to the same rigid body or wall")
             }
+            Reason::Interrupted => f.write_str("interrupted"),
             Reason::Snapshot => f.write_str("the saved state is not one of this model with these settings"),
             Reason::TooManyNeighbours { particle } => write!(f, "particle {particle} has too many neighbours"),
         }?;

@@ -151,7 +151,7 @@ impl std::error::Error for Error {}
 
 impl From<Halt> for Error {
     fn from(halt: Halt) -> Self {
-        Self::Halted(halt, None)
+        if halt.reason == Reason::Interrupted { Self::Interrupted } else { Self::Halted(halt, None) }
     }
 }
 

@@ -3,10 +3,14 @@
 //! A sphere is entered in the grid of its octave and looks for partners there and in the grids of larger octaves only. The
 //! cells of a grid fit its own spheres, so a few large spheres cost the many small ones nothing.
 
+use crate::error::Error;
+use crate::interrupt::Interrupt;
 use crate::spec::{Real, Vec3};
 use crate::system::{Domain, Image};
 use rayon::prelude::*;
 
+/// Number of spheres whose partners are found between two questions whether to stop.
+const ASKED: usize = 64;
 /// Most cells of a grid for each sphere in it.
 const CELLS_PER_SPHERE: f64 = 8.0;
 
@@ -28,17 +32,22 @@ pub fn neighbours(
     domain: &Domain,
     reach: impl Fn(f64, f64) -> f64 + Sync,
 ) -> Vec<Neighbour> {
-    neighbours_but(x, radius, domain, reach, |_, _, _| false)
+    neighbours_but(x, radius, domain, reach, |_, _, _| false, &Interrupt::default()).expect("nothing asks to stop")
 }
 
 /// [`neighbours`], but for those that are `left_out(p, q, image)`, which must not depend on the order of `p` and `q`.
+///
+/// # Errors
+///
+/// [`Error::Interrupted`].
 pub fn neighbours_but(
     x: &[Vec3<f64>],
     radius: &[f64],
     domain: &Domain,
     reach: impl Fn(f64, f64) -> f64 + Sync,
     left_out: impl Fn(usize, usize, Image) -> bool + Sync,
-) -> Vec<Neighbour> {
+    interrupt: &Interrupt,
+) -> Result<Vec<Neighbour>, Error> {
     let smallest = radius.iter().copied().fold(f64::INFINITY, f64::min);
     let octave_of =
         |&r: &f64| std::iter::successors(Some(2.0 * smallest), |b| Some(2.0 * b)).take_while(|&b| r >= b).count();
@@ -76,9 +85,15 @@ pub fn neighbours_but(
         }
         found
     };
-    let mut all: Vec<Neighbour> = (0..x.len()).into_par_iter().flat_map_iter(of_one).collect();
+    let of_some = |first: usize| {
+        interrupt.check()?;
+        Ok((first..x.len().min(first + ASKED)).flat_map(of_one).collect())
+    };
+    let parts = (0..x.len()).into_par_iter().step_by(ASKED).map(of_some).collect::<Result<Vec<Vec<_>>, Error>>()?;
+    let mut all = parts.concat();
+    interrupt.check()?;
     all.sort_unstable();
-    all
+    Ok(all)
 }
 
 fn ordered(p: u32, q: u32, image: Image) -> Neighbour {

@@ -1,6 +1,8 @@
 //! Sets of spheres: mass, centre of mass, radius of gyration, and pairs of neighbours.
 
-use super::neighbours;
+use super::neighbours_but;
+use crate::error::Error;
+use crate::interrupt::Interrupt;
 use crate::spec::Vec3;
 use crate::spec::mechanics::gyration::{gyration_term, own_gyration};
 use crate::spec::mechanics::pair_geometry;
@@ -78,11 +80,20 @@ pub fn gyration_radius(spheres: &[Sphere], extent: SphereExtent) -> f64 {
 }
 
 /// The pairs `i < j` whose centres are closer than `reach` of their radii, which must not decrease with either, in ascending order.
-pub fn pairs_within(spheres: &[Sphere], reach: impl Fn(f64, f64) -> f64 + Sync) -> Vec<(usize, usize)> {
+///
+/// # Errors
+///
+/// [`Error::Interrupted`].
+pub fn pairs_within(
+    spheres: &[Sphere],
+    reach: impl Fn(f64, f64) -> f64 + Sync,
+    interrupt: &Interrupt,
+) -> Result<Vec<(usize, usize)>, Error> {
     let x: Vec<Vec3<f64>> = spheres.iter().map(|s| s.centre).collect();
     let radii: Vec<f64> = spheres.iter().map(|s| s.radius).collect();
     let open = Domain { sides: [1.0; 3], periodic: [false; 3] };
-    neighbours(&x, &radii, &open, reach).into_iter().map(|pair| (pair.p as usize, pair.q as usize)).collect()
+    let pairs = neighbours_but(&x, &radii, &open, reach, |_, _, _| false, interrupt)?;
+    Ok(pairs.into_iter().map(|pair| (pair.p as usize, pair.q as usize)).collect())
 }
 
 /// The same spheres with their centre of mass at the origin.

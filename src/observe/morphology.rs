@@ -4,6 +4,7 @@ use crate::geometry::Sphere;
 use crate::geometry::directions::spread;
 use crate::geometry::hull::{inner_radius, measures};
 use crate::initial::aggregate::neighbouring;
+use crate::interrupt::Interrupt;
 use crate::spec::Vec3;
 use crate::spec::mechanics::convex_hull::hull_volume;
 use crate::spec::mechanics::solids::sphere_volume;
@@ -12,7 +13,8 @@ use crate::spec::soot::eq26_coordination::coordination_number as mean_coordinati
 
 /// Mean number of neighbours of a sphere (Eq. 26).
 pub fn coordination_number(spheres: &[Sphere]) -> f64 {
-    mean_coordination(2.0 * neighbouring(spheres).len() as f64, spheres.len() as f64)
+    let neighbouring = neighbouring(spheres, &Interrupt::default()).expect("nothing asks to stop");
+    mean_coordination(2.0 * neighbouring.len() as f64, spheres.len() as f64)
 }
 
 /// A value and a bound of its error.

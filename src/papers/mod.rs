@@ -15,6 +15,7 @@ use crate::geometry::Sphere;
 #[cfg(feature = "verify")]
 use crate::golden::Trajectory;
 use crate::initial::aggregate::necks::{Neck, NeckLength};
+use crate::interrupt::Interrupt;
 use crate::output::Column;
 #[cfg(feature = "cli")]
 use crate::reproduce::Chapter;
@@ -86,8 +87,17 @@ pub trait Paper: Sync {
         Vec::new()
     }
     /// The start of a run of an imported aggregate with default values, for a paper that has aggregates.
-    fn imported(_spheres: &[Sphere], _necks: &[Neck], _length: NeckLength) -> Option<AtStart> {
-        None
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Interrupted`].
+    fn imported(
+        _spheres: &[Sphere],
+        _necks: &[Neck],
+        _length: NeckLength,
+        _interrupt: &Interrupt,
+    ) -> Result<Option<AtStart>, Error> {
+        Ok(None)
     }
     /// The study of a checked case.
     fn study(case: CaseOf<Self>) -> Box<dyn Runnable>;
@@ -125,7 +135,17 @@ pub trait AnyPaper: Sync {
     /// The keys below `model`, `sample` and `experiment`.
     fn sections(&self) -> [Vec<Key>; 3];
     /// [`Paper::imported`].
-    fn imported(&self, spheres: &[Sphere], necks: &[Neck], length: NeckLength) -> Option<AtStart>;
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Interrupted`].
+    fn imported(
+        &self,
+        spheres: &[Sphere],
+        necks: &[Neck],
+        length: NeckLength,
+        interrupt: &Interrupt,
+    ) -> Result<Option<AtStart>, Error>;
     /// Reads and checks a case of the paper.
     ///
     /// # Errors
@@ -158,8 +178,14 @@ impl<P: Paper> AnyPaper for P {
     fn sections(&self) -> [Vec<Key>; 3] {
         [P::Model::keys(), P::Sample::keys(), P::Experiment::keys()]
     }
-    fn imported(&self, spheres: &[Sphere], necks: &[Neck], length: NeckLength) -> Option<AtStart> {
-        P::imported(spheres, necks, length)
+    fn imported(
+        &self,
+        spheres: &[Sphere],
+        necks: &[Neck],
+        length: NeckLength,
+        interrupt: &Interrupt,
+    ) -> Result<Option<AtStart>, Error> {
+        P::imported(spheres, necks, length, interrupt)
     }
     fn read(&self, file: &Path, text: &str) -> Result<Job, Error> {
         let mut case = parse::<P>(file, text)?;

@@ -177,7 +177,7 @@ impl<'a, S: Study> Driver<'a, S> {
         let system = System { step: 0, time: clock, ..self.study.set_up(number, from)? };
         let settings = self.settings(number, &system);
         let model = self.study.model(number, &system);
-        let simulation = Simulation::new(model, system, settings)?;
+        let simulation = Simulation::new_unless(model, system, settings, self.interrupt)?;
         let watch = self.study.watch(number, &simulation);
         Ok(self.stage(number, simulation, watch))
     }

@@ -337,10 +337,15 @@ impl Job {
             manifest.final_state = Some(state_hash(&system));
             Ok(findings)
         });
+        // An interruption before the first step of a stage leaves the checkpoints before it, or none.
+        let result = match result {
+            Err(Error::Interrupted) => Err(Error::Stopped(Some(folder.root().into()))),
+            result => result,
+        };
         let status = match &result {
             Ok(_) => Status::Finished,
             Err(Error::Halted(..)) => Status::Halted,
-            Err(Error::Stopped(_) | Error::Interrupted) => Status::Stopped,
+            Err(Error::Stopped(_)) => Status::Stopped,
             Err(Error::Io(..) | Error::NoInput(..)) => Status::Interrupted,
             Err(_) => Status::Failed,
         };

@@ -175,6 +175,7 @@ pub(super) fn plan<S: Study>(study: &S, job: &Job, interrupt: &Interrupt) -> Res
     let stages = stages(&driver, study, &initial, &job.output);
     moderate(&stages, job)?;
     let mut stage = driver.set_up(0, initial)?;
+    interrupt.check()?;
     let mut enter = |key: &str, value: Value| plan.insert(key.into(), value);
     enter("spheres", stage.simulation.system().particles.len().into());
     let described = stages.iter().map(|stage| (stage.name.clone().into(), stage.describe(&job.output).into()));
@@ -185,11 +186,13 @@ pub(super) fn plan<S: Study>(study: &S, job: &Job, interrupt: &Interrupt) -> Res
     for (cause, energy) in causes.into_iter().zip(&ledger.stored) {
         enter(&format!("initial energy stored by {cause}"), in_unit(*energy, "aJ").into());
     }
+    interrupt.check()?;
     if let Some(stability) = stage.simulation.stability() {
         enter("stability", stability.to_string().into());
     }
     let (rows, frames) = (total(&stages, StagePlan::rows), total(&stages, |stage| stage.frames));
     enter("size of the run folder without figures", size(folder_size(&mut stage, &job.output, rows, frames)?).into());
+    interrupt.check()?;
     let (taken, each) = measure(&driver, &mut stage)?;
     enter("memory", size(memory_of_process()).into());
     let threads = rayon::current_num_threads();

@@ -3,6 +3,7 @@
 use super::Simulation;
 use crate::error::Halt;
 use crate::forces;
+use crate::interrupt::Interrupt;
 use crate::spec::{Flat, PairModel};
 use crate::system::{Bond, Image, Springs};
 use std::collections::BTreeSet;
@@ -12,7 +13,7 @@ impl<M: PairModel> Simulation<M> {
     pub(super) fn list_anew(&mut self) -> Result<(), Halt> {
         let (springs, forgotten) = self.springs();
         self.enter_lost(&forgotten);
-        self.list_neighbours(&springs)?;
+        self.list_neighbours(&springs, &Interrupt::default())?;
         self.let_go(&springs);
         Ok(())
     }

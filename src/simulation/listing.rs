@@ -4,6 +4,7 @@ use super::Simulation;
 use crate::error::{Halt, Reason};
 use crate::forces;
 use crate::geometry::{Neighbour, neighbours_but};
+use crate::interrupt::Interrupt;
 use crate::motion::{LoadTable, MotionTotals};
 use crate::spec::{PairModel, Vec3};
 use crate::system::Springs;
@@ -51,13 +52,14 @@ impl<M: PairModel> Simulation<M> {
     }
 
     /// Orders bodies and particles and builds the neighbour list; contacts continue with the given springs.
-    pub(super) fn list_neighbours(&mut self, springs: &Springs) -> Result<(), Halt> {
+    pub(super) fn list_neighbours(&mut self, springs: &Springs, interrupt: &Interrupt) -> Result<(), Halt> {
         self.place_members();
         self.put_in_order();
         let sides = self.system.domain.sides;
         let poses = self.system.bodies.iter().map(|body| body.pose).collect();
         self.listed = Listed { x: self.system.particles.x.clone(), sides, poses, moving: self.system.particles.len() };
-        let mut pairs = self.search()?;
+        let mut pairs = self.search(interrupt)?;
+        self.unless(interrupt)?;
         // Surfaces may touch any sphere.
         if !self.system.bodies.is_empty() && self.system.surfaces.is_empty() {
             self.part(&mut pairs);
@@ -67,7 +69,7 @@ impl<M: PairModel> Simulation<M> {
 
     /// Builds the list from what it was built from, which the particles are already in the order of.
     pub(super) fn relist(&mut self, springs: &Springs) -> Result<(), Halt> {
-        let pairs = self.search()?;
+        let pairs = self.search(&Interrupt::default())?;
         if pairs.iter().any(|pair| pair.p.max(pair.q) as usize >= self.listed.moving) {
             return Err(self.halt(Reason::Snapshot));
         }
@@ -95,7 +97,7 @@ impl<M: PairModel> Simulation<M> {
     }
 
     /// All pairs near enough, and those joined by necks at any distance, but none within a rigid body or wall.
-    fn search(&mut self) -> Result<Vec<Neighbour>, Halt> {
+    fn search(&mut self, interrupt: &Interrupt) -> Result<Vec<Neighbour>, Halt> {
         let (model, skin, particles) = (&self.model, self.settings.skin, &self.system.particles);
         let domain = Domain { sides: self.listed.sides, ..self.system.domain };
         let largest = particles.radius.iter().copied().fold(0.0, f64::max);
@@ -104,7 +106,8 @@ impl<M: PairModel> Simulation<M> {
         // A body may meet its own copy across the side of the box.
         let within = |p, q, image| same(&particles.wall, p, q) || same(&particles.body, p, q) && image == [0; 3];
         let reach = |r_i, r_j| model.range(r_i, r_j) + skin;
-        let mut pairs = neighbours_but(&self.listed.x, &particles.radius, &domain, reach, within);
+        let found = neighbours_but(&self.listed.x, &particles.radius, &domain, reach, within, interrupt);
+        let mut pairs = found.map_err(|_| self.halt(Reason::Interrupted))?;
         let far_apart = self.necks_beyond(&pairs);
         if let Some(&(pair, _)) =
             far_apart.iter().find(|&&(_, Neighbour { p, q, image })| within(p as usize, q as usize, image))

@@ -20,8 +20,9 @@ pub use pairs::Pair;
 pub use settings::Settings;
 pub use snapshot::Snapshot;
 
-use crate::error::Halt;
+use crate::error::{Halt, Reason};
 use crate::forces::{self, Block, Totals};
+use crate::interrupt::Interrupt;
 use crate::motion::{self, LoadTable, MotionTotals, Spheres};
 use crate::spec::mechanics::box_relaxation::box_work;
 use crate::spec::mechanics::box_stress::box_stress;
@@ -67,7 +68,16 @@ impl<M: PairModel> Simulation<M> {
     /// # Errors
     ///
     /// If the time step is too large, another setting makes no sense, or a neck joins a sphere that does not exist, or two of one body or wall.
-    pub fn new(model: M, mut system: System, settings: Settings) -> Result<Self, Halt> {
+    pub fn new(model: M, system: System, settings: Settings) -> Result<Self, Halt> {
+        Self::new_unless(model, system, settings, &Interrupt::default())
+    }
+
+    /// The same, unless it is to stop before.
+    ///
+    /// # Errors
+    ///
+    /// As [`new`](Self::new), or [`Reason::Interrupted`].
+    pub fn new_unless(model: M, mut system: System, settings: Settings, interrupt: &Interrupt) -> Result<Self, Halt> {
         let springs = std::mem::take(&mut system.springs);
         let listed = Listed { x: Vec::new(), sides: system.domain.sides, poses: Vec::new(), moving: 0 };
         let mut simulation = Self {
@@ -90,16 +100,24 @@ impl<M: PairModel> Simulation<M> {
         };
         simulation.check_settings()?;
         simulation.check_necks()?;
-        simulation.list_neighbours(&springs)?;
+        simulation.list_neighbours(&springs, interrupt)?;
+        simulation.unless(interrupt)?;
         let late = simulation.lag() - simulation.system.lag;
         if settings.synchronous_start && late != 0.0 {
             simulation.delay(late)?;
         }
-        simulation.open_ledger();
+        simulation.unless(interrupt)?;
+        simulation.open_ledger(interrupt)?;
+        simulation.unless(interrupt)?;
         if settings.integrator == Integrator::VelocityVerlet {
             simulation.hold()?;
         }
         Ok(simulation)
+    }
+
+    /// Goes on unless it is to stop.
+    fn unless(&self, interrupt: &Interrupt) -> Result<(), Halt> {
+        if interrupt.is_due() { Err(self.halt(Reason::Interrupted)) } else { Ok(()) }
     }
 
     /// The state. Members of bodies that nothing touches are where they were when neighbours were listed last, until

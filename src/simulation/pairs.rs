@@ -2,11 +2,16 @@
 
 use super::shares::Shares;
 use super::{Ledger, Simulation};
+use crate::error::Halt;
 use crate::forces::Block;
+use crate::interrupt::Interrupt;
 use crate::spec::mechanics::box_stress::momentum_flux;
 use crate::spec::mechanics::kinetic_energy::kinetic_energy;
 use crate::spec::{Contact, Flat, Outcome, PairModel, Vec3};
 use crate::system::{Image, Particles};
+
+/// Number of pairs between two questions whether to stop.
+const ASKED: usize = 4096;
 
 /// One pair in range, or joined by a neck.
 #[derive(Clone, Copy, Debug)]
@@ -116,21 +121,28 @@ impl<M: PairModel> Simulation<M> {
 
     /// Energy stored in all pairs, zJ, by cause, including pairs that have just left their range and whose springs are released in the next step.
     pub(super) fn stored(&self) -> Vec<f64> {
-        let mut sums = vec![0.0; M::Stored::<f64>::LEN];
-        let stretched = |listed: &ListedPair<M>| (0..M::Memory::<f64>::LEN).any(|k| *listed.memory.at(k) != 0.0);
-        for pair in self
-            .listed_pairs()
-            .filter(|listed| stretched(listed) || self.acts(listed))
-            .map(|listed| self.evaluated(listed, None))
-        {
-            for (k, sum) in sums.iter_mut().enumerate() {
-                *sum += pair.stored.at(k);
-            }
-        }
-        sums
+        self.stored_unless(&Interrupt::default()).expect("nothing asks to stop")
     }
 
-    pub(super) fn open_ledger(&mut self) {
+    /// The same, unless it is to stop before.
+    fn stored_unless(&self, interrupt: &Interrupt) -> Result<Vec<f64>, Halt> {
+        let mut sums = vec![0.0; M::Stored::<f64>::LEN];
+        let stretched = |listed: &ListedPair<M>| (0..M::Memory::<f64>::LEN).any(|k| *listed.memory.at(k) != 0.0);
+        for (number, listed) in self.listed_pairs().enumerate() {
+            if number.is_multiple_of(ASKED) {
+                self.unless(interrupt)?;
+            }
+            if stretched(&listed) || self.acts(&listed) {
+                let pair = self.evaluated(listed, None);
+                for (k, sum) in sums.iter_mut().enumerate() {
+                    *sum += pair.stored.at(k);
+                }
+            }
+        }
+        Ok(sums)
+    }
+
+    pub(super) fn open_ledger(&mut self, interrupt: &Interrupt) -> Result<(), Halt> {
         let particles = &self.system.particles;
         let mut kinetic = 0.0;
         let mut enter = |energy: f64, m: f64, v: Vec3<f64>| {
@@ -150,10 +162,11 @@ impl<M: PairModel> Simulation<M> {
         self.ledger = Ledger {
             kinetic,
             kinetic_at_start: kinetic,
-            stored_at_start: self.stored(),
+            stored_at_start: self.stored_unless(interrupt)?,
             lost_by_pairs: vec![0.0; M::Losses::<f64>::LEN],
             surfaces: self.open_surface_account(),
             ..Ledger::default()
         };
+        Ok(())
     }
 }

@@ -47,7 +47,8 @@ pub(crate) fn system(joined: impl Fn(usize) -> bool) -> System {
     for &Sphere { centre, radius } in &spheres {
         particles.push(centre, radius, MASS, 0);
     }
-    let all = necks(&spheres, 0.01, NeckLength::Touching, true).into_iter().enumerate();
+    let all = necks(&spheres, 0.01, NeckLength::Touching, true, &Interrupt::default()).expect("necks");
+    let all = all.into_iter().enumerate();
     let necks = all.filter(|(k, _)| joined(*k)).map(|(_, (i, j))| (i as u32, j as u32)).collect();
     System { necks, ..System::new(particles, space()) }
 }

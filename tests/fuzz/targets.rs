@@ -73,7 +73,7 @@ fn aggregate(format: Option<Format>, bytes: &[u8]) {
 
 fn necks(bytes: &[u8]) {
     let spheres = [-28.0, 0.0, 28.0].map(|x| Sphere { centre: Vec3([x, 0.0, 0.0]), radius: 14.0 });
-    judge("necks.vtk", bytes, parse_necks(Path::new("necks.vtk"), bytes, &spheres));
+    judge("necks.vtk", bytes, parse_necks(Path::new("necks.vtk"), bytes, &spheres, &Interrupt::default()));
 }
 
 fn stl(bytes: &[u8]) {

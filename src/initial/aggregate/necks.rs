@@ -2,9 +2,11 @@
 
 use super::{components, neighbouring};
 use crate::case::section::words;
+use crate::error::Error;
 use crate::geometry::Sphere;
 use crate::geometry::clusters::Clusters;
 use crate::geometry::pairs_within;
+use crate::interrupt::Interrupt;
 use crate::random::Stream;
 
 /// A neck between the `i`-th and the `j`-th sphere, `i < j`.
@@ -30,9 +32,19 @@ words! {
 /// The pairs of spheres whose surfaces are less than `d_crit` (nm) apart or overlap by less, with necks as given by any length, in ascending order. If `acyclic`,
 /// a neck between spheres that other necks already connect is omitted: the necks then form a forest. Spheres that touch come first, or one
 /// that is merely near would be joined by a neck that begins stretched, in place of one that touches; with necks as given the deepest overlaps come first.
-pub fn necks(spheres: &[Sphere], d_crit: f64, length: NeckLength, acyclic: bool) -> Vec<Neck> {
+///
+/// # Errors
+///
+/// [`Error::Interrupted`].
+pub fn necks(
+    spheres: &[Sphere],
+    d_crit: f64,
+    length: NeckLength,
+    acyclic: bool,
+    interrupt: &Interrupt,
+) -> Result<Vec<Neck>, Error> {
     let gap = |&(i, j): &Neck| spheres[i].gap(&spheres[j]);
-    let mut all: Vec<Neck> = pairs_within(spheres, |s, t| s + t + d_crit);
+    let mut all: Vec<Neck> = pairs_within(spheres, |s, t| s + t + d_crit, interrupt)?;
     all.retain(|pair| gap(pair) < d_crit && (length == NeckLength::AsGiven || gap(pair) > -d_crit));
     if acyclic {
         let mut trees = Clusters::new(spheres.len(), []);
@@ -44,34 +56,39 @@ pub fn necks(spheres: &[Sphere], d_crit: f64, length: NeckLength, acyclic: bool)
         all.retain(|&(i, j)| trees.join(i, j));
         all.sort_unstable();
     }
-    all
+    Ok(all)
 }
 
 /// Largest distance of surfaces, nm, a gap or unless necks are as given an overlap, that the necks of a connected aggregate bridge if each bridges the smallest that it can.
 /// None if the spheres are not connected.
-fn joining_distance(spheres: &[Sphere], length: NeckLength) -> Option<f64> {
+fn joining_distance(spheres: &[Sphere], length: NeckLength, interrupt: &Interrupt) -> Result<Option<f64>, Error> {
     let distance = |&(i, j): &Neck| {
         let gap = spheres[i].gap(&spheres[j]);
         if length == NeckLength::AsGiven { gap.max(0.0) } else { gap.abs() }
     };
-    let mut near = neighbouring(spheres);
+    let mut near = neighbouring(spheres, interrupt)?;
     near.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
     let mut trees = Clusters::new(spheres.len(), []);
     near.retain(|&(i, j)| trees.join(i, j));
-    (near.len() + 1 == spheres.len()).then(|| near.iter().map(distance).fold(0.0, f64::max))
+    Ok((near.len() + 1 == spheres.len()).then(|| near.iter().map(distance).fold(0.0, f64::max)))
 }
 
 /// A remark if an aggregate has fewer necks than are needed to connect its spheres as they touch.
+///
+/// # Errors
+///
+/// [`Error::Interrupted`].
 pub fn missing_necks(
     spheres: &[Sphere],
     made: usize,
     d_crit: f64,
     length: NeckLength,
     decimals: usize,
-) -> Option<String> {
-    let expected = spheres.len() - components(spheres);
+    interrupt: &Interrupt,
+) -> Result<Option<String>, Error> {
+    let expected = spheres.len() - components(spheres, interrupt)?;
     if made >= expected {
-        return None;
+        return Ok(None);
     }
     let (across, farther) = match length {
         NeckLength::Touching => ("gaps and overlaps", "farther apart or overlap more"),
@@ -83,7 +100,7 @@ pub fn missing_necks(
         2..=4 => format!("; its coordinates have {decimals} decimals"),
         _ => String::new(),
     };
-    let remedy = joining_distance(spheres, length).map_or(String::new(), |least| {
+    let remedy = joining_distance(spheres, length, interrupt)?.map_or(String::new(), |least| {
         // Rounded up to two digits.
         let digits = 1.0 - libm::floor(libm::log10(least));
         let (unit, places) = (libm::exp10(-digits), digits.max(0.0) as usize);
@@ -91,10 +108,10 @@ pub fn missing_necks(
         let rest = if length == NeckLength::AsGiven { "" } else { ", and are at rest with `neck_length: as-given`" };
         format!("; {across} up to {least:.3} nm are joined by `neck_distance: {enough:.places$} nm`{rest}")
     });
-    Some(format!(
+    Ok(Some(format!(
         "found {made} necks across {across} below {d_crit} nm, expected at least {expected}: {} spheres are connected only if those that are {farther} are joined too{of}{remedy}",
         spheres.len()
-    ))
+    )))
 }
 
 /// `floor(n * fraction)` of the `n` necks, in their order, a whole share not being lost to rounding: the others are removed one at a time, each time any one that is left
@@ -139,7 +156,15 @@ mod tests {
     }
 
     fn joined(spheres: &[Sphere], d_crit: f64, acyclic: bool) -> Vec<Neck> {
-        necks(spheres, d_crit, Touching, acyclic)
+        necks(spheres, d_crit, Touching, acyclic, &Interrupt::default()).unwrap()
+    }
+
+    fn as_given(spheres: &[Sphere], d_crit: f64, acyclic: bool) -> Vec<Neck> {
+        necks(spheres, d_crit, AsGiven, acyclic, &Interrupt::default()).unwrap()
+    }
+
+    fn missing(spheres: &[Sphere], made: usize, length: NeckLength) -> Option<String> {
+        missing_necks(spheres, made, 0.01, length, 2, &Interrupt::default()).unwrap()
     }
 
     fn at(places: &[[f64; 3]]) -> Vec<Sphere> {
@@ -163,9 +188,8 @@ mod tests {
     #[test]
     fn necks_that_rounded_coordinates_lose_are_reported_with_their_remedy() {
         let chain = at(&[[0.0; 3], [2.0, 0.0, 0.0], [4.013, 0.0, 0.0], [5.99, 0.0, 0.0]]);
-        assert_eq!(missing_necks(&chain, 3, 0.01, Touching, 2), None);
-        let remark =
-            missing_necks(&chain, joined(&chain, 0.01, true).len(), 0.01, Touching, 2).expect("two necks are missing");
+        assert_eq!(missing(&chain, 3, Touching), None);
+        let remark = missing(&chain, joined(&chain, 0.01, true).len(), Touching).expect("two necks are missing");
         assert!(remark.starts_with("found 1 necks") && remark.contains("expected at least 3"), "{remark}");
         assert!(remark.contains("2 decimals") && remark.contains("`neck_distance: 0.024 nm`"), "{remark}");
         assert_eq!(joined(&chain, 0.024, true).len(), 3);
@@ -179,11 +203,11 @@ mod tests {
     #[test]
     fn as_given_spheres_that_overlap_are_joined_by_any_length_the_deepest_first() {
         let row = at(&[[0.0; 3], [1.9, 0.0, 0.0], [0.95, 1.6, 0.0], [3.915, 0.0, 0.0]]);
-        assert_eq!(necks(&row, 0.1, AsGiven, false), [(0, 1), (0, 2), (1, 2), (1, 3)]);
+        assert_eq!(as_given(&row, 0.1, false), [(0, 1), (0, 2), (1, 2), (1, 3)]);
         // The overlap of the first two is 0.1, those with the third are 0.14.
-        assert_eq!(necks(&row, 0.1, AsGiven, true), [(0, 2), (1, 2), (1, 3)]);
-        assert_eq!(necks(&row, 0.01, AsGiven, true), [(0, 2), (1, 2)]);
-        let remark = missing_necks(&row, 2, 0.01, AsGiven, 2).expect("a neck is missing");
+        assert_eq!(as_given(&row, 0.1, true), [(0, 2), (1, 2), (1, 3)]);
+        assert_eq!(as_given(&row, 0.01, true), [(0, 2), (1, 2)]);
+        let remark = missing(&row, 2, AsGiven).expect("a neck is missing");
         assert!(remark.contains("across gaps below") && remark.ends_with("`neck_distance: 0.016 nm`"), "{remark}");
     }
 

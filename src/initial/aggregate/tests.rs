@@ -27,7 +27,7 @@ fn recipes() -> impl Strategy<Value = Recipe> {
 
 /// Gaps of the pairs that are near, as parts of their distance when they touch.
 fn gaps(spheres: &[Sphere]) -> Vec<f64> {
-    let near = pairs_within(spheres, |r, s| 1.01 * (r + s));
+    let near = pairs_within(spheres, |r, s| 1.01 * (r + s), &Interrupt::default()).unwrap();
     near.iter().map(|&(i, j)| spheres[i].gap(&spheres[j]) / (spheres[i].radius + spheres[j].radius)).collect()
 }
 
@@ -45,7 +45,7 @@ proptest! {
         let gaps = gaps(&spheres);
         prop_assert!(gaps.iter().all(|&gap| gap > -1e-12), "{:?}", gaps);
         prop_assert_eq!(gaps.iter().filter(|gap| gap.abs() < 1e-12).count(), recipe.number - 1);
-        prop_assert_eq!(components(&spheres), 1);
+        prop_assert_eq!(components(&spheres, &Interrupt::default()).unwrap(), 1);
         let radius = measured(&spheres, SphereExtent::Centres);
         prop_assert!((radius / lawful(&recipe, &spheres) - 1.0).abs() < 1e-12);
     }

@@ -3,6 +3,7 @@
 use super::DepositedFilm;
 use crate::geometry::Sphere;
 use crate::initial::aggregate::necks::{NeckLength, necks};
+use crate::interrupt::Interrupt;
 use crate::system::{Domain, Motion, Particles, System};
 
 /// The bonding of the particles of an aggregate.
@@ -49,8 +50,8 @@ impl DepositedFilm {
     fn touching<'a>(&self, members: &'a [usize]) -> impl Iterator<Item = (u32, u32)> + 'a {
         let sphere = |&k: &usize| Sphere { centre: self.spheres[k].centre, radius: 0.5 * self.spheres[k].diameter };
         let spheres: Vec<Sphere> = members.iter().map(sphere).collect();
-        necks(&spheres, TOUCH, NeckLength::Touching, true)
-            .into_iter()
-            .map(|(i, j)| (members[i] as u32, members[j] as u32))
+        let touching = necks(&spheres, TOUCH, NeckLength::Touching, true, &Interrupt::default());
+        let touching = touching.expect("nothing asks to stop").into_iter();
+        touching.map(|(i, j)| (members[i] as u32, members[j] as u32))
     }
 }

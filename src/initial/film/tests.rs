@@ -34,8 +34,11 @@ fn aggregates_obey_the_law_and_are_trees_of_touching_spheres() {
         let n = spheres.len();
         let lawful = Law { k_f: 1.0, d_f: 1.8, form: Form::SauterDiameter }.gyration_radius(&Sums::of(&spheres));
         assert!((gyration_radius(&spheres, SphereExtent::Radii) / lawful - 1.0).abs() < 1e-9);
-        let gaps: Vec<f64> =
-            pairs_within(&spheres, |r, s| 1.01 * (r + s)).iter().map(|&(i, j)| spheres[i].gap(&spheres[j])).collect();
+        let gaps: Vec<f64> = pairs_within(&spheres, |r, s| 1.01 * (r + s), &Interrupt::default())
+            .unwrap()
+            .iter()
+            .map(|&(i, j)| spheres[i].gap(&spheres[j]))
+            .collect();
         assert!(gaps.iter().all(|&gap| gap > -1e-11));
         assert_eq!(gaps.iter().filter(|gap| gap.abs() < 1e-11).count(), n - 1);
     }

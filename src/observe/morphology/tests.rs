@@ -3,6 +3,7 @@
 use super::*;
 use crate::geometry::{SphereExtent, gyration_radius, square_gyration_radius};
 use crate::initial::aggregate::components;
+use crate::interrupt::Interrupt;
 use crate::spec::Real;
 use proptest::prelude::*;
 
@@ -49,14 +50,18 @@ fn neighbours_are_nearer_than_a_hundredth_of_the_diameter() {
     let loose = |d: f64| spheres(&[[0.0; 3], [d, 0.0, 0.0], [2.0 * d, 0.0, 0.0]], 14.0);
     assert!(close(coordination_number(&loose(28.027999999999995)), 4.0 / 3.0));
     assert!(close(coordination_number(&loose(28.2772)), 4.0 / 3.0));
-    assert_eq!((coordination_number(&loose(28.2828)), components(&loose(28.2828))), (0.0, 3));
+    assert_eq!(
+        (coordination_number(&loose(28.2828)), components(&loose(28.2828), &Interrupt::default()).unwrap()),
+        (0.0, 3)
+    );
     assert_eq!(coordination_number(&cube(28.0)), 3.0);
     // The gap is 2 % of the smaller diameter and 1/3 % of the mean.
     assert_eq!(
-        components(&[
-            Sphere { centre: Vec3::zero(), radius: 1.0 },
-            Sphere { centre: Vec3([12.04, 0.0, 0.0]), radius: 11.0 }
-        ]),
+        components(
+            &[Sphere { centre: Vec3::zero(), radius: 1.0 }, Sphere { centre: Vec3([12.04, 0.0, 0.0]), radius: 11.0 }],
+            &Interrupt::default()
+        )
+        .unwrap(),
         1
     );
 }

@@ -6,6 +6,7 @@ use crate::error::Error;
 use crate::geometry::{Sphere, pairs_within};
 use crate::initial::aggregate::NEIGHBOURLY;
 use crate::initial::aggregate::necks::{Neck, NeckLength};
+use crate::interrupt::Interrupt;
 use crate::spec::mechanics::four_springs::Memory;
 use crate::spec::mechanics::kinetic_energy::translational_energy;
 use crate::spec::mechanics::rotated_spring::Twist;
@@ -26,7 +27,8 @@ pub(super) fn initial_springs<S: Reading>(length: NeckLength, spheres: &[Sphere]
     let width = Memory::<f64, S::Torsion<f64>>::LEN;
     let mut springs = Springs::new(width);
     if length == NeckLength::AsGiven {
-        for (i, j) in near_or_joined(spheres, necks) {
+        let pairs = near_or_joined(spheres, necks, &Interrupt::default()).expect("nothing asks to stop");
+        for (i, j) in pairs {
             let gap = spheres[i].gap(&spheres[j]);
             if gap < 0.0 || necks.binary_search(&(i, j)).is_ok() {
                 let memory: Memory<f64, S::Torsion<f64>> = at_start(length, gap);
@@ -38,13 +40,16 @@ pub(super) fn initial_springs<S: Reading>(length: NeckLength, spheres: &[Sphere]
 }
 
 /// The pairs of spheres that touch, nearly so, or by a neck, in ascending order.
-fn near_or_joined(spheres: &[Sphere], necks: &[Neck]) -> Vec<Neck> {
-    let mut pairs = pairs_within(spheres, |r, s| (1.0 + NEIGHBOURLY) * (r + s));
+fn near_or_joined(spheres: &[Sphere], necks: &[Neck], interrupt: &Interrupt) -> Result<Vec<Neck>, Error> {
+    let mut pairs = pairs_within(spheres, |r, s| (1.0 + NEIGHBOURLY) * (r + s), interrupt)?;
     pairs.extend(necks);
     pairs.sort_unstable();
     pairs.dedup();
-    pairs
+    Ok(pairs)
 }
+
+/// Number of pairs between two questions whether to stop.
+const ASKED: usize = 4096;
 
 /// Room temperature, K.
 const ROOM: f64 = 298.0;
@@ -68,16 +73,24 @@ pub(super) struct InitialEnergy {
 
 impl InitialEnergy {
     /// The energies of an aggregate.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Interrupted`].
     pub(super) fn of<S: Reading>(
         law: &Soot<S>,
         spheres: &[Sphere],
         (necks, length): (&[Neck], NeckLength),
         density: f64,
         stage: Option<&SootStage>,
-    ) -> Self {
+        interrupt: &Interrupt,
+    ) -> Result<Self, Error> {
         let mass = |sphere: &Sphere| sphere_mass(density, sphere.radius);
         let mut sums = Self::default();
-        for (i, j) in near_or_joined(spheres, necks) {
+        for (place, (i, j)) in near_or_joined(spheres, necks, interrupt)?.into_iter().enumerate() {
+            if place.is_multiple_of(ASKED) {
+                interrupt.check()?;
+            }
             let (a, b) = (&spheres[i], &spheres[j]);
             let rest = Vec3::zero();
             let contact = Contact::new(a.centre - b.centre, rest, rest, rest, a.radius, b.radius);
@@ -97,7 +110,7 @@ impl InitialEnergy {
             sums.kinetic = spheres.iter().map(|sphere| translational_energy(mass(sphere), v)).sum();
         }
         sums.thermal = spheres.len() as f64 * thermal_energy(BOLTZMANN, ROOM);
-        sums
+        Ok(sums)
     }
 
     /// Refuses an aggregate whose springs store more than a given multiple of the energy that it can absorb.

@@ -19,11 +19,13 @@ pub use study::Plan;
 use super::{AtStart, Paper};
 use crate::case::check::Found;
 use crate::case::quantity::{Length, Quantity};
+use crate::error::Error;
 use crate::figures::Graph;
 use crate::geometry::Sphere;
 #[cfg(feature = "verify")]
 use crate::golden::Trajectory;
 use crate::initial::aggregate::necks::{Neck, NeckLength};
+use crate::interrupt::Interrupt;
 use crate::output::Column;
 use crate::output::aggregate::{CONVEXITY, COORDINATION, GYRATION_RADIUS};
 use crate::output::columns::{KINETIC, TIME};
@@ -91,13 +93,18 @@ impl Paper for Soot {
     fn saves(case: &mut Case) -> Vec<(String, &mut PathBuf)> {
         case::saves(case)
     }
-    fn imported(spheres: &[Sphere], necks: &[Neck], length: NeckLength) -> Option<AtStart> {
+    fn imported(
+        spheres: &[Sphere],
+        necks: &[Neck],
+        length: NeckLength,
+        interrupt: &Interrupt,
+    ) -> Result<Option<AtStart>, Error> {
         let text = "title: a deposition\nmodel: {soot: {}}\nsample: {aggregate: {}}\nexperiment: {deposition: {}}\n";
         let mut plan = Plan::of(&super::parse::<Self>(Path::new(""), text).expect("a case of defaults"), Along);
         plan.sample.neck_length = length;
-        let (kept, energy) = plan.kept(spheres, necks);
+        let (kept, energy) = plan.kept(spheres, necks, interrupt)?;
         let refusal = energy.allowed(plan.sample.initial_energy).err().map(|error| error.to_string());
-        Some(AtStart { paper: Self::NAME, necks: kept.len(), springs: energy.stored, refusal })
+        Ok(Some(AtStart { paper: Self::NAME, necks: kept.len(), springs: energy.stored, refusal }))
     }
     fn study(case: Case) -> Box<dyn Runnable> {
         let Model::Soot(model) = &case.model;

@@ -20,27 +20,34 @@ impl<S: Reading> Plan<S> {
         let Aggregate { neck_distance, neck_length, neck_cycles, .. } = &self.sample;
         interrupt.check()?;
         let joined = match self.sample.import.as_ref().and_then(|import| import.necks.as_ref()) {
-            Some(file) => import::read_necks(file, &spheres)?,
-            None => necks(&spheres, neck_distance.value, *neck_length, !neck_cycles),
+            Some(file) => import::read_necks(file, &spheres, interrupt)?,
+            None => necks(&spheres, neck_distance.value, *neck_length, !neck_cycles, interrupt)?,
         };
         if let Some(Import { file, .. }) = &self.sample.import
-            && let Some(remark) = missing_necks(&spheres, joined.len(), neck_distance.value, *neck_length, decimals)
+            && let Some(remark) =
+                missing_necks(&spheres, joined.len(), neck_distance.value, *neck_length, decimals, interrupt)?
         {
             notice(format!("{}: {remark}", file.display()));
         }
         interrupt.check()?;
-        let (necks, energy) = self.kept(&spheres, &joined);
+        let (necks, energy) = self.kept(&spheres, &joined, interrupt)?;
         energy.allowed(self.sample.initial_energy)?;
         Ok((spheres, necks, extras))
     }
 
     /// The necks that are kept of those that an aggregate may have, and the energies at the start.
-    pub(super) fn kept(&self, spheres: &[Sphere], necks: &[Neck]) -> (Vec<Neck>, InitialEnergy) {
+    pub(super) fn kept(
+        &self,
+        spheres: &[Sphere],
+        necks: &[Neck],
+        interrupt: &Interrupt,
+    ) -> Result<(Vec<Neck>, InitialEnergy), Error> {
         let mut stream = Stream::new(self.seed, NECK_REMOVAL);
         let kept = keep_fraction(necks, self.sample.neck_fraction, &mut stream);
         let joined = (&kept[..], self.sample.neck_length);
-        let energy = InitialEnergy::of(&self.law(0), spheres, joined, self.soot.density.value, self.stages.first());
-        (kept, energy)
+        let (density, first) = (self.soot.density.value, self.stages.first());
+        let energy = InitialEnergy::of(&self.law(0), spheres, joined, density, first, interrupt)?;
+        Ok((kept, energy))
     }
 
     /// Checks the time steps, the cutoff and the necks for spheres from a file with these radii, at least one.

@@ -1,6 +1,6 @@
 //! Formats that are rows of numbers.
 
-use super::{Format, Raw, Source};
+use super::{ASKED, Format, Raw, Source};
 use crate::error::{Error, notice};
 use crate::initial::aggregate::components;
 
@@ -26,7 +26,7 @@ pub(super) fn rows(source: &Source, radius_first: bool) -> Result<Raw, Error> {
 pub(super) fn detect(source: &Source) -> Result<Format, Error> {
     let read = |format| {
         let raw = rows(source, format == Format::Mstm);
-        raw.and_then(|raw| Ok(components(&raw.spheres(source, 1.0, None)?) == 1))
+        raw.and_then(|raw| Ok(components(&raw.spheres(source, 1.0, None)?, source.interrupt)? == 1))
     };
     match (read(Format::Mstm), read(Format::FracVal)) {
         (Ok(true), Ok(false) | Err(_)) | (Ok(false), Err(_)) => Ok(Format::Mstm),
@@ -180,9 +180,6 @@ fn layout(source: &Source, properties: &str) -> Result<Layout, Error> {
     let diameter_only = radius.is_none() && diameter.is_some();
     Ok(Layout { width, pos, radius: radius.or(diameter), diameter: diameter_only, body, v, w })
 }
-
-/// Spheres that are read between two looks at the interrupt.
-const ASKED: usize = 4096;
 
 impl Raw {
     /// Appends a sphere; either all have a radius or none.

@@ -1,6 +1,6 @@
 //! Comma-separated values: rows `x,y,z,r`, or columns that a header names; and necks as rows `i,j`.
 
-use super::{Raw, Source};
+use super::{ASKED, Raw, Source};
 use crate::error::{Error, notice};
 use crate::geometry::Sphere;
 use crate::initial::aggregate::necks::Neck;
@@ -137,6 +137,9 @@ pub(super) fn necks(
 ) -> Result<Vec<Neck>, Error> {
     let mut found = Vec::new();
     for (number, row) in rows(source).enumerate() {
+        if number.is_multiple_of(ASKED) {
+            source.interrupt.check()?;
+        }
         let (line, row) = row?;
         if number == 0 && row.iter().any(|word| word.starts_with(|c: char| c.is_ascii_alphabetic())) {
             continue;
@@ -232,7 +235,8 @@ mod tests {
     fn necks_are_rows_of_two_spheres() {
         let spheres = [0.0, 2.0, 4.0].map(|x| Sphere { centre: Vec3([x, 0.0, 0.0]), radius: 1.0 });
         let read = |text: &str| {
-            parse_necks(Path::new("n.csv"), text.as_bytes(), &spheres).map_err(|trouble| trouble.to_string())
+            parse_necks(Path::new("n.csv"), text.as_bytes(), &spheres, &Interrupt::default())
+                .map_err(|trouble| trouble.to_string())
         };
         assert_eq!(read("i,j\n2,1\n0,1\n1,0\n"), Ok(vec![(0, 1), (1, 2)]));
         for (text, expected) in [

@@ -49,6 +49,9 @@ words! {
     }
 }
 
+/// Spheres that are read between two looks at the interrupt.
+const ASKED: usize = 4096;
+
 /// What the file does not say.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Options {
@@ -108,7 +111,7 @@ pub fn read(file: &Path, options: &Options, interrupt: &Interrupt) -> Result<Imp
 /// If the file cannot be read, or is not that of spheres.
 pub fn radii(file: &Path, options: &Options) -> Result<Vec<f64>, Error> {
     let text = text_of(file, &read_file(file)?)?;
-    let source = Source { file, text: &text, interrupt: &Interrupt::default() };
+    let source = Source { file, text: &text, interrupt: &Interrupt::of_process() };
     let (_, raw) = raw(&source, options)?;
     let (unit, own) = units(&source, &raw, options)?;
     Ok(raw.spheres(&source, unit, own)?.into_iter().map(|sphere| sphere.radius).collect())
@@ -137,8 +140,7 @@ pub fn parse(
     let source = Source { file, text: &text_of(file, content.as_ref())?, interrupt };
     let (format, raw) = raw(&source, options)?;
     let (unit, spheres) = scaled(&source, &raw, options)?;
-    interrupt.check()?;
-    let components = components(&spheres);
+    let components = components(&spheres, interrupt)?;
     if components > 1 && !options.disconnected {
         let what = format!("found {components} parts that do not touch, expected one; `disconnected` accepts them");
         return Err(Error::input(file, what));
@@ -148,8 +150,12 @@ pub fn parse(
 
 impl Imported {
     /// What the spheres look like.
-    pub fn report(&self) -> Report {
-        Report::of(&self.spheres, self.components)
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Interrupted`].
+    pub fn report(&self, interrupt: &Interrupt) -> Result<Report, Error> {
+        Report::of(&self.spheres, self.components, interrupt)
     }
 }
 

@@ -15,19 +15,19 @@ const NECK: f64 = 0.1;
 ///
 /// # Errors
 ///
-/// If the file cannot be read, or a neck joins no two spheres.
-pub fn read_necks(file: &Path, spheres: &[Sphere]) -> Result<Vec<Neck>, Error> {
-    parse_necks(file, &read_file(file)?, spheres)
+/// If the file cannot be read, a neck joins no two spheres, or an interruption.
+pub fn read_necks(file: &Path, spheres: &[Sphere], interrupt: &Interrupt) -> Result<Vec<Neck>, Error> {
+    parse_necks(file, &read_file(file)?, spheres, interrupt)
 }
 
 /// The necks of an aggregate: the VTK of soot-dem, or rows `i,j` of two spheres, counted from 0.
 ///
 /// # Errors
 ///
-/// The first line that cannot be read, or a neck that joins no two spheres.
-pub fn parse_necks(file: &Path, bytes: &[u8], spheres: &[Sphere]) -> Result<Vec<Neck>, Error> {
+/// The first line that cannot be read, a neck that joins no two spheres, or an interruption.
+pub fn parse_necks(file: &Path, bytes: &[u8], spheres: &[Sphere], interrupt: &Interrupt) -> Result<Vec<Neck>, Error> {
     let text = text_of(file, bytes)?;
-    let source = Source { file, text: &text, interrupt: &Interrupt::default() };
+    let source = Source { file, text: &text, interrupt };
     let near = |i: usize, j: usize| {
         let (a, b) = (&spheres[i], &spheres[j]);
         if are_neighbours(a.centre, b.centre, a.radius, b.radius, NECK) > 0.0 {

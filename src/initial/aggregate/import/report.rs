@@ -1,7 +1,9 @@
 //! A description of an imported aggregate.
 
+use crate::error::Error;
 use crate::geometry::Sphere;
 use crate::geometry::pairs_within;
+use crate::interrupt::Interrupt;
 use serde::Serialize;
 use std::fmt;
 
@@ -24,8 +26,12 @@ pub struct Report {
 
 impl Report {
     /// Measures the spheres.
-    pub fn of(spheres: &[Sphere], components: usize) -> Self {
-        let near = pairs_within(spheres, |r, s| 1.5 * (r + s));
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Interrupted`].
+    pub fn of(spheres: &[Sphere], components: usize, interrupt: &Interrupt) -> Result<Self, Error> {
+        let near = pairs_within(spheres, |r, s| 1.5 * (r + s), interrupt)?;
         let gaps: Vec<(f64, f64)> = near
             .iter()
             .map(|&(i, j)| {
@@ -34,12 +40,12 @@ impl Report {
             })
             .collect();
         let largest = spheres.iter().flat_map(|s| s.centre.0).map(f64::abs).fold(0.0, f64::max);
-        Self {
+        Ok(Self {
             number: spheres.len(),
             smallest_gap: gaps.iter().map(|gap| gap.0).min_by(f64::total_cmp),
             overlaps: gaps.iter().filter(|(gap, diameter)| *gap < -OVERLAP * (diameter + largest)).count(),
             components,
-        }
+        })
     }
 }
 

@@ -39,7 +39,7 @@ fn three_spheres_are_the_same_in_every_format() {
     ] {
         let found = read(&file(name), &options).unwrap();
         assert_eq!((found.format, &found.spheres), (format, &expected), "{name}");
-        let Report { number, smallest_gap, overlaps, components } = found.report();
+        let Report { number, smallest_gap, overlaps, components } = found.report(&Interrupt::default()).unwrap();
         assert_eq!((number, smallest_gap, overlaps, components), (3, Some(0.0), 0, 1));
         let trouble = read(&file(name), &NEITHER).unwrap_err().to_string();
         let key = if found.format == Format::Flage || found.format == Format::Vtk { "radius" } else { "unit" };
@@ -54,10 +54,10 @@ fn rounding_to_single_precision_is_no_overlap() {
     for sphere in &mut spheres {
         sphere.centre = Vec3(sphere.centre.0.map(|x| f64::from((x + 1000.0) as f32)));
     }
-    let report = Report::of(&spheres, 1);
+    let report = Report::of(&spheres, 1, &Interrupt::default()).unwrap();
     assert!(report.overlaps == 0 && report.smallest_gap < Some(-28e-6), "{report}");
     let pair = |gap| [0.0, 28.0 + gap].map(|x| Sphere { centre: Vec3([x, 0.0, 0.0]), radius: 14.0 });
-    assert_eq!([-1e-5, -1e-4].map(|gap| Report::of(&pair(gap), 1).overlaps), [0, 1]);
+    assert_eq!([-1e-5, -1e-4].map(|gap| Report::of(&pair(gap), 1, &Interrupt::default()).unwrap().overlaps), [0, 1]);
 }
 
 #[test]
@@ -109,8 +109,9 @@ fn a_unit_replaces_the_radius_where_the_file_has_radii() {
 #[test]
 fn necks_are_read_from_the_places_in_a_matrix() {
     let spheres = read(&file("soot_dem.vtk"), &RADIUS).unwrap().spheres;
-    assert_eq!(read_necks(&file("soot_dem_necks.vtk"), &spheres).unwrap(), [(0, 1), (1, 2)]);
-    let trouble = read_necks(&file("soot_dem_necks.vtk"), &spheres[..2]).unwrap_err().to_string();
+    assert_eq!(read_necks(&file("soot_dem_necks.vtk"), &spheres, &Interrupt::default()).unwrap(), [(0, 1), (1, 2)]);
+    let trouble =
+        read_necks(&file("soot_dem_necks.vtk"), &spheres[..2], &Interrupt::default()).unwrap_err().to_string();
     assert!(trouble.contains("necks.vtk:15: found `3`, expected i * 2 + j"), "{trouble}");
 }
 
@@ -125,7 +126,7 @@ fn necks_of_another_aggregate_are_refused() {
     ] {
         let necks = folder.path().join("necks.vtk");
         std::fs::write(&necks, format!("connections {connections}")).unwrap();
-        let trouble = read_necks(&necks, &spheres).unwrap_err().to_string();
+        let trouble = read_necks(&necks, &spheres, &Interrupt::default()).unwrap_err().to_string();
         assert!(trouble.contains(expected), "{trouble}");
     }
 }
@@ -186,7 +187,8 @@ fn parts_that_do_not_touch_are_refused_unless_asked_for() {
     let trouble = parse(Path::new("a.xyz"), text, &BOTH).unwrap_err().to_string();
     assert!(trouble.contains("found 2 parts that do not touch"), "{trouble}");
     let found = parse(Path::new("a.xyz"), text, &Options { disconnected: true, ..BOTH }).unwrap();
-    assert_eq!((found.report().components, found.report().smallest_gap), (2, Some(2.0)));
+    let report = found.report(&Interrupt::default()).unwrap();
+    assert_eq!((report.components, report.smallest_gap), (2, Some(2.0)));
 }
 
 #[test]
@@ -304,11 +306,15 @@ fn aggregates_of_pyfracval_touch_or_overlap_as_its_tolerance_says() {
     let smallest = |name: &str| {
         let found = read(&file(name), &UNIT).unwrap();
         assert_eq!(
-            (found.format, found.report().number, found.report().components),
+            (
+                found.format,
+                found.report(&Interrupt::default()).unwrap().number,
+                found.report(&Interrupt::default()).unwrap().components
+            ),
             (Format::PyFracVal, 20, 1),
             "{name}"
         );
-        found.report().smallest_gap.unwrap()
+        found.report(&Interrupt::default()).unwrap().smallest_gap.unwrap()
     };
     assert!(smallest("pyfracval_polydisperse.dat") > -1e-4);
     assert!((-1.5..-0.5).contains(&smallest("pyfracval_overlapping.dat")), "{}", smallest("pyfracval_overlapping.dat"));

@@ -1,6 +1,6 @@
 //! The legacy VTK of soot-dem: points in units of the monomer radius, and its files of necks.
 
-use super::{Raw, Source};
+use super::{ASKED, Raw, Source};
 use crate::error::Error;
 use crate::geometry::Sphere;
 use crate::initial::aggregate::necks::Neck;
@@ -39,7 +39,10 @@ pub(super) fn necks(
     };
     let number = spheres.len();
     let mut ends = Vec::new();
-    for _ in 0..size {
+    for row in 0..size {
+        if row.is_multiple_of(ASKED) {
+            source.interrupt.check()?;
+        }
         let (line, word) = next(source, &mut words, &format!("{size} connections"))?;
         let place =
             word.parse::<usize>().ok().filter(|&place| place < number * number && place / number != place % number);

@@ -57,7 +57,8 @@ fn grown() -> Vec<Claim> {
     let recipe = Recipe { number, d_f, k_f, radii: Radii::Equal(RADIUS), method: Method::Clusters };
     let spheres = aggregate(&recipe, 1, &Interrupt::default()).expect("an ordinary aggregate");
     let radius = gyration_radius(&spheres, SphereExtent::Centres);
-    let contacts = necks(&spheres, TOUCH, NeckLength::Touching, false).len();
+    let contacts = necks(&spheres, TOUCH, NeckLength::Touching, false, &Interrupt::default());
+    let contacts = contacts.expect("nothing asks to stop").len();
     let claim = |what: &str| format!("{what}, {ALONE}");
     vec![
         Claim::number("Eq. 24", claim("R_g of 150 spheres"), "187.88", law, "nm", 2.0),

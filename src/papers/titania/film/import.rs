@@ -33,7 +33,7 @@ impl<M: Law> Plan<M> {
             return Err(Error::of_key(key, what));
         }
         let spheres: Vec<Sphere> = particles.iter().map(|&(centre, d)| Sphere { centre, radius: 0.5 * d }).collect();
-        let necks = import.necks.as_ref().map(|file| read_necks(file, &spheres)).transpose()?;
+        let necks = import.necks.as_ref().map(|file| read_necks(file, &spheres, interrupt)).transpose()?;
         let aggregates = aggregates(spheres.len(), &extras, necks.as_deref().unwrap_or(&[]));
         let count = aggregates.iter().max().map_or(0, |&last| last as usize + 1);
         let mut on_floor = vec![false; count];
