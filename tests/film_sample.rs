@@ -2,6 +2,7 @@
 
 use std::path::Path;
 use std::process::{Command, Output};
+use veridem::output::{RunFolder, Series};
 
 const EXPERIMENT: &str = "
     relaxation: 0.2 ns
@@ -39,8 +40,13 @@ fn run(place: &Path, name: &str, seed: u64, film: &str) -> Output {
 
 /// What was measured after the relaxation.
 fn curve(place: &Path, name: &str) -> Vec<String> {
-    let series = std::fs::read_to_string(place.join("run").join(name).join("series.csv")).unwrap();
-    series.lines().filter(|row| !row.starts_with("relaxation")).map(String::from).collect()
+    let series = Series::read(&RunFolder::open(&place.join("run").join(name)).unwrap()).unwrap();
+    let columns =
+        ["tip moved [nm]", "force on the tip [pN]", "kinetic energy [zJ]", "menisci", "mean force on the tip [pN]"];
+    let points = |(stage, column)| series.curve_of(stage, "step", column);
+    let stages = ["approach", "retraction"].into_iter();
+    let all = stages.flat_map(|stage| columns.map(|column| (stage, column)));
+    all.flat_map(|of| points(of).into_iter().map(move |point| format!("{of:?} {point:?}"))).collect()
 }
 
 #[test]

@@ -403,12 +403,16 @@ mod laws {
             let before = Memory { tangential, rolling, torsion: Vec3::zero(), rest: 0.0 };
             let acted = undamped.grip_in(Order::ActFirst, &rough, false, &at, before, DT);
             // The force is that of the springs before, without the elongation of this step.
-            prop_assert!((acted.wrench.force.perpendicular_to(c.n) + tangential * undamped.k_t).norm() < 1e-12);
+            prop_assert!((acted.wrench.force.perpendicular_to(c.n) - tangential * undamped.k_t).norm() < 1e-12);
             prop_assert!((acted.memory.tangential - tangential - at.v_t * DT).norm() < 1e-12);
-            // The torsion spring is a vector: a step of twisting along the normal, which the next step turns into the plane.
+            // The torsion spring is a vector: a step of twisting is along the normal.
             prop_assert!((acted.memory.torsion - c.n * acted.memory.torsion.dot(c.n)).norm() < 1e-12);
-            let again = undamped.grip_in(Order::ActFirst, &rough, false, &at, acted.memory, 0.0);
-            prop_assert!(again.memory.torsion.dot(c.n).abs() < 1e-9);
+            // One that is not along the normal is turned into the plane, with its length.
+            let oblique = Vec3([0.3, 0.5, 0.7]);
+            prop_assume!(oblique.perpendicular_to(c.n).norm() > 1e-2);
+            let before = Memory { torsion: oblique, ..before };
+            let turned = undamped.grip_in(Order::ActFirst, &rough, false, &at, before, 0.0).memory.torsion;
+            prop_assert!(turned.dot(c.n).abs() < 1e-12 && (turned.norm() - oblique.norm()).abs() < 1e-12);
         }
 
         #[test]

@@ -108,7 +108,7 @@ pub fn rolling_torque<R: Real>(m_r: R, omega_i: Vec3<R>, omega_j: Vec3<R>, n: Ve
 /// | `n` | $\mathbf{n}_{ij}$ | 1 (3) | unit | normal, from j to i |
 /// | → `share` | $s$ | 1 | | factor of the rolling torque |
 ///
-/// Rounding: at most 1 ULP.
+/// Rounding: at most 1.5 ULP.
 ///
 /// # Laws
 ///

@@ -63,7 +63,7 @@ pub(crate) fn undisturbed() -> &'static BTreeMap<PathBuf, Vec<u8>> {
     })
 }
 
-/// Every file of the run but the manifest, which tells the run's history, and the lock; of checkpoints the names alone, because one
+/// Every file of the run but the manifest and the report, which tell the run's history, and the lock; of checkpoints the names alone, because one
 /// that was damaged and never read stays as it is.
 pub(crate) fn outcome(place: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
     let root = place.join(RUN);
@@ -73,7 +73,7 @@ pub(crate) fn outcome(place: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
             let path = entry.unwrap().path();
             if path.is_dir() {
                 folders.push(path);
-            } else if !["manifest.json", "lock"].contains(&path.file_name().unwrap().to_str().unwrap()) {
+            } else if !["manifest.json", "report.html", "lock"].contains(&path.file_name().unwrap().to_str().unwrap()) {
                 let name = path.strip_prefix(&root).unwrap().to_path_buf();
                 let content = if name.starts_with("checkpoints") { vec![] } else { std::fs::read(&path).unwrap() };
                 found.insert(name, content);

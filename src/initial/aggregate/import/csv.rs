@@ -223,7 +223,7 @@ mod tests {
             ("x,y,z,r,body\n0,0,0,1,-1\n", "a.csv:2: found `-1`, expected the number of a rigid body"),
             ("0,0,0,1,1\n", "a.csv:1: found 5 columns, expected `x,y,z` or `x,y,z,r`, or a header"),
             ("0,0,0\n", "radius: is missing"),
-            ("", "found nothing"),
+            ("", "found no spheres"),
             ("x,y,z,r\n", "found no spheres"),
         ] {
             let trouble = read("a.csv", text, &NM).unwrap_err();

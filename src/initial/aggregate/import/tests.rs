@@ -227,7 +227,7 @@ fn dialects_of_xyz_and_lammps_are_read() {
         "2\ntitle=\"a Properties=no\" Properties=\"radius:R:1:species:S:1:pos:R:3\" pbc=\"F F F\"\n14 C 0 0 0\n14 C 28 0 0\n".into(),
         "2\nProperties=species:S:1:Diameter:R:1:pos:R:3\nC 28 0 0 0\nC 28 28 0 0\n".into(),
         "2\n\nC 0 0 0 14\nC 28 0 0 14\n2\n\nC 1 0 0 14\nC 29 0 0 14\n".into(),
-        format!("Atoms of a soot dimer\n\n2 atoms\n\n{header}Atoms # sphere\n\n1 1 28 1 0 0 0\n2 1 2.8e1 1 28 0 0\n\nVelocities\n\n1 0 0 0\n"),
+        format!("Atoms of a soot dimer\n\n2 atoms\n\n{header}Atoms # sphere\n\n1 1 28 1 0 0 0\n2 1 2.8e1 1 28 0 0\n\nVelocities\n\n1 0 0 0\n2 0 0 0\n"),
         format!("150 atoms in 2 parts\n\n2 atoms # in all\n\n{header}Atoms # sphere\n\n# id\n1 1 28 1 0 0 0 0 0 0\n2 1 28 1 28 0 0 0 0 0\n"),
         format!("Atoms # sphere\n\n2 atoms\n\n{header}Atoms  # hybrid sphere bond\n\n1 1 0 0 0 28 1 1\n2 1 28 0 0 28 1 1 # b\n"),
         format!("Atoms\n\n2 atoms\n\n{header}Atoms # hybrid bond sphere\n\n1 1 0 0 0 1 28 1\n2 1 28 0 0 1 28 1\n"),
