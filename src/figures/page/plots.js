@@ -38,8 +38,8 @@ for (const svg of document.querySelectorAll("figure.plot svg")) {
     reading.hidden = false;
     const box = svg.getBoundingClientRect(), scale = box.width / svg.viewBox.baseVal.width;
     const right = left * scale > box.width / 2;
-    reading.style.left = right ? "auto" : `${left * scale + 12}px`;
-    reading.style.right = right ? `${box.width - left * scale + 12}px` : "auto";
+    const wide = reading.offsetWidth, beside = right ? left * scale - 12 - wide : left * scale + 12;
+    reading.style.left = `${Math.max(0, Math.min(beside, box.width - wide))}px`;
     reading.style.top = `${Math.max(0, top * scale - 20)}px`;
   };
   const hide = () => {
