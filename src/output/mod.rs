@@ -23,7 +23,7 @@ pub use columns::Column;
 pub use files::{create_folder, sha256, sha256_file, sync_folder, with_suffix, write_atomically};
 pub use finding::{Finding, Found};
 pub use folder::{INPUTS, RunFolder};
-pub use frames::{Frame, FrameName, collected, collection, is_of_frames};
+pub use frames::{Frame, FrameName, collections, is_of_frames};
 pub use lock::Lock;
 pub use manifest::{Manifest, Status, command_line};
 pub use read_frame::{Mesh, Property, ReadFrame};

@@ -2,9 +2,7 @@
 
 use crate::case::Format;
 use crate::error::{AtPath, Error};
-use crate::output::{
-    Appending, Cell, Fingerprint, Frame, FrameName, Layout, RunFolder, collected, collection, write_atomically,
-};
+use crate::output::{Appending, Cell, Fingerprint, Frame, FrameName, Layout, RunFolder, collections, write_atomically};
 use crate::system::System;
 use serde::{Deserialize, Serialize};
 use serde_json::json;
@@ -26,6 +24,13 @@ struct Framed {
     /// Time, ns.
     time: f64,
     files: Vec<(String, Fingerprint)>,
+}
+
+impl Framed {
+    /// Its files: name, ending and time.
+    fn listed(&self) -> impl Iterator<Item = (&FrameName, &str, f64)> {
+        self.files.iter().map(|(ending, _)| (&self.name, &**ending, self.time))
+    }
 }
 
 impl Recorded {
@@ -87,6 +92,9 @@ impl Record {
 
     /// Makes the record survive a power failure; returns its present state.
     pub(super) fn sync(&self) -> Result<Recorded, Error> {
+        for (name, text) in collections(self.frames.iter().flat_map(Framed::listed)) {
+            write_atomically(&self.folder.frames().join(name), text.as_bytes())?;
+        }
         let tables = self.tables.iter().map(Appending::sync).collect::<Result<_, _>>()?;
         Ok(Recorded { tables, events: self.events.sync()?, frames: self.frames.clone() })
     }
@@ -118,17 +126,6 @@ impl Record {
             files.push((ending, Fingerprint::of(&bytes)));
         }
         self.frames.push(Framed { name, time: frame.time(), files });
-        self.collections(frame.stage(), formats)
-    }
-
-    /// Writes the collections of a stage: the files that list its frames with their times.
-    fn collections(&self, stage: &str, formats: &[Format]) -> Result<(), Error> {
-        for ending in formats.iter().flat_map(|format| collected(*format)) {
-            let of_stage = self.frames.iter().filter(|frame| frame.name.is_of(stage));
-            let listed = of_stage.filter(|frame| frame.files.iter().any(|(one, _)| one == ending));
-            let (name, text) = collection(stage, ending, listed.map(|frame| (&frame.name, frame.time)));
-            write_atomically(&self.folder.frames().join(name), text.as_bytes())?;
-        }
         Ok(())
     }
 }

@@ -106,6 +106,7 @@ impl<'a> Recorder<'a> {
 
     /// Writes the next frame.
     fn frame<S: Study>(&mut self, stage: &mut RunningStage<'_, S>) -> Result<(), Error> {
+        stage.simulation.check_frame().map_err(|halt| self.halt(stage, halt))?;
         let frame = stage.frame(self.output);
         if let Err(quantity) = frame.check() {
             drop(frame);

@@ -102,7 +102,7 @@ impl<M: PairModel> Simulation<M> {
         Err(self.halt(Reason::NotFinite { particle: lost.map_or(0, |p| particles.id[p]) }))
     }
 
-    /// Checks everything that a frame holds.
+    /// Checks the state that a frame holds: spheres, box, walls and surfaces.
     ///
     /// # Errors
     ///

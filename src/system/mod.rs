@@ -64,6 +64,13 @@ impl Particles {
         self.x.is_empty()
     }
 
+    /// The places of the spheres, by their ids.
+    pub fn by_id(&self) -> Vec<usize> {
+        let mut places: Vec<usize> = (0..self.len()).collect();
+        places.sort_unstable_by_key(|&p| self.id[p]);
+        places
+    }
+
     /// Appends a free sphere at rest; its id is its place.
     pub fn push(&mut self, x: Vec3<f64>, radius: f64, mass: f64, tag: u32) {
         self.id.push(self.len() as u32);

@@ -6,7 +6,7 @@ mod vtp;
 mod xyz;
 
 pub use name::{FrameName, is_of_frames};
-pub use vtp::collection;
+pub use vtp::collections;
 
 use super::columns::columns;
 use crate::case::{Digits, Extra, Format};
@@ -122,21 +122,13 @@ impl Values {
     }
     /// Its numbers, sphere by sphere.
     fn numbers(&self) -> impl Iterator<Item = f64> {
-        let (count, width) = match self {
-            Self::Counts(values) => (values.len(), 1),
-            Self::Numbers(values) => (values.len(), 1),
-            Self::Vectors(values) => (values.len(), 3),
-            Self::Tensors(values) => (values.len(), 6),
+        let count = match self {
+            Self::Counts(values) => values.len(),
+            Self::Numbers(values) => values.len(),
+            Self::Vectors(values) => values.len(),
+            Self::Tensors(values) => values.len(),
         };
-        (0..count).flat_map(move |k| self.of(k).into_iter().take(width))
-    }
-}
-
-/// The endings of the files of a format that are listed in collections.
-pub fn collected(format: Format) -> &'static [&'static str] {
-    match format {
-        Format::Extxyz => &[],
-        Format::Vtp => &["vtp", "pairs.vtp", "surfaces.vtp"],
+        (0..count).flat_map(move |k| self.of(k).into_iter().take(self.width()))
     }
 }
 
@@ -165,8 +157,7 @@ impl<'a> Frame<'a> {
     ) -> Self {
         let (system, loads) = (simulation.system(), Loads::of(simulation, kind));
         let (p, domain) = (&system.particles, &system.domain);
-        let mut order: Vec<usize> = (0..p.len()).collect();
-        order.sort_by_key(|&k| p.id[k]);
+        let order = p.by_id();
         let counts = |values: &[u32]| Values::Counts(order.iter().map(|&k| values[k]).collect());
         let numbers = |values: &[f64]| Values::Numbers(order.iter().map(|&k| values[k]).collect());
         let vectors = |value: &dyn Fn(usize) -> Vec3<f64>| Values::Vectors(order.iter().map(|&k| value(k)).collect());
@@ -213,7 +204,7 @@ impl<'a> Frame<'a> {
         self.system.time
     }
 
-    /// Checks that every number is finite, also in single precision if it is written so.
+    /// Checks that every number of a column or a pair is finite, also in single precision if it is written so.
     ///
     /// # Errors
     ///

@@ -32,15 +32,15 @@ impl FrameName {
         }
     }
 
-    /// Whether it is the name of a frame of this stage.
-    pub fn is_of(&self, stage: &str) -> bool {
-        self.stage == slug(stage)
-    }
-
     /// The name of one of its files. The kind of the content stands before the number, so that the files of a kind are a series: `stage-pairs.000012.vtp`.
     pub fn file(&self, ending: &str) -> String {
         let (kind, ending) = kind_of(ending);
         format!("{}{kind}.{:06}.{ending}", self.stage, self.number)
+    }
+
+    /// The name of the file that lists the files with this ending of its stage.
+    pub(super) fn collection(&self, ending: &str) -> String {
+        format!("{}{}.pvd", self.stage, kind_of(ending).0)
     }
 
     /// The frame that a file of this name belongs to.
@@ -62,12 +62,6 @@ impl FrameName {
 /// The kind of the content of a file with its hyphen, empty for the spheres, and the ending of its name.
 fn kind_of(ending: &str) -> (String, &str) {
     ending.split_once('.').map_or((String::new(), ending), |(kind, ending)| (format!("-{kind}"), ending))
-}
-
-/// The name of the file that lists the frames of a stage.
-pub(super) fn collection_file(stage: &str, ending: &str) -> String {
-    let (kind, ending) = kind_of(ending);
-    format!("{}{kind}.{ending}", slug(stage))
 }
 
 /// Whether a run writes a file of this name into its folder of frames.

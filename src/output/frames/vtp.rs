@@ -1,9 +1,9 @@
 //! Frames as VTK poly data, which ParaView opens: spheres as points, pairs as lines, surfaces as triangles, and the collections that give their times.
 
-use super::name::collection_file;
 use super::surfaces::outlines;
 use super::{Frame, FrameColumn, FrameName, Values};
 use crate::spec::Vec3;
+use std::collections::BTreeMap;
 use std::fmt::Write;
 
 /// The parts of a piece: their VTK names, and how many points each of their cells has.
@@ -97,18 +97,14 @@ fn array(name: &str, width: usize, whole: bool, numbers: impl Iterator<Item = St
     )
 }
 
-/// The file that lists the files of frames of a stage with this ending, and their times, for ParaView: its name and its content.
-pub fn collection<'a>(
-    stage: &str,
-    ending: &str,
-    frames: impl Iterator<Item = (&'a FrameName, f64)>,
-) -> (String, String) {
-    let line = |(name, time): (&FrameName, f64)| {
-        format!("<DataSet timestep=\"{time}\" part=\"0\" file=\"{}\"/>\n", name.file(ending))
-    };
-    let text = format!(
-        "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n{}</Collection>\n</VTKFile>\n",
-        frames.map(line).collect::<String>(),
-    );
-    (collection_file(stage, &ending.replace("vtp", "pvd")), text)
+/// The files that list the frames of each stage with their times for ParaView, by name: one for each kind of content that is poly data.
+pub fn collections<'a>(files: impl Iterator<Item = (&'a FrameName, &'a str, f64)>) -> BTreeMap<String, String> {
+    let mut lists = BTreeMap::<String, String>::new();
+    for (name, ending, time) in files.filter(|(_, ending, _)| ending.ends_with("vtp")) {
+        let list = lists.entry(name.collection(ending)).or_default();
+        let _ = writeln!(list, "<DataSet timestep=\"{time}\" part=\"0\" file=\"{}\"/>", name.file(ending));
+    }
+    let head = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
+    lists.values_mut().for_each(|list| *list = format!("{head}{list}</Collection>\n</VTKFile>\n"));
+    lists
 }
