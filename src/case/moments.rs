@@ -1,7 +1,7 @@
 //! The moments of a stage: an interval, or a list of times.
 
 use super::InSteps;
-use super::quantity::Scaled;
+use super::quantity::{Scaled, Text};
 use super::section::Field;
 use super::units::{decimal, number_and_unit};
 use serde::de::value::StrDeserializer;
@@ -99,26 +99,7 @@ struct Scalar(String);
 
 impl<'de> Deserialize<'de> for Scalar {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Text;
-        impl Visitor<'_> for Text {
-            type Value = Scalar;
-            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("a time")
-            }
-            fn visit_str<E: Error>(self, text: &str) -> Result<Scalar, E> {
-                Ok(Scalar(text.into()))
-            }
-            fn visit_f64<E: Error>(self, number: f64) -> Result<Scalar, E> {
-                self.visit_str(&decimal(number))
-            }
-            fn visit_u64<E: Error>(self, number: u64) -> Result<Scalar, E> {
-                self.visit_str(&number.to_string())
-            }
-            fn visit_i64<E: Error>(self, number: i64) -> Result<Scalar, E> {
-                self.visit_str(&number.to_string())
-            }
-        }
-        deserializer.deserialize_any(Text)
+        deserializer.deserialize_any(Text(|text| Ok(Scalar(text.into()))))
     }
 }
 

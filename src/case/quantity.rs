@@ -195,7 +195,7 @@ impl<K: Kind, S: Scale> fmt::Display for Scaled<K, S> {
 }
 
 /// Reads a scalar of the case file as the text that was written.
-struct Text<T>(fn(&str) -> Result<T, String>);
+pub(super) struct Text<T>(pub(super) fn(&str) -> Result<T, String>);
 
 impl<T> Visitor<'_> for Text<T> {
     type Value = T;

@@ -60,6 +60,13 @@ fn symbol(text: &str) -> Option<(Dimension, i32)> {
     })
 }
 
+/// A time given in seconds, as a number of the unit in which people wait for it.
+pub fn of_waiting(seconds: f64) -> (f64, &'static str) {
+    let units = [(86_400.0, "days"), (3600.0, "h"), (60.0, "min"), (1.0, "s")];
+    let (length, unit) = units.into_iter().find(|(length, _)| seconds >= 2.0 * length).unwrap_or((1.0, "s"));
+    (seconds / length, unit)
+}
+
 /// The single symbols of a dimension, with every prefix.
 pub fn simple_units(dimension: Dimension) -> Vec<String> {
     let of_dimension = UNITS.iter().filter(|unit| unit.1 == dimension);

@@ -1,7 +1,7 @@
 //! Progress of a run, shown to the user.
 
 use super::OutputMode;
-use crate::case::units::significant;
+use crate::case::units::{of_waiting, significant};
 use crate::run::{Message, RunProgress};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::IsTerminal;
@@ -83,9 +83,7 @@ fn summary(state: &RunProgress, pace: Option<f64>) -> String {
 
 /// A time in seconds in at most 8 columns.
 fn duration(seconds: f64) -> String {
-    let units = [(86_400.0, "days"), (3600.0, "h"), (60.0, "min"), (1.0, "s")];
-    let (length, unit) = units.into_iter().find(|(length, _)| seconds >= 2.0 * length).unwrap_or((1.0, "s"));
-    let number = seconds / length;
+    let (number, unit) = of_waiting(seconds);
     if number < 1000.0 { format!("{number:.0} {unit}") } else { "years".into() }
 }
 

@@ -25,6 +25,10 @@ impl Sphere {
 }
 
 impl Particles {
+    /// The spheres, in the order of their ids.
+    pub fn spheres(&self) -> Vec<Sphere> {
+        self.by_id().into_iter().map(|p| Sphere { centre: self.x[p], radius: self.radius[p] }).collect()
+    }
     /// Mean diameter, nm.
     pub fn mean_diameter(&self) -> f64 {
         2.0 * self.radius.iter().sum::<f64>() / self.radius.len() as f64

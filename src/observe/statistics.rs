@@ -50,7 +50,7 @@ pub fn jackknife(without: &[f64]) -> f64 {
     ((n - 1.0) / n * without.iter().map(|x| (x - mean) * (x - mean)).sum::<f64>()).sqrt()
 }
 
-/// The t that Student's distribution of so many degrees of freedom stays below, absolutely, with the probability of confidence.
+/// The bound of the absolute value of Student's t, with this number of degrees of freedom, at the level of confidence.
 fn students_t(freedom: usize) -> f64 {
     let (mut low, mut high) = (0.0, std::f64::consts::FRAC_PI_2);
     // Halved until neighbouring numbers are left.

@@ -1,7 +1,7 @@
 //! The plan of a run: its steps, its output and its cost, before it is run.
 
 use super::{Driver, Job, RunningStage, Study, columns};
-use crate::case::units::{in_unit, significant};
+use crate::case::units::{in_unit, of_waiting, significant};
 use crate::case::{InSteps, Moments, Output};
 use crate::error::{Error, Halt};
 use crate::interrupt::Interrupt;
@@ -256,9 +256,8 @@ fn size(bytes: f64) -> String {
 
 /// A time in seconds, in a unit that suits it.
 fn duration(seconds: f64) -> String {
-    let units = [(86_400.0, "days"), (3600.0, "h"), (60.0, "min"), (1.0, "s")];
-    let (length, unit) = units.into_iter().find(|(length, _)| seconds >= 2.0 * length).unwrap_or((1.0, "s"));
-    format!("{} {unit}", significant(seconds / length, 2))
+    let (number, unit) = of_waiting(seconds);
+    format!("{} {unit}", significant(number, 2))
 }
 
 #[cfg(test)]

@@ -68,13 +68,13 @@ pub(super) fn view(page: &mut Report, files: &[PathBuf]) {
     page.note(&format!("{}; all of them, with all digits, are in frames/.", said.join("; ")));
 }
 
-/// The number of frames of so many spheres that a page can hold, at least two, and of how many spheres one is shown.
+/// The largest number of frames with this number of spheres that a page can hold, at least two, and the interval of the spheres that are shown.
 fn fitting(spheres: usize) -> (usize, usize) {
     let frames = (MOST_SPHERES / spheres.max(1)).clamp(2, MOST_FRAMES);
     (frames, (frames * spheres).div_ceil(MOST_SPHERES).max(1))
 }
 
-/// The places of `few` of so many frames, the first and the last among them.
+/// The places of `few` out of `count` frames, the first and the last among them.
 pub(super) fn chosen(count: usize, few: usize) -> Vec<usize> {
     let few = few.min(count);
     (0..few).map(|k| if few > 1 { k * (count - 1) / (few - 1) } else { 0 }).collect()

@@ -2,7 +2,6 @@
 
 use super::case::SootStage;
 use super::columns::results;
-use crate::geometry::Sphere;
 use crate::geometry::{SphereExtent, gyration_radius};
 use crate::initial::aggregate::NEIGHBOURLY;
 use crate::observe::aggregate::AggregateShape;
@@ -16,17 +15,9 @@ use crate::spec::soot::{SUBSTRATE, TIP};
 use crate::system::{Forces, Particles, Surface, System};
 use serde::{Deserialize, Serialize};
 
-/// The spheres of a system, by id.
-fn spheres(system: &System) -> Vec<Sphere> {
-    let Particles { x, radius, id, .. } = &system.particles;
-    let mut order: Vec<usize> = (0..id.len()).collect();
-    order.sort_unstable_by_key(|&p| id[p]);
-    order.into_iter().map(|p| Sphere { centre: x[p], radius: radius[p] }).collect()
-}
-
 /// The coordination number, the convexity and the radius of gyration of an aggregate.
 pub fn shape(system: &System) -> [f64; 3] {
-    let spheres = spheres(system);
+    let spheres = system.particles.spheres();
     [coordination_number(&spheres), convexity(&spheres).value, gyration_radius(&spheres, SphereExtent::Centres)]
 }
 
@@ -48,7 +39,11 @@ impl Watch {
             SootStage::Indentation(test) => Some(ForceCurve::new(2.0 * std::f64::consts::PI * test.cantilever.value)),
             _ => None,
         };
-        Self { shape: AggregateShape::of(&spheres(simulation.system())), kinetic: simulation.ledger().kinetic, curve }
+        Self {
+            shape: AggregateShape::of(&simulation.system().particles.spheres()),
+            kinetic: simulation.ledger().kinetic,
+            curve,
+        }
     }
 
     /// Whether it can be the observer of this stage.
@@ -161,7 +156,7 @@ impl Watch {
             }
         };
         findings.push(Finding::count(results::NECKS, system.necks.len() as u64));
-        for (when, shape) in [("initial", &self.shape), ("final", &AggregateShape::of(&spheres(system)))] {
+        for (when, shape) in [("initial", &self.shape), ("final", &AggregateShape::of(&system.particles.spheres()))] {
             findings.extend(shape.findings().into_iter().map(|finding| finding.at(when)));
         }
         findings

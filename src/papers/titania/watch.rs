@@ -4,7 +4,6 @@ use super::columns::results;
 use super::law::Law;
 use super::stage::StageAct;
 use crate::case::units::in_unit;
-use crate::geometry::Sphere;
 use crate::observe::aggregate::AggregateShape;
 use crate::output::{Cell, Finding};
 use crate::simulation::{Pair, Simulation};
@@ -14,7 +13,6 @@ use crate::spec::titania::Titania;
 use crate::spec::titania::def_radius::effective_radius;
 use crate::spec::titania::eq02_torque::moment_arm;
 use crate::spec::titania::eq10_peak_friction::peak_friction;
-use crate::system::Particles;
 use serde::{Deserialize, Serialize};
 
 /// Time over which the force of the pulling spring is averaged, ns.
@@ -257,10 +255,8 @@ impl Watch {
                     Finding::numbers(results::DETACHED_WITH, self.detachments.iter().map(|one| one.force)),
                     Finding::numbers(results::DETACHED_AFTER, self.detachments.iter().map(|one| one.mean)),
                 ];
-                let Particles { x, radius, .. } = &simulation.system().particles;
-                let spheres: Vec<Sphere> =
-                    x.iter().zip(radius).map(|(&centre, &radius)| Sphere { centre, radius }).collect();
-                found.extend(AggregateShape::of(&spheres).findings().into_iter().map(|finding| finding.at("final")));
+                let shape = AggregateShape::of(&simulation.system().particles.spheres());
+                found.extend(shape.findings().into_iter().map(|finding| finding.at("final")));
                 found
             }
             StageAct::Release => {

@@ -4,7 +4,7 @@ use super::junction::JunctionPart;
 use crate::observe::third_body::{Motions, Mover, Window};
 use crate::observe::{Link, upper_wall};
 use crate::spec::Vec3;
-use crate::system::System;
+use crate::system::{System, Wall};
 use serde::{Deserialize, Serialize};
 
 /// Sliding distance between two searches for the third body, nm.
@@ -45,6 +45,24 @@ pub struct Row {
     pub links_direct: usize,
 }
 
+/// Friction and normal force of the spheres on the upper wall, pN, summed over steps.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+struct WallForces {
+    sum: [f64; 2],
+    steps: u64,
+}
+
+impl WallForces {
+    fn add(&mut self, wall: &Wall) {
+        let [x, y, _] = wall.force.0;
+        self.sum = [self.sum[0] - x, self.sum[1] + y];
+        self.steps += 1;
+    }
+    fn mean(&self) -> [f64; 2] {
+        self.sum.map(|sum| sum / self.steps as f64)
+    }
+}
+
 /// Observes a junction during shearing.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Witness {
@@ -52,8 +70,9 @@ pub struct Witness {
     start: [f64; 3],
     mark: [f64; 3],
     before: Vec<[f64; 3]>,
-    /// Friction and normal force, summed over the steps of the window, and their number.
-    forces: ([f64; 2], u64),
+    /// The forces in the window, and since the beginning.
+    window: WallForces,
+    total: WallForces,
     /// Ids of the third body in the last window, in ascending order.
     members: Vec<u32>,
     /// The rows so far.
@@ -64,8 +83,8 @@ impl Witness {
     /// Starts observing; `height` is the initial distance between the bodies, nm.
     pub fn new(system: &System, height: f64) -> Self {
         let start = upper_wall(system).0;
-        let (forces, members) = (([0.0; 2], 0), Vec::new());
-        Self { height, start, mark: start, before: by_id(system), forces, members, rows: Vec::new() }
+        let (window, total) = (WallForces::default(), WallForces::default());
+        Self { height, start, mark: start, before: by_id(system), window, total, members: Vec::new(), rows: Vec::new() }
     }
 
     /// Number of spheres that it observes.
@@ -75,9 +94,13 @@ impl Witness {
 
     /// Observes a step.
     pub fn follow(&mut self, system: &System) {
-        let [x, y, _] = system.walls[1].force.0;
-        let ([friction, normal], steps) = self.forces;
-        self.forces = ([friction - x, normal + y], steps + 1);
+        self.window.add(&system.walls[1]);
+        self.total.add(&system.walls[1]);
+    }
+
+    /// Mean friction and normal force since the beginning, pN.
+    pub fn mean_forces(&self) -> [f64; 2] {
+        self.total.mean()
     }
 
     /// Ids of the third body in the last window, in ascending order.
@@ -95,15 +118,15 @@ impl Witness {
         let rolled = third.map_or(0.0, |t| t.rolled);
         let members = third.map_or(&[][..], |t| &t.members);
         let turned = self.rows.last().map_or(0.0, |row| row.turns);
-        let ([friction, normal], steps) = std::mem::take(&mut self.forces);
+        let [friction, normal] = std::mem::take(&mut self.window).mean();
         self.members = members.iter().map(|&i| system.particles.id[i]).collect();
         self.members.sort_unstable();
         self.rows.push(Row {
             slid: (now - Vec3(self.start)).0[0],
             window: slid.0[0],
             separation: self.height + (now - Vec3(self.start)).0[1],
-            friction: friction / steps as f64,
-            normal: normal / steps as f64,
+            friction,
+            normal,
             third_size: members.len(),
             third_from_junction: members
                 .iter()

@@ -65,8 +65,6 @@ pub struct Sheared {
     next: f64,
     /// Whether a window has closed in the last step.
     closed: bool,
-    /// Friction and normal force, summed over all steps, and their number.
-    forces: ([f64; 2], u64),
 }
 
 impl Watch {
@@ -90,7 +88,6 @@ impl Watch {
                 start: upper_wall(system).0,
                 next: WINDOW,
                 closed: false,
-                forces: ([0.0; 2], 0),
             }),
         }
     }
@@ -232,9 +229,6 @@ impl Sheared {
     fn follow(&mut self, simulation: &Simulation<Wear>) {
         let system = simulation.system();
         self.witness.follow(system);
-        let ([friction, normal], steps) = self.forces;
-        let [x, y, _] = system.walls[1].force.0;
-        self.forces = ([friction - x, normal + y], steps + 1);
         self.closed = (upper_wall(system).0[0] - self.start[0]).abs() >= self.next;
         if self.closed {
             self.next += WINDOW;
@@ -270,8 +264,7 @@ impl Sheared {
         let short = format!("slid by less than {}", in_unit(2.0 * WINDOW, "nm"));
         let last = rows.last();
         let [slid, risen, _] = (upper_wall(simulation.system()) - Vec3(self.start)).0;
-        let ([friction, normal], steps) = self.forces;
-        let load = normal / steps as f64;
+        let [friction, load] = self.witness.mean_forces();
         let peak = rows.iter().map(|row| row.friction / load).reduce(f64::max);
         // A sliding junction is judged by the second half of its way: the first has the static peak in it.
         let late: Vec<&Row> = rows.iter().filter(|row| row.slid > 0.5 * slid).collect();
@@ -288,7 +281,7 @@ impl Sheared {
             Finding::words(results::FATE, last.map_or(&*short, |_| fate)),
             Finding::number(results::SLIDING_DISTANCE, slid),
             Finding::number(results::SEPARATION, self.height + risen),
-            Finding::number(results::FRICTION_FORCE, friction / steps as f64),
+            Finding::number(results::FRICTION_FORCE, friction),
             Finding::reached(results::PEAK_FRICTION, peak, &*short),
             over(results::KINETIC_FRICTION, &|row| row.friction / load, ""),
             over(results::WEAR_VOLUME, &|row| row.third_mass / density, none),
