@@ -57,6 +57,8 @@ words! {
         Extxyz = "extxyz",
         /// VTK poly data with collections for ParaView.
         Vtp = "vtp",
+        /// VTKHDF for ParaView, with the names of quantities of the European network ON-DEM.
+        Vtkhdf = "vtkhdf",
     }
 }
 

@@ -1,7 +1,9 @@
 //! Frames: the state of all particles, pairs and surfaces at one moment, in the formats that are asked for.
 
 mod name;
+mod poly_data;
 mod surfaces;
+mod vtkhdf;
 mod vtp;
 mod xyz;
 
@@ -20,7 +22,7 @@ use crate::system::System;
 columns! {
     /// The columns of spheres in frames.
     pub const FRAME_COLUMNS {
-        /// Id of the sphere, which it keeps throughout a run.
+        /// Id of the sphere, which it keeps throughout a run: `body_id` in VTKHDF.
         ID = "id";
         /// Body that the sphere belonged to at the beginning.
         BODY = "body";
@@ -32,7 +34,7 @@ columns! {
         MASS = "mass" in "ag";
         /// Centre, folded into the box, whose corner is the origin.
         POSITION = "pos" in "nm";
-        /// Velocity.
+        /// Velocity: `velocity` in VTKHDF.
         VELOCITY = "velo" in "m/s";
         /// Angular velocity.
         ANGULAR_VELOCITY = "angular_velocity" in "1/ns";
@@ -58,13 +60,13 @@ columns! {
 columns! {
     /// The columns of pairs in frames.
     pub const PAIR_COLUMNS {
-        /// Ids of both spheres, the lower first: `batom1` and `batom2` in local dumps, `ids` in VTK.
+        /// Ids of both spheres, the lower first: `batom1` and `batom2` in local dumps, `ids` in VTK, `id1` and `id2` in VTKHDF.
         IDS = "ids";
         /// 1 for a contact, 2 for a neck, 3 for a meniscus between spheres that do not touch: `btype` in local dumps.
         KIND = "kind";
         /// Distance of the surfaces, negative for an overlap.
         GAP = "gap" in "nm";
-        /// Force along the line of centres, positive for a repulsion.
+        /// Force along the line of centres, positive for a repulsion; in VTKHDF positive for an attraction, as the names that it takes from ON-DEM want it.
         NORMAL_FORCE = "normal_force" in "pN";
         /// Force on the sphere with the lower id along x.
         FORCE_X = "force_x" in "pN";
@@ -270,11 +272,10 @@ impl<'a> Frame<'a> {
                     files.push(("xyz".into(), self.extended_xyz().into_bytes()));
                 }
                 Format::Vtp => {
-                    if !self.system.surfaces.is_empty() {
-                        files.push(("surfaces.vtp".into(), self.vtp_of_surfaces().into_bytes()));
-                    }
-                    files.push(("pairs.vtp".into(), self.vtp_of_pairs().into_bytes()));
-                    files.push(("vtp".into(), self.vtp().into_bytes()));
+                    files.extend(self.poly_data().map(|(kind, data)| (kind + "vtp", self.vtp(&data).into_bytes())));
+                }
+                Format::Vtkhdf => {
+                    files.extend(self.poly_data().map(|(kind, data)| (kind + "vtkhdf", self.vtkhdf(&data))));
                 }
             }
         }

@@ -13,7 +13,8 @@ pub struct FrameName {
 }
 
 /// The endings of the files of a frame.
-const ENDINGS: [&str; 7] = ["xyz", "bonds", "obj", "vtp", "pairs.vtp", "surfaces.vtp", "vtkhdf"];
+const ENDINGS: [&str; 9] =
+    ["xyz", "bonds", "obj", "vtp", "pairs.vtp", "surfaces.vtp", "vtkhdf", "pairs.vtkhdf", "surfaces.vtkhdf"];
 /// The endings of the files that list the frames of a stage.
 const COLLECTIONS: [&str; 3] = ["pvd", "pairs.pvd", "surfaces.pvd"];
 
