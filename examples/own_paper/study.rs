@@ -116,6 +116,9 @@ impl Study for Plan {
             _ => Progress::Going,
         }
     }
+    fn may_end_early(&self, _: usize) -> bool {
+        true
+    }
     fn columns(&self, _: usize) -> Vec<Column> {
         vec![GAP]
     }

@@ -71,13 +71,14 @@ impl Progress {
     }
 }
 
-/// The share of the run, the time left, and how well the energies balance, in at most 57 columns; a step takes `pace` seconds. A stage may end before
-/// its largest number of steps, so that shares and times are bounds.
+/// The share of the run, the time left, and how well the energies balance, in at most 57 columns; a step takes `pace` seconds. Where a stage may end
+/// before its largest number of steps, the time is a bound.
 fn summary(state: &RunProgress, pace: Option<f64>) -> String {
     let done = state.before.saturating_add(state.step);
     let share = (100.0 * done as f64 / state.all.max(1) as f64).min(100.0).floor();
     let left = state.all.saturating_sub(done) as f64;
-    let left = pace.map_or(String::new(), |pace| format!(", at most {} left", duration(pace * left)));
+    let bound = if state.may_end_early { "at most " } else { "" };
+    let left = pace.map_or(String::new(), |pace| format!(", {bound}{} left", duration(pace * left)));
     format!("{share} % of run{left}, {}", balance(state.residual))
 }
 
@@ -112,6 +113,7 @@ mod tests {
                         steps: 100,
                         before,
                         all: 1000,
+                        may_end_early: true,
                         particles: 1,
                         residual,
                         overlap: 0.0,
@@ -124,18 +126,21 @@ mod tests {
     }
 
     #[test]
-    fn shares_are_of_the_run_and_times_are_bounds() {
+    fn shares_are_of_the_run_and_times_are_bounds_where_a_stage_may_end_early() {
         let state = RunProgress {
             stage: "b",
             step: 50,
             steps: 100,
             before: 200,
             all: 1000,
+            may_end_early: true,
             particles: 1,
             residual: 3e-4,
             overlap: 0.0,
         };
         assert_eq!(summary(&state, Some(0.2)), "25 % of run, at most 2 min left, energy error 0.03 %");
+        let fixed = RunProgress { may_end_early: false, ..state };
+        assert_eq!(summary(&fixed, Some(0.2)), "25 % of run, 2 min left, energy error 0.03 %");
         assert_eq!(summary(&state, None), "25 % of run, energy error 0.03 %");
         assert_eq!([0.0, 90.0, 9000.0, 1e6].map(duration), ["0 s", "90 s", "2 h", "12 days"]);
     }

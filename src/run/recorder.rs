@@ -34,6 +34,8 @@ pub struct RunProgress<'a> {
     pub before: u64,
     /// Largest number of steps of all stages.
     pub all: u64,
+    /// Whether this stage or one after it may end before its largest number of steps.
+    pub may_end_early: bool,
     /// Number of particles.
     pub particles: usize,
     /// Relative residual of the physical energy balance.
@@ -51,8 +53,8 @@ pub(super) struct Recorder<'a> {
     tell: &'a mut dyn FnMut(Message),
     /// Relative residual and largest overlap of the last row.
     seen: (f64, f64),
-    /// Number of the stage under way, and the largest numbers of steps of those before it and of all.
-    steps: Option<(usize, u64, u64)>,
+    /// Number of the stage under way, the largest numbers of steps of those before it and of all, and whether it or one after it may end earlier.
+    steps: Option<(usize, u64, u64, bool)>,
 }
 
 impl<'a> Recorder<'a> {
@@ -125,11 +127,12 @@ impl<'a> Recorder<'a> {
             let most = |number| study.steps(number, study.settings(number, system).dt);
             let all: Vec<u64> = (0..study.stages().len()).map(most).collect();
             let sum = |steps: &[u64]| steps.iter().copied().fold(0, u64::saturating_add);
-            self.steps = Some((stage.number, sum(&all[..stage.number]), sum(&all)));
+            let may_end_early = (stage.number..all.len()).any(|number| study.may_end_early(number));
+            self.steps = Some((stage.number, sum(&all[..stage.number]), sum(&all), may_end_early));
         }
-        let (before, all) = self.steps.map_or((0, steps), |(_, before, all)| (before, all));
-        let step = system.step;
-        let progress = RunProgress { stage: &stage.name, step, steps, before, all, particles, residual, overlap };
+        let (_, before, all, may_end_early) = self.steps.unwrap_or((stage.number, 0, steps, false));
+        let (stage, step) = (&stage.name, system.step);
+        let progress = RunProgress { stage, step, steps, before, all, may_end_early, particles, residual, overlap };
         (self.tell)(Message::Progress(progress));
     }
 

@@ -83,6 +83,10 @@ pub trait Study {
         let last = self.steps(stage, simulation.settings().dt);
         if simulation.system().step >= last { Progress::Done } else { Progress::Going }
     }
+    /// Whether a stage may end before its largest number of steps, so that its remaining time is only bounded: never by default, as by default [`progress`](Self::progress) does not.
+    fn may_end_early(&self, _stage: usize) -> bool {
+        false
+    }
     /// The system at the end of a stage, with the springs of all contacts.
     ///
     /// # Errors

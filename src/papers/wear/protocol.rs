@@ -141,6 +141,11 @@ impl Stage {
         }
     }
 
+    /// Whether it may end before its largest number of steps.
+    pub fn may_end_early(&self) -> bool {
+        matches!(self.stop, Stop::Relaxed { .. })
+    }
+
     /// Returns the system at the end of the stage.
     pub fn end(&self, simulation: Simulation<Wear>) -> System {
         let mut system = simulation.into_system();
@@ -210,6 +215,9 @@ impl Study for Protocol<'_> {
     }
     fn progress(&self, stage: usize, (): &(), simulation: &Simulation<Wear>) -> Progress {
         self.stages[stage].progress(simulation)
+    }
+    fn may_end_early(&self, stage: usize) -> bool {
+        self.stages[stage].may_end_early()
     }
     fn end(&self, stage: usize, simulation: Simulation<Wear>) -> Result<System, Error> {
         Ok(self.stages[stage].end(simulation))

@@ -3,7 +3,7 @@
 use super::case::{Amorphous, Case, Experiment, Sample};
 use super::columns::{self, columns_of};
 use super::derived::{Scales, material, spheres};
-use super::protocol::{Setup, Stage};
+use super::protocol::{Drive, Setup, Stage};
 use super::stages;
 use super::watch::Watch;
 use crate::case::units::in_unit;
@@ -137,6 +137,13 @@ impl Study for Plan {
 
     fn progress(&self, stage: usize, watch: &Watch, simulation: &Simulation<Wear>) -> Progress {
         if watch.ended() { Progress::Done } else { self.stages[stage].progress(simulation) }
+    }
+
+    fn may_end_early(&self, stage: usize) -> bool {
+        let stage = &self.stages[stage];
+        // Tests in tension and in shear end with the failure of the sample.
+        let fails = |setup: &Setup| matches!(setup, Setup::Walls { drive: Drive::Stretch(_) | Drive::Shear(_), .. });
+        stage.may_end_early() || fails(&stage.setup)
     }
 
     fn end(&self, stage: usize, simulation: Simulation<Wear>) -> Result<System, Error> {

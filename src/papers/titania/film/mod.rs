@@ -221,6 +221,10 @@ impl<M: Law> Study for Plan<M> {
         if done || simulation.system().step >= last { Progress::Done } else { Progress::Going }
     }
 
+    fn may_end_early(&self, stage: usize) -> bool {
+        self.stages[stage] != FilmStage::Relaxation
+    }
+
     fn end(&self, stage: usize, simulation: Simulation<M>) -> Result<System, Error> {
         let system = simulation.into_system_with_springs();
         if let (FilmStage::Relaxation, Some(path)) = (self.stages[stage], &self.film.save) {
