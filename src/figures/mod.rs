@@ -8,6 +8,8 @@ mod page;
 #[cfg(feature = "cli")]
 mod plot;
 #[cfg(feature = "cli")]
+mod raised;
+#[cfg(feature = "cli")]
 mod report;
 mod round;
 mod snapshot;

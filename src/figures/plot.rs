@@ -2,6 +2,7 @@
 
 use super::COLOURS;
 use super::page::escaped;
+use super::raised::raised;
 use super::ticks::Ticked;
 use plotters::prelude::*;
 use serde_json::json;
@@ -20,11 +21,11 @@ pub struct Axis {
 impl Axis {
     /// A linear axis.
     pub fn linear(label: &str) -> Self {
-        Self { label: label.into(), log: false }
+        Self { label: raised(label), log: false }
     }
     /// A logarithmic axis.
     pub fn log(label: &str) -> Self {
-        Self { label: label.into(), log: true }
+        Self { label: raised(label), log: true }
     }
 
     /// The position of a value on the axis.

@@ -1,5 +1,6 @@
 //! The page of every report: one file that needs no other, with its style and its programs.
 
+use super::raised::raised;
 use std::fmt::Write;
 
 /// Number of columns that fit into any page.
@@ -110,7 +111,9 @@ impl Report {
 
     /// A table; the decimal points of a column of numbers stand below each other.
     pub fn table<Row: IntoIterator<Item: Into<Cell>>>(&mut self, head: &[&str], rows: impl IntoIterator<Item = Row>) {
-        let rows: Vec<Vec<Cell>> = rows.into_iter().map(|row| row.into_iter().map(Into::into).collect()).collect();
+        let shown = |cell: Cell| Cell { text: raised(&cell.text), ..cell };
+        let rows: Vec<Vec<Cell>> =
+            rows.into_iter().map(|row| row.into_iter().map(Into::into).map(shown).collect()).collect();
         let numbers = |column: usize| {
             let written = || rows.iter().filter_map(|row| row.get(column)).filter(|cell| !cell.text.is_empty());
             2 * written().filter(|cell| cell.number().is_some()).count() > written().count()
@@ -121,7 +124,7 @@ impl Report {
         let class = if head.len() > MANY { "scroll wide" } else { "scroll" };
         let _ = write!(self.html, "<div class=\"{class}\"><table>\n<tr>");
         for (name, wide) in head.iter().zip(&wide) {
-            let _ = write!(self.html, "<th{wide}>{}</th>", escaped(name));
+            let _ = write!(self.html, "<th{wide}>{}</th>", escaped(&raised(name)));
         }
         for row in &rows {
             self.html.push_str("</tr>\n<tr>");
@@ -235,12 +238,12 @@ mod tests {
     #[test]
     fn text_is_escaped_and_pictures_cannot_end_their_attribute() {
         let mut report = Report::new("a < b");
-        report.table(&["x"], [["1 & 2".to_string()]]);
+        report.table(&["x [nm^2]"], [["1 & 2 m^-1".to_string()]]);
         report.figure("<svg fill=\"#fff\">\n</svg>", "one \"two\"");
         report.files([("a#1.csv", "<what>")]);
         let html = report.finish();
         assert!(html.contains("<h1>a &lt; b</h1>"));
-        assert!(html.contains("<td>1 &amp; 2</td>"));
+        assert!(html.contains("<th>x [nm²]</th>") && html.contains("<td>1 &amp; 2 m⁻¹</td>"));
         assert!(html.contains("src=\"data:image/svg+xml,<svg fill='%23fff'> </svg>\""));
         assert!(html.contains("alt=\"one &quot;two&quot;\""));
         assert!(html.contains("<a href=\"a%231.csv\">a#1.csv</a>: &lt;what&gt;"));
