@@ -71,6 +71,16 @@ fn quoted(value: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::initial::aggregate::import::OF_FRAMES;
+    use crate::output::frames::FRAME_COLUMNS;
+
+    #[test]
+    fn import_knows_every_column_of_a_frame() {
+        const READ: [&str; 6] = ["id", "body", "radius", "pos", "velo", "angular_velocity"];
+        let known = |name: &&str| READ.contains(name) || OF_FRAMES.contains(name);
+        assert!(FRAME_COLUMNS.iter().map(|column| column.name).all(|name| known(&name)));
+        assert_eq!(FRAME_COLUMNS.len(), READ.len() + OF_FRAMES.len());
+    }
 
     #[test]
     fn a_stage_of_two_words_is_quoted() {

@@ -58,7 +58,8 @@ pub(super) fn xyz(source: &Source) -> Result<Raw, Error> {
         first.parse().map_err(|_| source.at(1, &format!("found `{first}`, expected the number of spheres")))?;
     let (_, comment) = lines.next().unwrap_or_default();
     let named = match property(comment, "Properties") {
-        Some(properties) => Some(layout(source, &properties)?),
+        // Frames of veridem name their stage.
+        Some(properties) => Some(layout(source, &properties, property(comment, "stage").is_some())?),
         None => None,
     };
     let mut raw = Raw::default();
@@ -149,8 +150,22 @@ struct Layout {
     w: Option<usize>,
 }
 
-/// The columns that are described as `species:S:1:pos:R:3:radius:R:1`.
-fn layout(source: &Source, properties: &str) -> Result<Layout, Error> {
+/// The columns of veridem's own frames that are no part of a sample.
+pub const OF_FRAMES: [&str; 10] = [
+    "wall",
+    "mass",
+    "force",
+    "coordination",
+    "necks",
+    "third_body",
+    "stress",
+    "torque",
+    "acceleration",
+    "angular_acceleration",
+];
+
+/// The columns that are described as `species:S:1:pos:R:3:radius:R:1`, in a frame of our own or in another file.
+fn layout(source: &Source, properties: &str, own: bool) -> Result<Layout, Error> {
     let wrong = |what: &str| source.at(2, &format!("found `Properties={properties}`, expected {what}"));
     let (mut width, mut pos, mut radius, mut diameter, mut unread) = (0, None, None, None, Vec::new());
     let (mut body, mut v, mut w) = (None, None, None);
@@ -169,6 +184,7 @@ fn layout(source: &Source, properties: &str) -> Result<Layout, Error> {
             ("velo" | "velocity" | "velocities", 3) => v = Some(width),
             ("angular_velocity", 3) => w = Some(width),
             ("species" | "id" | "type", _) => {}
+            (name, _) if own && OF_FRAMES.contains(&name) => {}
             _ => unread.push(field[0]),
         }
         width += columns;

@@ -11,6 +11,7 @@ mod scale;
 mod section;
 mod vtk;
 
+pub use columns::OF_FRAMES;
 pub use extras::Extras;
 pub use necks::{parse_necks, read_necks};
 pub use report::Report;
