@@ -4,6 +4,8 @@ use std::fmt::Write;
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::process::Command;
+use veridem::geometry::Sphere;
+use veridem::initial::aggregate::necks::{NeckLength, necks};
 use veridem::interrupt::Interrupt;
 use veridem::papers::parse;
 use veridem::papers::titania::case::{Case, Sample};
@@ -223,4 +225,119 @@ fn wrong_files_are_named_with_what_was_expected() {
     );
     let narrow = film.replace("60 nm, 60 nm", "60 nm, 9 nm").replace("5 nm, side: 30 nm", "2 nm, side: 5 nm");
     assert!(trouble(&narrow).contains("case.yaml:3: sample.film.sides[1]: found `9 nm`"), "{}", trouble(&narrow));
+}
+
+/// The coordinates in the first frame of a stage, by id.
+fn places(place: &Path, name: &str, stage: &str) -> Vec<[f64; 3]> {
+    let frame = String::from_utf8(file(place, name, &format!("frames/{stage}.000000.xyz"))).unwrap();
+    assert!(frame.contains("Properties=species:S:1:id:I:1:body:I:1:wall:I:1:radius:R:1:mass:R:1:pos:R:3"));
+    let numbers = |line: &str| line.split(' ').skip(6).take(3).map(|word| word.parse().unwrap()).collect::<Vec<f64>>();
+    frame.lines().skip(2).map(|line| numbers(line).try_into().unwrap()).collect()
+}
+
+/// The shift that a run states.
+fn shift(place: &Path, name: &str) -> [f64; 3] {
+    let resolved = String::from_utf8(file(place, name, "case.resolved.yaml")).unwrap();
+    let stated = resolved.split_once("shift of the imported spheres into the box: ").expect(&resolved).1;
+    let numbers: Vec<f64> = stated
+        .lines()
+        .next()
+        .unwrap()
+        .split(", ")
+        .map(|part| part.strip_suffix(" nm").unwrap().parse().unwrap())
+        .collect();
+    numbers.try_into().unwrap()
+}
+
+#[test]
+fn the_shift_leads_back_to_the_coordinates_of_the_file_and_own_frames_are_read_without_a_remark() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = folder.path();
+    let chain = [[-31.5, 7.25, 1.0], [-23.5, 7.25, 1.0], [-15.5, 7.25, 1.5], [-8.0, 10.0, 2.0]];
+    let write = |name: &str, rows: &[[f64; 3]]| {
+        let rows: String = rows.iter().map(|[x, y, z]| format!("{x},{y},{z},4\n")).collect();
+        std::fs::write(place.join(name), format!("x,y,z,r\n{rows}")).unwrap();
+    };
+    write("chain.csv", &chain);
+    write("film.csv", &[[62.0, 70.0, 4.0], [70.0, 70.0, 4.0], [78.0, 70.0, 4.0]]);
+    let import = "import: {file: chain.csv, unit: 1 nm, disconnected: true}";
+    let digits = "output: {digits: all}\n";
+    let soot = |more: &str| {
+        format!(
+            "title: a\nmodel: {{soot: {{necks: S}}}}\nsample: {{aggregate: {{{import}{more}}}}}\nexperiment: {{restructuring: {{dt: 1 fs, duration: 1 ps}}}}\n{digits}"
+        )
+    };
+    let release = format!(
+        "title: a\nmodel: {{titania: {{}}}}\nsample: {{agglomerate: {{{import}}}}}\nexperiment: {{release: {{duration: 1 ps, dt: 0.5 ps}}}}\n{digits}"
+    );
+    let film = "title: a\nmodel: {titania: {}}\nsample: {film: {sides: [140 nm, 140 nm], import: {file: film.csv, unit: 1 nm}}}\nexperiment: {spectroscopy: {relaxation: 10 ps, average: 0.1 ns, depth: 1 nm, tip: {radius: 5 nm, side: 30 nm}}}\n".to_string() + digits;
+    for (name, text, stage, given) in [
+        ("centred", soot(""), "restructuring", &chain[..]),
+        ("released", release, "release", &chain),
+        ("film", film, "relaxation", &[[62.0, 70.0, 4.0], [70.0, 70.0, 4.0], [78.0, 70.0, 4.0]]),
+    ] {
+        let (code, trouble) = run(place, &text, name, &["--stop-after-steps", "3"]);
+        assert!(matches!(code, Some(0 | 75)), "{name}: {trouble}");
+        let shift = shift(place, name);
+        for (found, given) in places(place, name, stage).iter().zip(given) {
+            for axis in 0..3 {
+                assert!(
+                    (found[axis] - shift[axis] - given[axis]).abs() < 1e-12,
+                    "{name}: {found:?} {given:?} {shift:?}"
+                );
+            }
+        }
+        let frame = place.join("run").join(name).join(format!("frames/{stage}.000000.xyz"));
+        let inspected = Command::new(env!("CARGO_BIN_EXE_veridem")).arg("inspect").arg(frame).output().unwrap();
+        assert_eq!((inspected.status.code(), String::from_utf8(inspected.stderr).unwrap()), (Some(0), String::new()));
+    }
+    assert_ne!(shift(place, "centred"), [0.0; 3]);
+    assert_eq!(shift(place, "film"), [0.0; 3]);
+}
+
+#[test]
+fn a_film_with_necks_from_files_does_what_the_generated_one_does() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = folder.path();
+    let good = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases/good/titania-film-necks.yaml");
+    let text = std::fs::read_to_string(&good).unwrap().replace("relaxation: 1 ns", "relaxation: 0.25 ns");
+    let case: Case = parse::<Titania>(&good, &text).unwrap();
+    let Sample::Film(film) = &case.sample else { panic!("a film") };
+    let film = film.plan().build(case.seed, &Interrupt::default()).unwrap();
+    let (mut rows, mut joined) = (String::from("x,y,z,d\n"), String::new());
+    for sphere in &film.spheres {
+        let Vec3([x, y, z]) = sphere.centre;
+        writeln!(rows, "{x},{y},{z},{}", sphere.diameter).unwrap();
+    }
+    let spheres: Vec<Sphere> =
+        film.spheres.iter().map(|s| Sphere { centre: s.centre, radius: 0.5 * s.diameter }).collect();
+    let mut first = 0;
+    for aggregate in film.spheres.chunk_by(|a, b| a.aggregate == b.aggregate) {
+        let these = &spheres[first..first + aggregate.len()];
+        for (i, j) in necks(these, 0.01, NeckLength::Touching, true, &Interrupt::default()).unwrap() {
+            writeln!(joined, "{},{}", first + i, first + j).unwrap();
+        }
+        first += aggregate.len();
+    }
+    std::fs::write(place.join("film.csv"), rows).unwrap();
+    std::fs::write(place.join("necks.csv"), &joined).unwrap();
+    let grown = "particles: 160\n    sides: [140 nm, 140 nm]\n    aggregates:\n      median: 12\n      largest: 24\n";
+    assert!(text.contains(grown));
+    let import = "sides: [140 nm, 140 nm]\n    import: {file: film.csv, unit: 1 nm, necks: necks.csv}\n";
+    let import = text.replace(grown, import);
+    let stop = ["--stop-after-steps", "3000"];
+    assert_eq!(run(place, &text, "grown", &stop).0, Some(75));
+    assert_eq!(run(place, &import, "read", &stop).0, Some(75));
+    for name in ["series.csv", "events.jsonl", "frames/relaxation.000000.xyz", "frames/relaxation.000000.bonds"] {
+        assert_eq!(file(place, "read", name), file(place, "grown", name), "{name}");
+    }
+    let kinds = String::from_utf8(file(place, "read", "frames/relaxation.000000.bonds")).unwrap();
+    let bonds = kinds.lines().skip(9).filter(|line| line.split(' ').nth(2) == Some("2")).count();
+    assert!(bonds > 100 && bonds <= joined.lines().count(), "{bonds} necks, those of the floor are rigid");
+
+    // A neck that joins distant spheres is refused by its line.
+    std::fs::write(place.join("necks.csv"), format!("{joined}0,{}\n", film.spheres.len() - 1)).unwrap();
+    let (code, trouble) = run(place, &import, "wrong", &[]);
+    assert_eq!(code, Some(65));
+    assert!(trouble.contains(&format!("necks.csv:{}", joined.lines().count() + 1)), "{trouble}");
 }

@@ -6,6 +6,7 @@ pub mod check;
 pub mod claims;
 pub mod columns;
 mod energy;
+mod place;
 mod sample;
 mod stage;
 mod study;

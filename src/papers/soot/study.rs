@@ -3,6 +3,7 @@
 use super::case::{Aggregate, Case, Deposition, Soot, SootStage, key, parts};
 use super::columns::columns_of;
 use super::energy::initial_springs;
+use super::place::{middle, reach};
 use super::stage::{self, Ground};
 use super::watch::Watch;
 use crate::error::{Error, Halt};
@@ -116,9 +117,8 @@ impl<S: Reading> Study for Plan<S> {
         }
         let (spheres, necks, Extras { v, w, .. }) = self.aggregate(interrupt)?;
         let mut particles = Particles::default();
-        let reach = spheres.iter().map(|sphere| sphere.centre.norm() + sphere.radius).fold(0.0, f64::max);
-        // What lies on the substrate keeps its height; the middle of the box is the origin of its other places.
-        let middle = Vec3([reach, reach, if self.sample.on_substrate { 0.0 } else { reach }]);
+        let reach = reach(&spheres);
+        let middle = middle(reach, self.sample.on_substrate);
         for &Sphere { centre, radius } in &spheres {
             particles.push(centre + middle, radius, sphere_mass(self.soot.density.value, radius), 0);
         }

@@ -7,15 +7,15 @@ mod model;
 pub use film::*;
 pub use model::*;
 
-use super::chain::Recipe;
+use super::chain::{Recipe, corner, margin};
 use crate::case::InSteps;
 use crate::case::quantity::{Drag, Force, Length, Quantity, Scaled, Stiffness, Time, Velocity, quantity};
 use crate::case::section::{choice, section, words};
 use crate::case::units::{in_unit, rounded};
-use crate::initial::aggregate::import::{FileSizes, Import};
+use crate::initial::aggregate::import::{FileSizes, Import, shift_of_import};
 use crate::papers::path::Leg;
-use crate::spec::PairModel;
 use crate::spec::titania::def_radius::radii;
+use crate::spec::{PairModel, Vec3};
 use std::path::PathBuf;
 
 /// A case of the titania paper.
@@ -356,10 +356,19 @@ pub fn derived(case: &Case) -> Vec<(String, String)> {
     let attraction = law.attraction(r, r);
     let (key, dt) = test.dt();
     let share = rounded(dt.value / limit);
-    let of_file = test
-        .import()
-        .and_then(Import::sizes)
-        .map(|sizes| [("number of particles", sizes.number.to_string()), ("largest diameter", in_unit(largest, "nm"))]);
+    let of_file = test.import().and_then(Import::spheres).map(|spheres| {
+        let shift = match test {
+            // The coordinates of a film are those of its box.
+            TitaniaTest::Spectroscopy(..) => Vec3::zero(),
+            _ => {
+                let chain: Vec<_> = spheres.iter().map(|sphere| (sphere.centre, 2.0 * sphere.radius)).collect();
+                corner(&chain, margin(&chain))
+            }
+        };
+        let [number, largest] = [spheres.len().to_string(), in_unit(largest, "nm")];
+        let sizes = [("number of particles".into(), number), ("largest diameter".into(), largest)];
+        sizes.into_iter().chain([shift_of_import(shift)])
+    });
     let rows = [
         ("smallest diameter", in_unit(d, "nm")),
         ("bare radius of the smallest particle", in_unit(radii(d, law.core_gap, law.h_n).0, "nm")),
@@ -374,5 +383,5 @@ pub fn derived(case: &Case) -> Vec<(String, String)> {
         ("largest stable time step", in_unit(limit, "fs")),
         (key, format!("{} = {share} of the largest stable time step", in_unit(dt.value, "fs"))),
     ];
-    of_file.into_iter().flatten().chain(rows).map(|(key, value)| (key.into(), value)).collect()
+    of_file.into_iter().flatten().chain(rows.map(|(key, value)| (key.into(), value))).collect()
 }

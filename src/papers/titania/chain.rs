@@ -54,6 +54,16 @@ pub fn extent(chain: &[Particle], axis: usize) -> [f64; 2] {
     })
 }
 
+/// How far a chain is moved into its box, in which it has this margin: by whole nanometres beyond it, so that places in a file keep their digits.
+pub fn corner(chain: &[Particle], margin: f64) -> Vec3<f64> {
+    Vec3(std::array::from_fn(|axis| margin - extent(chain, axis)[0].round()))
+}
+
+/// The margin of a chain from a file: its largest diameter in whole nanometres.
+pub fn margin(chain: &[Particle]) -> f64 {
+    chain.iter().map(|particle| particle.1).fold(0.0, f64::max).ceil()
+}
+
 fn chain(recipe: &Recipe, stream: &mut Stream) -> Option<Vec<Particle>> {
     let Recipe { particles, smallest, largest, .. } = *recipe;
     let mut diameters = (0..particles).map(|_| smallest + (largest - smallest) * stream.uniform()).collect::<Vec<_>>();

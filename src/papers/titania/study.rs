@@ -1,7 +1,7 @@
 //! The stages of a case of the titania paper: tests of a single contact, or an agglomerate that is stretched or let go.
 
 use super::case::{self, Agglomerate, Case, ChainTest, ContactTests, Stretching, TitaniaTest, TwoParticles, checked};
-use super::chain::{Particle, agglomerate, extent};
+use super::chain::{Particle, agglomerate, corner, extent, margin};
 use super::columns::{self, columns_of};
 use super::law::{Law, radii};
 use super::pair::pair;
@@ -15,8 +15,8 @@ use crate::observe::PairKind;
 use crate::output::{Cell, Column, Finding};
 use crate::run::Study;
 use crate::simulation::{Settings, Simulation};
+use crate::spec::Contact;
 use crate::spec::titania::Titania;
-use crate::spec::{Contact, Vec3};
 use crate::system::{Domain, Particles, System};
 use std::marker::PhantomData;
 
@@ -83,9 +83,8 @@ impl<M> Plan<M> {
             Some(import) => {
                 let (built, extras) = imported::particles(import, interrupt)?;
                 self.suits(import, &built, test)?;
-                let largest = built.iter().map(|particle| particle.1).fold(0.0, f64::max);
-                // Whole nanometres, so that places keep their digits.
-                (built, extras, largest.ceil())
+                let margin = margin(&built);
+                (built, extras, margin)
             }
             None => {
                 let built = agglomerate(&sample.recipe(), *seed, interrupt)?.ok_or_else(|| {
@@ -99,7 +98,7 @@ impl<M> Plan<M> {
         let [x, y, z] = extents.map(|[low, high]| high - low.round());
         // Twice as deep as the chain: pictures show the half behind the middle, which is to hold the whole chain.
         let sides = [x + room + 2.0 * margin, y + 2.0 * margin, 2.0 * (z + 2.0 * margin)];
-        let corner = Vec3(extents.map(|[low, _]| margin - low.round()));
+        let corner = corner(&built, margin);
         let mut particles = Particles::default();
         for (x, d) in built {
             let ((radius, mass), tag) = (self.titania.particle(d), particles.len() as u32);

@@ -15,7 +15,7 @@ pub use columns::OF_FRAMES;
 pub use extras::Extras;
 pub use necks::{parse_necks, read_necks};
 pub use report::Report;
-pub use section::{FileSizes, Import};
+pub use section::{FileSizes, Import, shift_of_import};
 
 use crate::case::section::words;
 use crate::case::unmarked;
@@ -105,17 +105,17 @@ pub fn read(file: &Path, options: &Options, interrupt: &Interrupt) -> Result<Imp
     parse(file, read_file(file)?, options, interrupt)
 }
 
-/// The radii of the spheres in a file, nm, from which no more is wanted.
+/// The spheres in a file, from which no more is wanted.
 ///
 /// # Errors
 ///
 /// If the file cannot be read, or is not that of spheres.
-pub fn radii(file: &Path, options: &Options) -> Result<Vec<f64>, Error> {
+pub fn spheres(file: &Path, options: &Options) -> Result<Vec<Sphere>, Error> {
     let text = text_of(file, &read_file(file)?)?;
     let source = Source { file, text: &text, interrupt: &Interrupt::of_process() };
     let (_, raw) = raw(&source, options)?;
     let (unit, own) = units(&source, &raw, options)?;
-    Ok(raw.spheres(&source, unit, own)?.into_iter().map(|sphere| sphere.radius).collect())
+    raw.spheres(&source, unit, own)
 }
 
 /// The text of a file without the mark of its encoding. What is no UTF-8, as an accent in a comment may be, is replaced.

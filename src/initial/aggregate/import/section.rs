@@ -1,8 +1,11 @@
 //! The section of a case that imports spheres.
 
-use super::{Format, Options, radii};
+use super::{Format, Options, spheres};
 use crate::case::quantity::{Length, Quantity};
 use crate::case::section::section;
+use crate::case::units::decimal;
+use crate::geometry::Sphere;
+use crate::spec::Vec3;
 use std::path::PathBuf;
 
 section! {
@@ -39,6 +42,21 @@ pub struct FileSizes {
     pub largest: f64,
 }
 
+impl FileSizes {
+    /// The sizes of spheres, of which there is one.
+    pub fn of(spheres: &[Sphere]) -> Self {
+        let mut radii: Vec<f64> = spheres.iter().map(|sphere| sphere.radius).collect();
+        radii.sort_unstable_by(f64::total_cmp);
+        Self { number: radii.len(), least: radii[0], median: radii[radii.len() / 2], largest: radii[radii.len() - 1] }
+    }
+}
+
+/// The derived value that tells how to go back to the coordinates of a file: how far its spheres were moved into the box of the run, nm.
+pub fn shift_of_import(Vec3([x, y, z]): Vec3<f64>) -> (String, String) {
+    let [x, y, z] = [x, y, z].map(decimal);
+    ("shift of the imported spheres into the box".into(), format!("{x} nm, {y} nm, {z} nm"))
+}
+
 impl Import {
     /// What the file does not say.
     pub fn options(&self) -> Options {
@@ -47,12 +65,14 @@ impl Import {
         Options { format: self.format, unit, radius, disconnected: self.disconnected }
     }
 
-    /// The sizes of the spheres in the file, if it can be read.
+    /// The spheres in the file, at least one, if it can be read.
+    pub fn spheres(&self) -> Option<Vec<Sphere>> {
+        spheres(&self.file, &self.options()).ok().filter(|spheres| !spheres.is_empty())
+    }
+
+    /// Their sizes.
     pub fn sizes(&self) -> Option<FileSizes> {
-        let mut radii = radii(&self.file, &self.options()).ok()?;
-        radii.sort_unstable_by(f64::total_cmp);
-        let (least, largest) = (*radii.first()?, *radii.last()?);
-        Some(FileSizes { number: radii.len(), least, median: radii[radii.len() / 2], largest })
+        self.spheres().map(|spheres| FileSizes::of(&spheres))
     }
 
     /// The files that it reads.

@@ -2,7 +2,8 @@
 
 use super::{Case, key, parts, path};
 use crate::case::units::{in_unit, rounded};
-use crate::initial::aggregate::import::{FileSizes, Import};
+use crate::initial::aggregate::import::{FileSizes, Import, shift_of_import};
+use crate::papers::soot::place::shift;
 use crate::spec::mechanics::primary_particle::solid_inertia;
 use crate::spec::mechanics::sphere::sphere_mass;
 use crate::spec::soot::eq24_fractal::gyration_radius;
@@ -25,7 +26,8 @@ pub fn unused(case: &Case) -> &'static [&'static str] {
 pub fn derived(case: &Case) -> Vec<(String, String)> {
     let Some((soot, sample, stages)) = parts(case) else { return of_path(case) };
     let mut rows = Vec::new();
-    let imported = sample.import.as_ref().and_then(Import::sizes);
+    let spheres = sample.import.as_ref().and_then(Import::spheres);
+    let imported = spheres.as_deref().map(FileSizes::of);
     if let Some(FileSizes { number, least, median, largest }) = imported {
         let radii = if least == largest {
             in_unit(median, "nm")
@@ -34,6 +36,7 @@ pub fn derived(case: &Case) -> Vec<(String, String)> {
         };
         rows.extend([("number of spheres".into(), number.to_string()), ("radii of the spheres".into(), radii)]);
     }
+    rows.extend(spheres.map(|spheres| shift_of_import(shift(spheres, sample.on_substrate))));
     let sizes = imported.map(|FileSizes { least, median, largest, .. }| ([least, largest], median));
     if let Some((radii, r)) = sizes.or_else(|| Some((sample.radii()?, sample.radius.value))) {
         let limit = soot.step_limit(radii);
