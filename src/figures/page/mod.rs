@@ -4,7 +4,7 @@ use super::raised::raised;
 use std::fmt::Write;
 
 /// Number of columns that fit into any page.
-const MANY: usize = 5;
+const MANY: usize = 4;
 
 /// A page under construction.
 pub struct Report {
