@@ -122,9 +122,9 @@ impl Study for Plan {
     fn columns(&self, _: usize) -> Vec<Column> {
         vec![GAP]
     }
-    fn watch(&self, _: usize, simulation: &Simulation<Linear>) -> Watch {
+    fn watch(&self, _: usize, simulation: &Simulation<Linear>, _: &Interrupt) -> Result<Watch, Error> {
         let gap = gap(simulation.system());
-        Watch { gap, least: gap }
+        Ok(Watch { gap, least: gap })
     }
     fn follow(&self, stage: usize, watch: &mut Watch, simulation: &Simulation<Linear>) -> Vec<String> {
         let before = watch.gap;
@@ -136,7 +136,13 @@ impl Study for Plan {
     fn look(&self, _: usize, watch: &mut Watch, _: &Simulation<Linear>) -> Vec<Cell> {
         vec![Cell::Number(watch.gap)]
     }
-    fn findings(&self, stage: usize, watch: &Watch, simulation: &Simulation<Linear>) -> Result<Vec<Finding>, Error> {
+    fn findings(
+        &self,
+        stage: usize,
+        watch: &Watch,
+        simulation: &Simulation<Linear>,
+        _: &Interrupt,
+    ) -> Result<Vec<Finding>, Error> {
         if stage != REBOUND {
             return Ok(Vec::new());
         }

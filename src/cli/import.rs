@@ -85,8 +85,7 @@ pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> 
             notice(format!("{}: refused by a run with the defaults of `{paper}`: {refusal}", arguments.file.display()));
         }
     }
-    interrupt.check()?;
-    let shape = AggregateShape::of(&spheres).findings();
+    let shape = AggregateShape::of(&spheres, &interrupt)?.findings();
     if manner.json {
         let described = serde_json::json!({ "format": format, "necks": necks.len(), "report": report, "shape": Finding::results(&shape), "at_start": starts });
         return print(&format!("{described:#}\n"));

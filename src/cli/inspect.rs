@@ -1,10 +1,9 @@
 //! `veridem inspect`: summarises a run folder, or compares two.
 
-use super::run::table;
+use super::run::{Limits, table};
 use super::{OutputMode, print};
 use crate::error::Error;
 use crate::initial::aggregate::import::{self, Options};
-use crate::interrupt::Interrupt;
 use crate::observe::aggregate::AggregateShape;
 use crate::output::{Finding, Manifest, ReadTable, RunFolder, Series, read};
 use crate::papers::Papers;
@@ -36,8 +35,9 @@ pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> 
 /// The shape of the spheres of a frame.
 fn measure(frame: &Path, manner: OutputMode) -> Result<(), Error> {
     let options = Options { unit: Some(1.0), disconnected: true, ..Options::default() };
-    let imported = import::read(frame, &options, &Interrupt::default())?;
-    let shape = AggregateShape::of(&imported.spheres).findings();
+    let interrupt = Limits::default().interrupt()?;
+    let imported = import::read(frame, &options, &interrupt)?;
+    let shape = AggregateShape::of(&imported.spheres, &interrupt)?.findings();
     if manner.json {
         return print(&format!(
             "{:#}\n",

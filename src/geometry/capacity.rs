@@ -1,7 +1,10 @@
 //! The electrostatic capacity of touching spheres, an estimate of their hydrodynamic radius, by a walk on spheres.
 
+use super::balls::Ball;
 use super::{Sphere, centre_of_mass};
+use crate::error::Error;
 use crate::geometry::directions::{cone, direction};
+use crate::interrupt::Interrupt;
 use crate::random::Stream;
 use crate::spec::mechanics::capacity::{self as spec, return_cosine, return_probability};
 
@@ -9,21 +12,35 @@ use crate::spec::mechanics::capacity::{self as spec, return_cosine, return_proba
 const SKIN: f64 = 1e-6;
 
 /// The capacity and its standard error, nm: `walks` Brownian walks from a sphere about the spheres hit them or escape.
-pub fn capacity(spheres: &[Sphere], walks: usize, stream: &mut Stream) -> [f64; 2] {
+///
+/// # Errors
+///
+/// [`Error::Interrupted`].
+pub fn capacity(
+    spheres: &[Sphere],
+    walks: usize,
+    stream: &mut Stream,
+    interrupt: &Interrupt,
+) -> Result<[f64; 2], Error> {
     let centre = centre_of_mass(spheres);
     let about: Vec<Sphere> = spheres.iter().map(|s| Sphere { centre: s.centre - centre, ..*s }).collect();
     let begin = about.iter().map(|s| s.centre.norm() + s.radius).fold(0.0, f64::max);
-    let hits = (0..walks).filter(|_| walk_hits(&about, begin, stream)).count();
-    let share = hits as f64 / walks as f64;
+    let about = Ball::of(about);
+    let mut hits = 0;
+    for _ in 0..walks {
+        interrupt.check()?;
+        hits += u32::from(walk_hits(&about, begin, stream));
+    }
+    let share = f64::from(hits) / walks as f64;
     // The number of hits has a binomial distribution.
-    [share, (share * (1.0 - share) / walks as f64).sqrt()].map(|share| spec::capacity(share, begin))
+    Ok([share, (share * (1.0 - share) / walks as f64).sqrt()].map(|share| spec::capacity(share, begin)))
 }
 
 /// One walk: each step leads to anywhere on the largest ball that is free.
-fn walk_hits(spheres: &[Sphere], begin: f64, stream: &mut Stream) -> bool {
+fn walk_hits(spheres: &Ball, begin: f64, stream: &mut Stream) -> bool {
     let mut at = direction(stream) * begin;
     loop {
-        let free = spheres.iter().map(|s| (at - s.centre).norm() - s.radius).fold(f64::INFINITY, f64::min);
+        let free = spheres.distance(at);
         if free < SKIN * begin {
             return true;
         }
@@ -48,10 +65,14 @@ mod tests {
         places.iter().map(|&x| Sphere { centre: Vec3(x), radius: 1.0 }).collect()
     }
 
+    fn taken(spheres: &[Sphere], walks: usize, seed: u64) -> [f64; 2] {
+        capacity(spheres, walks, &mut Stream::new(seed, "test"), &Interrupt::default()).unwrap()
+    }
+
     /// Five standard errors.
     fn agrees(spheres: &[Sphere], exact: f64, begin: f64) {
         let walks = 20_000;
-        let [found, _] = capacity(spheres, walks, &mut Stream::new(3, "test"));
+        let [found, _] = taken(spheres, walks, 3);
         let p = exact / begin;
         let error = 5.0 * begin * (p * (1.0 - p) / walks as f64).sqrt();
         assert!((found - exact).abs() < error, "{found} is not {exact} within {error}");
@@ -60,7 +81,7 @@ mod tests {
     #[test]
     fn the_capacity_of_a_sphere_is_its_radius() {
         let one = [Sphere { centre: Vec3([5.0, -3.0, 1.0]), radius: 2.5 }];
-        assert_eq!(capacity(&one, 10, &mut Stream::new(1, "test")), [2.5, 0.0]);
+        assert_eq!(taken(&one, 10, 1), [2.5, 0.0]);
     }
 
     #[test]
@@ -79,6 +100,6 @@ mod tests {
     #[test]
     fn a_hidden_sphere_changes_nothing() {
         let shell = [Sphere { centre: Vec3::zero(), radius: 3.0 }, Sphere { centre: Vec3::zero(), radius: 1.0 }];
-        assert_eq!(capacity(&shell, 10, &mut Stream::new(1, "test")), [3.0, 0.0]);
+        assert_eq!(taken(&shell, 10, 1), [3.0, 0.0]);
     }
 }

@@ -1,5 +1,6 @@
 //! Geometry: sets of spheres, neighbours, directions, hulls, shadows, triangulated surfaces, principal axes.
 
+mod balls;
 pub mod capacity;
 pub mod clusters;
 pub mod directions;

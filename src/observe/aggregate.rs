@@ -2,9 +2,11 @@
 
 use super::fractal::FractalLaw;
 use super::morphology::{Bounded, convexity, coordination_number};
+use crate::error::Error;
 use crate::geometry::capacity::capacity;
 use crate::geometry::shadow::{mean_projected_area, projected_area};
 use crate::geometry::{Sphere, SphereExtent, gyration_radius};
+use crate::interrupt::Interrupt;
 use crate::random::Stream;
 use crate::spec::Vec3;
 use crate::spec::titania::eq14_friction_factor::friction_factor;
@@ -52,11 +54,17 @@ const DIRECTIONS: usize = 56;
 
 impl AggregateShape {
     /// Measures spheres; the random walks are always the same.
-    pub fn of(spheres: &[Sphere]) -> Self {
-        let projected_area = mean_projected_area(spheres, DIRECTIONS);
-        let walks = spheres.len() <= MOST;
-        let hydrodynamic_radius = walks.then(|| capacity(spheres, WALKS, &mut Stream::new(1, "hydrodynamic radius")));
-        Self {
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Interrupted`].
+    pub fn of(spheres: &[Sphere], interrupt: &Interrupt) -> Result<Self, Error> {
+        let projected_area = mean_projected_area(spheres, DIRECTIONS, interrupt)?;
+        let mut stream = Stream::new(1, "hydrodynamic radius");
+        let walks = (spheres.len() <= MOST).then(|| capacity(spheres, WALKS, &mut stream, interrupt));
+        let hydrodynamic_radius = walks.transpose()?;
+        interrupt.check()?;
+        Ok(Self {
             number: spheres.len(),
             coordination: coordination_number(spheres),
             convexity: convexity(spheres),
@@ -68,13 +76,14 @@ impl AggregateShape {
                 let of = |r_h| mobility_radius(r_h, projected_area, AIR);
                 [of(r_h), 0.5 * (of(r_h + error) - of(r_h - error))]
             }),
-        }
+        })
     }
 }
 
 /// The area that a sphere shows, nm^2.
 fn disc_area(radius: f64) -> f64 {
-    projected_area(&[Sphere { centre: Vec3::zero(), radius }], Vec3([0.0, 0.0, 1.0]))
+    let one = [Sphere { centre: Vec3::zero(), radius }];
+    projected_area(&one, Vec3([0.0, 0.0, 1.0]), &Interrupt::default()).expect("nothing asks to stop")
 }
 
 /// The radius of the sphere with the friction factor of an aggregate: a sphere is its own hydrodynamic radius, and shows a disc.
@@ -97,13 +106,23 @@ mod tests {
 
     #[test]
     fn a_sphere_has_its_own_radius_by_every_measure() {
-        let shape = AggregateShape::of(&[Sphere { centre: Vec3([3.0, 2.0, 1.0]), radius: 14.0 }]);
+        let shape =
+            AggregateShape::of(&[Sphere { centre: Vec3([3.0, 2.0, 1.0]), radius: 14.0 }], &Interrupt::default())
+                .unwrap();
         assert_eq!((shape.number, shape.coordination, shape.gyration_radius), (1, 0.0, 0.0));
         assert!((shape.convexity.value - 1.0).abs() < 1e-12);
         assert!((shape.projected_area / disc_area(14.0) - 1.0).abs() < 1e-12);
         let [r_h, error] = shape.hydrodynamic_radius.expect("one sphere");
         assert!((r_h - 14.0).abs() <= 5.0 * error + 1e-9, "{r_h} {error}");
         assert!((mobility_radius(14.0, disc_area(14.0), AIR) - 14.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_measurement_that_is_interrupted_gives_nothing() {
+        let over = Interrupt::default().within(std::time::Duration::ZERO);
+        let chain: Vec<Sphere> =
+            (0..300).map(|k| Sphere { centre: Vec3([2.0 * f64::from(k), 0.0, 0.0]), radius: 1.0 }).collect();
+        assert!(matches!(AggregateShape::of(&chain, &over), Err(Error::Interrupted)));
     }
 
     #[test]

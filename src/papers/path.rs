@@ -159,7 +159,9 @@ impl<M: PairModel + Clone> Study for PathPlan<M> {
         COLUMNS.into()
     }
 
-    fn watch(&self, _: usize, _: &Simulation<M>) {}
+    fn watch(&self, _: usize, _: &Simulation<M>, _: &Interrupt) -> Result<(), Error> {
+        Ok(())
+    }
 
     fn can_hold(&self, _: usize, system: &System, (): &()) -> bool {
         let System { particles, walls, bodies, steerings, surfaces, .. } = system;
@@ -179,7 +181,13 @@ impl<M: PairModel + Clone> Study for PathPlan<M> {
         acting.into_iter().flat_map(|v| v.0.map(Cell::Number)).collect()
     }
 
-    fn findings(&self, stage: usize, (): &(), simulation: &Simulation<M>) -> Result<Vec<Finding>, Error> {
+    fn findings(
+        &self,
+        stage: usize,
+        (): &(),
+        simulation: &Simulation<M>,
+        _: &Interrupt,
+    ) -> Result<Vec<Finding>, Error> {
         let Wall { force: Vec3([x, y, z]), torque, .. } = simulation.system().walls[0];
         let stage = &self.names()[stage];
         let found = [

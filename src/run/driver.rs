@@ -178,7 +178,7 @@ impl<'a, S: Study> Driver<'a, S> {
         let settings = self.settings(number, &system);
         let model = self.study.model(number, &system);
         let simulation = Simulation::new_unless(model, system, settings, self.interrupt)?;
-        let watch = self.study.watch(number, &simulation);
+        let watch = self.study.watch(number, &simulation, self.interrupt)?;
         Ok(self.stage(number, simulation, watch))
     }
 
@@ -230,7 +230,7 @@ impl<'a, S: Study> Driver<'a, S> {
         sink: &mut impl Sink<S>,
     ) -> Result<System, Error> {
         sink.end(&mut stage, run)?;
-        let findings = self.study.findings(stage.number, &stage.watch, &stage.simulation)?;
+        let findings = self.study.findings(stage.number, &stage.watch, &stage.simulation, self.interrupt)?;
         if let Some(finding) = findings.iter().find(|finding| !finding.is_finite()) {
             let halt = stage.simulation.not_a_number(&finding.name);
             return Err(sink.halt(&mut stage, halt));

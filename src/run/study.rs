@@ -112,8 +112,17 @@ pub trait Study {
     fn windows(&self) -> Vec<Column> {
         Vec::new()
     }
-    /// Starts observing a stage.
-    fn watch(&self, stage: usize, simulation: &Simulation<Self::Model>) -> Self::Watch;
+    /// Starts observing a stage. Long computations poll `interrupt`.
+    ///
+    /// # Errors
+    ///
+    /// An interruption.
+    fn watch(
+        &self,
+        stage: usize,
+        simulation: &Simulation<Self::Model>,
+        interrupt: &Interrupt,
+    ) -> Result<Self::Watch, Error>;
     /// Whether a stage can be under way with this system, whose numbers and indices are sound, and this observer, as a checkpoint claims: whether
     /// both have the parts that the stage takes for granted.
     fn can_hold(&self, _stage: usize, _system: &System, _watch: &Self::Watch) -> bool {
@@ -147,16 +156,17 @@ pub trait Study {
     fn window(&self, _watch: &Self::Watch, _simulation: &Simulation<Self::Model>) -> Option<Vec<Cell>> {
         None
     }
-    /// The findings of a stage.
+    /// The findings of a stage. Long computations poll `interrupt`.
     ///
     /// # Errors
     ///
-    /// If a result cannot be computed.
+    /// If a result cannot be computed, or an interruption.
     fn findings(
         &self,
         _stage: usize,
         _watch: &Self::Watch,
         _simulation: &Simulation<Self::Model>,
+        _interrupt: &Interrupt,
     ) -> Result<Vec<Finding>, Error> {
         Ok(Vec::new())
     }

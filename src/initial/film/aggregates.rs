@@ -1,6 +1,6 @@
 //! The aggregates of a film before their deposition, and their diffusion coefficients.
 
-use super::{Diameters, Failure, FilmPlan, Numbers};
+use super::{Diameters, Failure, FilmPlan, Numbers, Ungrown};
 use crate::case::units::BOLTZMANN;
 use crate::geometry::Sphere;
 use crate::geometry::capacity::capacity;
@@ -49,7 +49,7 @@ pub(super) fn aggregates(plan: &FilmPlan, seed: u64, interrupt: &Interrupt) -> R
                 grown(radii, plan.cluster, &law, &mut stream, interrupt).map_err(Failure::Ungrown)?;
             // One cluster may be too small for the law, whatever its spheres: as clusters do on the way, it comes as near as it can.
             if failure.is_none() || number <= plan.cluster {
-                let diffusion = plan.diffusion(&spheres, &mut stream);
+                let diffusion = plan.diffusion(&spheres, &mut stream, interrupt)?;
                 return Ok(Aggregate { spheres, diffusion });
             }
             missed = failure;
@@ -60,10 +60,12 @@ pub(super) fn aggregates(plan: &FilmPlan, seed: u64, interrupt: &Interrupt) -> R
 }
 
 impl FilmPlan {
-    fn diffusion(&self, spheres: &[Sphere], stream: &mut Stream) -> f64 {
-        let ([r_h, _], area) = (capacity(spheres, WALKS, stream), mean_projected_area(spheres, DIRECTIONS));
+    fn diffusion(&self, spheres: &[Sphere], stream: &mut Stream, interrupt: &Interrupt) -> Result<f64, Failure> {
+        let stopped = |_| Failure::Ungrown(Ungrown::Interrupted);
+        let [r_h, _] = capacity(spheres, WALKS, stream, interrupt).map_err(stopped)?;
+        let area = mean_projected_area(spheres, DIRECTIONS, interrupt).map_err(stopped)?;
         let (_, _, friction) = friction_factor(self.gas.viscosity, self.gas.free_path, r_h, area);
-        diffusion(thermal_energy(BOLTZMANN, self.gas.temperature), friction)
+        Ok(diffusion(thermal_energy(BOLTZMANN, self.gas.temperature), friction))
     }
 }
 

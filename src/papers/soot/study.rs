@@ -179,8 +179,13 @@ impl<S: Reading> Study for Plan<S> {
         columns_of(&self.stages[stage])
     }
 
-    fn watch(&self, stage: usize, simulation: &Simulation<soot::Soot<S>>) -> Watch {
-        Watch::begin(&self.stages[stage], simulation)
+    fn watch(
+        &self,
+        stage: usize,
+        simulation: &Simulation<soot::Soot<S>>,
+        interrupt: &Interrupt,
+    ) -> Result<Watch, Error> {
+        Watch::begin(&self.stages[stage], simulation, interrupt)
     }
 
     fn can_hold(&self, stage: usize, system: &System, watch: &Watch) -> bool {
@@ -225,8 +230,9 @@ impl<S: Reading> Study for Plan<S> {
         stage: usize,
         watch: &Watch,
         simulation: &Simulation<soot::Soot<S>>,
+        interrupt: &Interrupt,
     ) -> Result<Vec<Finding>, Error> {
-        let findings = watch.findings(&self.stages[stage], simulation);
+        let findings = watch.findings(&self.stages[stage], simulation, interrupt)?;
         if self.stages.len() > 1 {
             let name = &self.names()[stage];
             return Ok(findings.into_iter().map(|finding| finding.during(name)).collect());

@@ -2,8 +2,10 @@
 
 use super::case::SootStage;
 use super::columns::results;
+use crate::error::Error;
 use crate::geometry::{SphereExtent, gyration_radius};
 use crate::initial::aggregate::NEIGHBOURLY;
+use crate::interrupt::Interrupt;
 use crate::observe::aggregate::AggregateShape;
 use crate::observe::force_curve::ForceCurve;
 use crate::observe::morphology::{convexity, coordination_number};
@@ -34,16 +36,21 @@ pub struct Watch {
 
 impl Watch {
     /// Starts observing a stage.
-    pub fn begin(stage: &SootStage, simulation: &Simulation<Soot<impl Reading>>) -> Self {
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Interrupted`].
+    pub fn begin(
+        stage: &SootStage,
+        simulation: &Simulation<Soot<impl Reading>>,
+        interrupt: &Interrupt,
+    ) -> Result<Self, Error> {
         let curve = match stage {
             SootStage::Indentation(test) => Some(ForceCurve::new(2.0 * std::f64::consts::PI * test.cantilever.value)),
             _ => None,
         };
-        Self {
-            shape: AggregateShape::of(&simulation.system().particles.spheres()),
-            kinetic: simulation.ledger().kinetic,
-            curve,
-        }
+        let shape = AggregateShape::of(&simulation.system().particles.spheres(), interrupt)?;
+        Ok(Self { shape, kinetic: simulation.ledger().kinetic, curve })
     }
 
     /// Whether it can be the observer of this stage.
@@ -98,8 +105,18 @@ impl Watch {
     }
 
     /// The findings of the stage.
-    pub fn findings(&self, stage: &SootStage, simulation: &Simulation<Soot<impl Reading>>) -> Vec<Finding> {
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Interrupted`].
+    pub fn findings(
+        &self,
+        stage: &SootStage,
+        simulation: &Simulation<Soot<impl Reading>>,
+        interrupt: &Interrupt,
+    ) -> Result<Vec<Finding>, Error> {
         let system = simulation.system();
+        let last = AggregateShape::of(&system.particles.spheres(), interrupt)?;
         let mut findings = match stage {
             SootStage::Deposition(_) => {
                 let Deposit { spheres, kinetic, dissipated, rests } = self.deposit(simulation);
@@ -156,10 +173,10 @@ impl Watch {
             }
         };
         findings.push(Finding::count(results::NECKS, system.necks.len() as u64));
-        for (when, shape) in [("initial", &self.shape), ("final", &AggregateShape::of(&system.particles.spheres()))] {
+        for (when, shape) in [("initial", &self.shape), ("final", &last)] {
             findings.extend(shape.findings().into_iter().map(|finding| finding.at(when)));
         }
-        findings
+        Ok(findings)
     }
 
     /// The outcome of a deposition.

@@ -199,8 +199,8 @@ impl<M: Law> Study for Plan<M> {
         if self.chain.is_some() { columns::windows() } else { Vec::new() }
     }
 
-    fn watch(&self, _: usize, simulation: &Simulation<M>) -> Watch {
-        Watch::begin(simulation)
+    fn watch(&self, _: usize, simulation: &Simulation<M>, _: &Interrupt) -> Result<Watch, Error> {
+        Ok(Watch::begin(simulation))
     }
 
     fn can_hold(&self, stage: usize, system: &System, _: &Watch) -> bool {
@@ -225,8 +225,14 @@ impl<M: Law> Study for Plan<M> {
         Some(if contact.gap < 0.0 { PairKind::Contact } else { PairKind::Meniscus })
     }
 
-    fn findings(&self, stage: usize, watch: &Watch, simulation: &Simulation<M>) -> Result<Vec<Finding>, Error> {
-        Ok(watch.findings(&self.stages[stage].act, simulation))
+    fn findings(
+        &self,
+        stage: usize,
+        watch: &Watch,
+        simulation: &Simulation<M>,
+        interrupt: &Interrupt,
+    ) -> Result<Vec<Finding>, Error> {
+        watch.findings(&self.stages[stage].act, simulation, interrupt)
     }
 }
 

@@ -4,6 +4,8 @@ use super::columns::results;
 use super::law::Law;
 use super::stage::StageAct;
 use crate::case::units::in_unit;
+use crate::error::Error;
+use crate::interrupt::Interrupt;
 use crate::observe::aggregate::AggregateShape;
 use crate::output::{Cell, Finding};
 use crate::simulation::{Pair, Simulation};
@@ -204,10 +206,19 @@ impl Watch {
     }
 
     /// The findings of the stage.
-    pub fn findings(&self, act: &StageAct, simulation: &Simulation<impl Law>) -> Vec<Finding> {
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Interrupted`].
+    pub fn findings(
+        &self,
+        act: &StageAct,
+        simulation: &Simulation<impl Law>,
+        interrupt: &Interrupt,
+    ) -> Result<Vec<Finding>, Error> {
         let law = simulation.model().law();
         let now = simulation.elapsed();
-        match act {
+        Ok(match act {
             StageAct::Approach { diameters: [first, second], .. } => {
                 let settled = (self.swing.1 < now).then_some(self.swing.1);
                 vec![
@@ -255,7 +266,7 @@ impl Watch {
                     Finding::numbers(results::DETACHED_WITH, self.detachments.iter().map(|one| one.force)),
                     Finding::numbers(results::DETACHED_AFTER, self.detachments.iter().map(|one| one.mean)),
                 ];
-                let shape = AggregateShape::of(&simulation.system().particles.spheres());
+                let shape = AggregateShape::of(&simulation.system().particles.spheres(), interrupt)?;
                 found.extend(shape.findings().into_iter().map(|finding| finding.at("final")));
                 found
             }
@@ -268,7 +279,7 @@ impl Watch {
                 ]
             }
             StageAct::Press { .. } | StageAct::Relax { .. } => Vec::new(),
-        }
+        })
     }
 }
 

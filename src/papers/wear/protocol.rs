@@ -222,5 +222,7 @@ impl Study for Protocol<'_> {
     fn end(&self, stage: usize, simulation: Simulation<Wear>) -> Result<System, Error> {
         Ok(self.stages[stage].end(simulation))
     }
-    fn watch(&self, _: usize, _: &Simulation<Wear>) {}
+    fn watch(&self, _: usize, _: &Simulation<Wear>, _: &Interrupt) -> Result<(), Error> {
+        Ok(())
+    }
 }

@@ -163,8 +163,8 @@ impl Study for Plan {
         if has_junction { columns::windows() } else { Vec::new() }
     }
 
-    fn watch(&self, stage: usize, simulation: &Simulation<Wear>) -> Watch {
-        Watch::begin(&self.stages[stage], simulation)
+    fn watch(&self, stage: usize, simulation: &Simulation<Wear>, _: &Interrupt) -> Result<Watch, Error> {
+        Ok(Watch::begin(&self.stages[stage], simulation))
     }
 
     fn follow(&self, _: usize, watch: &mut Watch, simulation: &Simulation<Wear>) -> Vec<String> {
@@ -196,7 +196,13 @@ impl Study for Plan {
         watch.flags(simulation.system())
     }
 
-    fn findings(&self, stage: usize, watch: &Watch, simulation: &Simulation<Wear>) -> Result<Vec<Finding>, Error> {
+    fn findings(
+        &self,
+        stage: usize,
+        watch: &Watch,
+        simulation: &Simulation<Wear>,
+        _: &Interrupt,
+    ) -> Result<Vec<Finding>, Error> {
         Ok(watch.findings(&self.stages[stage], &self.case, simulation))
     }
 }

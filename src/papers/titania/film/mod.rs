@@ -249,8 +249,8 @@ impl<M: Law> Study for Plan<M> {
         columns::windows()
     }
 
-    fn watch(&self, _: usize, simulation: &Simulation<M>) -> Watch {
-        Watch::begin(simulation)
+    fn watch(&self, _: usize, simulation: &Simulation<M>, _: &Interrupt) -> Result<Watch, Error> {
+        Ok(Watch::begin(simulation))
     }
 
     fn can_hold(&self, stage: usize, system: &System, _: &Watch) -> bool {
@@ -283,7 +283,13 @@ impl<M: Law> Study for Plan<M> {
         Some(if contact.gap < 0.0 { PairKind::Contact } else { PairKind::Meniscus })
     }
 
-    fn findings(&self, stage: usize, watch: &Watch, simulation: &Simulation<M>) -> Result<Vec<Finding>, Error> {
+    fn findings(
+        &self,
+        stage: usize,
+        watch: &Watch,
+        simulation: &Simulation<M>,
+        _: &Interrupt,
+    ) -> Result<Vec<Finding>, Error> {
         let mut found = watch.findings(self.stages[stage], self.test.setpoint.value, simulation);
         if self.stages[stage] == FilmStage::Relaxation {
             let structure = self.structure(simulation.system());
