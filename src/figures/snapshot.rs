@@ -88,11 +88,11 @@ fn caption(svg: &mut String, time: f64, scale: f64, height: f64) {
     let (x, y, wide) = (WIDTH - 14.0, height - 12.0, length * scale);
     let _ = writeln!(
         svg,
-        "<g font-family=\"sans-serif\" font-size=\"15\" fill=\"#111\" stroke=\"#fff\" stroke-width=\"4\" paint-order=\"stroke\">\
+        "<g font-family=\"sans-serif\" font-size=\"28\" fill=\"#111\" stroke=\"#fff\" stroke-width=\"6\" paint-order=\"stroke\">\
          <text x=\"12\" y=\"{y:.0}\">{}</text><text x=\"{x:.0}\" y=\"{:.0}\" text-anchor=\"end\">{}</text></g>\n\
          <path d=\"M{x:.1} {y:.1}h-{wide:.1}\" stroke=\"#fff\" stroke-width=\"7\"/><path d=\"M{x:.1} {y:.1}h-{wide:.1}\" stroke=\"#111\" stroke-width=\"3\"/>",
         duration(time),
-        y - 8.0,
+        y - 10.0,
         distance(length),
     );
 }

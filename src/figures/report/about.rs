@@ -83,6 +83,7 @@ fn flatten(key: &str, value: &Value, rows: &mut Vec<[String; 2]>) {
 fn plain(value: &Value) -> String {
     match value {
         Value::String(text) => text.clone(),
+        Value::Sequence(list) if list.is_empty() => "none".into(),
         Value::Sequence(list) => list.iter().map(plain).collect::<Vec<_>>().join(", "),
         // A section without content asks for its defaults.
         Value::Mapping(_) | Value::Null => "as by default".into(),
@@ -128,7 +129,7 @@ mod tests {
 
     #[test]
     fn keys_are_those_of_the_command_line() {
-        let case = "title: a\nseed: 3\nmodel: {x: {}}\nsample: {size: [1 nm, 2 nm]}\nexperiment: {sequence: [{a: {t: 1 ns}}, {b: {}}]}\n";
+        let case = "title: a\nseed: 3\nmodel: {x: {}}\nsample: {size: [1 nm, 2 nm], marks: []}\nexperiment: {sequence: [{a: {t: 1 ns}}, {b: {}}]}\n";
         let mut rows = Vec::new();
         flatten("", &serde_yaml::from_str(case).expect("a case"), &mut rows);
         let rows: Vec<String> = rows.iter().map(|[key, value]| format!("{key}={value}")).collect();
@@ -139,6 +140,7 @@ mod tests {
                 "seed=3",
                 "model.x=as by default",
                 "sample.size=1 nm, 2 nm",
+                "sample.marks=none",
                 "experiment.sequence[0].a.t=1 ns",
                 "experiment.sequence[1].b=as by default"
             ]
