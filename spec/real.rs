@@ -56,6 +56,10 @@ pub trait Real:
     fn ge(self, other: Self) -> Self::Mask {
         other.le(self)
     }
+    /// The same truth for every value: which reading of a law is asked for.
+    fn always(truth: bool) -> Self::Mask {
+        Self::lit(f64::from(u8::from(truth))).gt(Self::zero())
+    }
     /// `yes` where the mask is true, `no` elsewhere; both have been evaluated.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
 
@@ -129,12 +133,12 @@ macro_rules! native {
             }
             #[inline(always)]
             fn floor(self) -> Self {
-                <$float>::floor(self)
+                $suffix::floor(self)
             }
             #[inline(always)]
             fn entry(list: &[f64], place: Self) -> Self {
-                // without a panic, which would keep a loop from being done several numbers at a time
-                list.get(place_in(list, f64::from(place))).map_or(<$float>::NAN, |&entry| entry as $float)
+                // the choice of an address instead of a branch: a loop loads several entries at a time whatever the instruction set
+                *list.get(place_in(list, f64::from(place))).unwrap_or(&f64::NAN) as $float
             }
             #[inline(always)]
             fn lt(self, other: Self) -> bool {
@@ -159,18 +163,53 @@ pub(crate) fn ln_one_plus<R: Real>(x: R) -> R {
     R::select(w.gt(R::one()), x * w.ln() / (w - R::one()), x)
 }
 
-/// The place as an index that needs no check: added to 2^52, a whole number is in the lowest bits.
+/// 2^52: from here on doubles are whole numbers.
+const UNIT_SPACED: f64 = 4_503_599_627_370_496.0;
+
+/// The place as an index below the length of the list: added to 2^52, a whole number is in the lowest bits.
 #[inline(always)]
 pub(crate) fn place_in(list: &[f64], place: f64) -> usize {
-    (place + 4_503_599_627_370_496.0).to_bits() as usize & list.len().wrapping_sub(1)
+    (place + UNIT_SPACED).to_bits() as usize & list.len().wrapping_sub(1)
 }
 
 mod double {
+    use super::UNIT_SPACED;
     pub(super) use crate::numbers::exponential::exp;
     pub(super) use libm::{acos, cos, log, sin, tanh};
+
+    /// Has the bits of `f64::floor`, which is a call where the processor has no instruction for it and keeps a loop from being done several numbers at a time.
+    #[inline(always)]
+    pub(super) fn floor(x: f64) -> f64 {
+        let nearest = ((x.abs() + UNIT_SPACED) - UNIT_SPACED).copysign(x);
+        let whole = nearest - if nearest > x { 1.0 } else { 0.0 };
+        if x.abs() < UNIT_SPACED { whole } else { x }
+    }
 }
 mod single {
-    pub(super) use libm::{acosf as acos, cosf as cos, expf as exp, logf as log, sinf as sin, tanhf as tanh};
+    pub(super) use libm::{
+        acosf as acos, cosf as cos, expf as exp, floorf as floor, logf as log, sinf as sin, tanhf as tanh,
+    };
 }
 native!(f64, double);
 native!(f32, single);
+
+#[cfg(test)]
+mod tests {
+    use super::Real;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn floor_has_the_bits_of_the_standard_library(x in prop::num::f64::ANY) {
+            let (ours, standard) = (Real::floor(x), x.floor());
+            prop_assert!(ours.to_bits() == standard.to_bits() || x.is_nan() && ours.is_nan(), "{x}: {ours} {standard}");
+        }
+
+        #[test]
+        fn floor_has_the_bits_of_the_standard_library_near_whole_numbers(whole in -9..9i8, ulps in -3..4i64) {
+            let x = f64::from(whole);
+            let x = f64::from_bits(x.to_bits().wrapping_add_signed(ulps));
+            prop_assert!(x.is_nan() || Real::floor(x).to_bits() == x.floor().to_bits(), "{x}");
+        }
+    }
+}

@@ -16,10 +16,10 @@ impl Arms {
     /// The moment arms of the particles of a contact, whose radii contain the compressed layer `h_n`.
     #[inline(always)]
     pub fn of<R: Real>(self, c: &Contact<R>, h_n: f64) -> [R; 2] {
-        match self {
-            Self::HalfGap => [moment_arm(c.r_i, c.r_j, c.distance), moment_arm(c.r_j, c.r_i, c.distance)],
-            Self::HalfLayer => [c.r_i, c.r_j].map(|r| layered_arm(r - R::lit(h_n), R::lit(h_n))),
-        }
+        let layered = R::always(self == Self::HalfLayer);
+        let arm =
+            |r, other| R::select(layered, layered_arm(r - R::lit(h_n), R::lit(h_n)), moment_arm(r, other, c.distance));
+        [arm(c.r_i, c.r_j), arm(c.r_j, c.r_i)]
     }
 }
 

@@ -96,14 +96,6 @@ flat_struct! {
         pub r_eff,
         /// Damping coefficient, kg/s.
         pub gamma_n,
-        /// Shear strength of sliding, Pa.
-        pub tau_s,
-        /// Shear strength of rolling, Pa.
-        pub tau_r,
-        /// Period of stick and slip, m.
-        pub lambda_t,
-        /// One if a slip keeps the remainder of the spring, zero if it starts anew.
-        pub slip,
         /// Reduced moment of inertia of the two bodies, kg m²: the inertia that may be stopped in a step.
         pub inertia,
     }
@@ -261,13 +253,6 @@ impl Titania {
             k_n,
             r_eff: effective_radius(r_i, r_j).1,
             gamma_n,
-            tau_s: R::lit(self.tau_s),
-            tau_r: R::lit(self.tau_r),
-            lambda_t: R::lit(self.lambda_t),
-            slip: match self.slip {
-                Slip::Reset => R::zero(),
-                Slip::Remainder => R::one(),
-            },
             inertia: self.stoppable(effective_mass(moment_of_inertia(m_i, r_i), moment_of_inertia(m_j, r_j))),
         }
     }
@@ -294,11 +279,11 @@ impl PairModel for Titania {
     }
 
     fn pair<R: Real>(&self, c: &Contact<R>, (contact, attraction): &Coefficients<R>, spring: Vec3<R>, dt: R) -> Act<R> {
-        contact.act(self.rolling_over, self.arms.of(c, self.h_n), c, attraction.force(c.distance), spring, dt)
+        self.act(contact, self.arms.of(c, self.h_n), c, attraction.force(c.distance), spring, dt)
     }
 
     fn stored<R: Real>(&self, c: &Contact<R>, (contact, attraction): &Coefficients<R>, spring: &Vec3<R>) -> Held<R> {
-        contact.stored(c, attraction.potential(c.distance), spring)
+        self.held(contact, c, attraction.potential(c.distance), spring)
     }
 
     /// For two particles at rest; where attraction outweighs the contact there, as with Eqs. 3 to 5 as printed, for the contact alone.
@@ -313,13 +298,13 @@ impl PairModel for Titania {
 /// Result of one step of a pair: forces and torques, the tangential spring for the next step, the energy lost.
 pub type Act<R> = Outcome<R, Vec3<R>, Lost<R>>;
 
-impl<R: Real> Parameters<R> {
+impl Titania {
     /// Eqs. 1 to 13 composed: the forces of a pair with attraction `f_na` along the normal (negative), its spring advanced by
     /// `dt`. Out of contact only the attraction acts, and the spring is reset.
     #[inline(always)]
-    pub fn act(
+    pub fn act<R: Real>(
         &self,
-        over: RollingOver,
+        k: &Parameters<R>,
         [arm_i, arm_j]: [R; 2],
         c: &Contact<R>,
         f_na: R,
@@ -327,6 +312,8 @@ impl<R: Real> Parameters<R> {
         dt: R,
     ) -> Act<R> {
         let (zero, delta_n) = (R::zero(), -c.gap);
+        let (tau_s, tau_r, lambda_t) = (R::lit(self.tau_s), R::lit(self.tau_r), R::lit(self.lambda_t));
+        let slip = R::lit(f64::from(u8::from(self.slip == Slip::Remainder)));
         let touches = delta_n.gt(zero);
         let a = section(c.r_i, c.r_j, c.distance, delta_n);
 
@@ -335,16 +322,14 @@ impl<R: Real> Parameters<R> {
         let before = section(c.r_i, c.r_j, apart, (c.r_i + c.r_j) - apart);
 
         let stretched = stretched_spring(spring, c.n, c.sliding_velocity(arm_i, arm_j), dt);
-        let (f_t, kept) = sliding_spring(self.tau_s, a, self.lambda_t, stretched, self.slip);
+        let (f_t, kept) = sliding_spring(tau_s, a, lambda_t, stretched, slip);
         let kept = Vec3::select(touches, kept, Vec3::zero());
 
-        let (f_nr, _, _) = hertz(self.k_n, delta_n, self.r_eff);
-        let f_nd = Vec3::select(touches, dashpot(self.gamma_n, c), Vec3::zero());
-        let rolling = rolling_torque(self.r_eff * self.tau_r * a, c.omega_i, c.omega_j, c.n, self.inertia, dt);
-        let rolling = match over {
-            RollingOver::Rolling => rolling,
-            RollingOver::Spin => rolling * rolling_share(c.omega_i, c.omega_j, c.n),
-        };
+        let (f_nr, _, _) = hertz(k.k_n, delta_n, k.r_eff);
+        let f_nd = Vec3::select(touches, dashpot(k.gamma_n, c), Vec3::zero());
+        let rolling = rolling_torque(k.r_eff * tau_r * a, c.omega_i, c.omega_j, c.n, k.inertia, dt);
+        let share = rolling_share(c.omega_i, c.omega_j, c.n);
+        let rolling = rolling * R::select(R::always(self.rolling_over == RollingOver::Spin), share, R::one());
         let (torque_i, torque_j) = contact_torques(arm_i, arm_j, f_t, c.n, -rolling);
         let wrench = Wrench { force: total_force(c.n * f_na, c.n * f_nr, f_nd, f_t), torque_i, torque_j };
         let lost = Lost {
@@ -358,18 +343,18 @@ impl<R: Real> Parameters<R> {
 
     /// The energy of a pair whose attraction has the energy `potential`.
     #[inline(always)]
-    pub fn stored(&self, c: &Contact<R>, potential: R, spring: &Vec3<R>) -> Held<R> {
+    pub fn held<R: Real>(&self, k: &Parameters<R>, c: &Contact<R>, potential: R, spring: &Vec3<R>) -> Held<R> {
         let a = section(c.r_i, c.r_j, c.distance, -c.gap);
         Held {
-            repulsion: hertz(self.k_n, -c.gap, self.r_eff).2,
+            repulsion: hertz(k.k_n, -c.gap, k.r_eff).2,
             attraction: potential,
             tangential: self.spring_energy(a, *spring),
         }
     }
 
     #[inline(always)]
-    fn spring_energy(&self, a: R, spring: Vec3<R>) -> R {
-        spring_energy(self.tau_s, a, self.lambda_t, spring)
+    fn spring_energy<R: Real>(&self, a: R, spring: Vec3<R>) -> R {
+        spring_energy(R::lit(self.tau_s), a, R::lit(self.lambda_t), spring)
     }
 }
 

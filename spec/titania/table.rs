@@ -75,7 +75,9 @@ impl<R: Real> Piece<R> {
     #[inline(always)]
     fn cubic(&self, lists: &Lists, cell: R) -> [R; 4] {
         let begin = (self.first + cell) * R::lit(4.0);
-        std::array::from_fn(|k| R::entry(&lists.cells, begin + R::lit(k as f64)))
+        let coefficient = |k| R::entry(&lists.cells, begin + R::lit(k));
+        // one by one: in a loop over a pair's coefficients the compiler loses the loop over pairs
+        [coefficient(0.0), coefficient(1.0), coefficient(2.0), coefficient(3.0)]
     }
 
     /// Force at a given distance.

@@ -105,18 +105,12 @@ impl PairModel for Tabulated {
         spring: Vec3<R>,
         dt: R,
     ) -> Act<R> {
-        contact.act(
-            self.law.rolling_over,
-            self.law.arms.of(c, self.law.h_n),
-            c,
-            piece.force(&self.lists, c.distance),
-            spring,
-            dt,
-        )
+        let f_na = piece.force(&self.lists, c.distance);
+        self.law.act(contact, self.law.arms.of(c, self.law.h_n), c, f_na, spring, dt)
     }
 
     fn stored<R: Real>(&self, c: &Contact<R>, (contact, piece): &Self::Coefficients<R>, spring: &Vec3<R>) -> Held<R> {
-        contact.stored(c, piece.potential(&self.lists, c.distance), spring)
+        self.law.held(contact, c, piece.potential(&self.lists, c.distance), spring)
     }
 
     fn critical_time_step(&self, r: f64, m: f64) -> f64 {

@@ -17,17 +17,19 @@ use crate::system::{Domain, Image, Particles};
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// A pair that may touch: places of its spheres within the block, its row and lane.
+/// A pair that may touch, its row and lane.
 #[derive(Clone, Copy, Debug)]
 pub struct Touchable {
-    /// First sphere.
-    pub i: u16,
-    /// Second sphere.
-    pub j: u16,
+    /// Index and copy of each sphere.
+    pub spheres: [(u32, Image); 2],
     /// Its row.
-    pub row: usize,
+    pub row: u32,
     /// Its lane.
-    pub lane: usize,
+    pub lane: u8,
+    /// Whether it touched when contacts were counted last.
+    pub touches: bool,
+    /// By how much its gap must change after neighbours were listed to come or go, nm.
+    pub margin: f64,
 }
 
 /// Some particles, their pairs, and the spheres around them.
@@ -38,7 +40,7 @@ pub struct Block<M: PairModel> {
     pub halo: Vec<(u32, Image)>,
     /// Its pairs.
     pub pairs: Pairs<M>,
-    /// Those of them that may touch before neighbours are listed anew, and that no neck joins, where friction stops what turns.
+    /// Those of them that may touch before neighbours are listed anew, and that no neck joins, where friction stops what turns; by margin.
     pub touchable: Vec<Touchable>,
     /// The pairs that cannot touch.
     pub far: FarPairs,
@@ -74,20 +76,30 @@ impl<M: PairModel> Block<M> {
     }
 
     /// The pairs that may touch before neighbours are listed anew, but for those that necks join.
-    fn each_touchable(
+    fn list_touchable(
         &self,
         particles: &Particles,
         (x, domain, skin): (&[Vec3<f64>], &Domain, f64),
         necks: &[(u32, u32)],
-    ) -> impl Iterator<Item = Touchable> {
-        let may_touch = move |&(i, j, ..): &(u16, u16, usize, usize)| {
+    ) -> Vec<Touchable> {
+        let may_touch = |(i, j, row, lane)| {
             let ((p, a), (q, b)) = (self.member(i), self.member(j));
             let gap = (x[p] + domain.shift(a) - (x[q] + domain.shift(b))).norm()
                 - (particles.radius[p] + particles.radius[q]);
             let (first, second, _) = bond(particles, p, q, [0; 3]);
-            gap <= skin && necks.binary_search(&(first, second)).is_err()
+            let spheres = [(p as u32, a), (q as u32, b)];
+            let (row, lane, margin) = (row as u32, lane as u8, gap.abs());
+            (gap <= skin && necks.binary_search(&(first, second)).is_err()).then_some(Touchable {
+                spheres,
+                row,
+                lane,
+                touches: false,
+                margin,
+            })
         };
-        self.each_pair().filter(may_touch).map(|(i, j, row, lane)| Touchable { i, j, row, lane })
+        let mut touchable: Vec<_> = self.each_pair().filter_map(may_touch).collect();
+        touchable.sort_by(|a, b| a.margin.total_cmp(&b.margin));
+        touchable
     }
 
     /// The far pairs one by one: places within the block.
@@ -160,7 +172,7 @@ pub fn partition<M: PairModel>(
             let mut block =
                 Block { own, halo, pairs, touchable, far, incoming: Vec::new(), loads: no_loads(), near: Vec::new() };
             if M::FRICTION_STOPS {
-                block.touchable = block.each_touchable(particles, (x, domain, skin), necks).collect();
+                block.touchable = block.list_touchable(particles, (x, domain, skin), necks);
             }
             block
         })

@@ -1,6 +1,7 @@
 //! The neighbour list, and the order of spheres and bodies in memory.
 
 use super::Simulation;
+use super::shares::Shares;
 use crate::error::{Halt, Reason};
 use crate::forces;
 use crate::geometry::{Neighbour, neighbours_but};
@@ -41,13 +42,15 @@ impl Listed {
 }
 
 impl<M: PairModel> Simulation<M> {
-    /// Whether spheres may have come into range that the neighbour list does not hold.
-    pub(super) fn stale(&self, moved: &MotionTotals) -> bool {
+    /// Records how far spheres have moved since neighbours were listed; whether some may have come into range that the list does not hold.
+    pub(super) fn stale(&mut self, moved: &MotionTotals) -> bool {
         let strain =
             (0..3).map(|a| (self.system.domain.sides[a] / self.listed.sides[a] - 1.0).abs()).fold(0.0, f64::max);
         let deformed = strain * self.reach;
+        let strayed = moved.approach() + deformed;
+        self.shares.strayed = self.shares.strayed.max(strayed);
         #[expect(clippy::neg_cmp_op_on_partial_ord, reason = "a NaN is stale too")]
-        let stale = !(moved.approach() + deformed < self.settings.skin);
+        let stale = !(strayed < self.settings.skin);
         stale
     }
 
@@ -73,7 +76,10 @@ impl<M: PairModel> Simulation<M> {
         if pairs.iter().any(|pair| pair.p.max(pair.q) as usize >= self.listed.moving) {
             return Err(self.halt(Reason::Snapshot));
         }
-        self.build_blocks(&pairs, springs)
+        self.build_blocks(&pairs, springs)?;
+        // How far spheres have moved since is not known.
+        self.shares.strayed = f64::INFINITY;
+        Ok(())
     }
 
     /// Orders particles so that neighbours in space are close in memory: first single particles, then the members of each body.
@@ -181,7 +187,7 @@ impl<M: PairModel> Simulation<M> {
         )
         .map_err(|reason| self.halt(reason))?;
         self.far_known = false;
-        self.shared = None;
+        self.shares = Shares::default();
         self.load_table = LoadTable::find(particles, self.listed.moving, self.system.bodies.len(), &self.blocks);
         self.on_walls = forces::places(&self.blocks)
             .filter_map(|(p, block, place)| Some((particles.wall[p].checked_sub(1)?, block, place)))

@@ -51,8 +51,8 @@ pub struct Simulation<M: PairModel> {
     reach: f64,
     /// Whether the far pairs have been evaluated since the last rebuild of the neighbour list.
     far_known: bool,
-    /// The counts by which contacts have their shares of moments of inertia; none before the first evaluation of a neighbour list.
-    shared: Option<Shares>,
+    /// The counts by which contacts have their shares of moments of inertia; empty before the first evaluation of a neighbour list.
+    shares: Shares,
     /// Rates of strain of the sides, 1/ns.
     box_rate: [f64; 3],
     momentum_flux: [f64; 3],
@@ -89,7 +89,7 @@ impl<M: PairModel> Simulation<M> {
             listed,
             reach: 0.0,
             far_known: false,
-            shared: None,
+            shares: Shares::default(),
             box_rate: [0.0; 3],
             momentum_flux: [0.0; 3],
             stress: [0.0; 3],

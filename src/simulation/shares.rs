@@ -7,34 +7,37 @@ use crate::motion;
 use crate::spec::mechanics::friction_share::inertia_share;
 use crate::spec::mechanics::reduced_mass::effective_mass;
 use crate::spec::{PairModel, Vec3};
-use crate::system::{Image, Particles, System};
+use crate::system::{Particles, System};
 use rayon::prelude::*;
 
 /// Number of contacts of each single sphere and of each body.
-#[derive(PartialEq)]
+#[derive(Default)]
 pub(super) struct Shares {
     contacts: Vec<u32>,
+    /// No gap has changed by more than this since neighbours were listed, nm.
+    pub strayed: f64,
 }
 
 /// The index of a sphere, or of its body, in the counts: single spheres come after the bodies.
-fn turning(System { particles, bodies, .. }: &System, p: usize) -> usize {
-    (particles.body[p] as usize).checked_sub(1).unwrap_or(bodies.len() + p)
+fn turning(System { particles, bodies, .. }: &System, p: u32) -> usize {
+    (particles.body[p as usize] as usize).checked_sub(1).unwrap_or(bodies.len() + p as usize)
+}
+
+/// Number of those.
+fn count_turning(System { particles, bodies, .. }: &System) -> usize {
+    bodies.len() + particles.len()
 }
 
 impl Shares {
     /// Counts the contacts without necks.
-    pub(super) fn count<M: PairModel>(blocks: &[Block<M>], system: &System) -> Self {
-        let touching = |block: &Block<M>| -> Vec<[usize; 2]> {
-            let ends = |pair: &Touchable| [block.member(pair.i), block.member(pair.j)];
-            let touching = block.touchable.iter().map(ends).filter(|&[i, j]| touch(system, i, j));
-            touching.map(|[(p, _), (q, _)]| [p, q]).collect()
-        };
-        let touching: Vec<_> = blocks.par_iter().with_max_len(1).map(touching).collect();
-        let mut contacts = vec![0; system.bodies.len() + system.particles.len()];
-        for p in touching.into_iter().flatten().flatten() {
-            contacts[turning(system, p)] += 1;
+    fn count<M: PairModel>(blocks: &[Block<M>], system: &System) -> Self {
+        let mut contacts = vec![0; count_turning(system)];
+        for pair in blocks.iter().flat_map(|block| &block.touchable).filter(|pair| touch(system, pair)) {
+            for (p, _) in pair.spheres {
+                contacts[turning(system, p)] += 1;
+            }
         }
-        Self { contacts }
+        Self { contacts, strayed: 0.0 }
     }
 
     /// The share of the moment of inertia of a contact of a sphere, ag nm^2; none for the spheres of a wall.
@@ -45,7 +48,7 @@ impl Shares {
             0 => motion::inertia(particles, p),
             body => least(bodies[body - 1].moments),
         };
-        (particles.wall[p] == 0).then(|| inertia_share(moment, f64::from(self.contacts[turning(system, p)])))
+        (particles.wall[p] == 0).then(|| inertia_share(moment, f64::from(self.contacts[turning(system, p as u32)])))
     }
 
     /// The reduced moment of inertia of the contact of two spheres.
@@ -57,34 +60,63 @@ impl Shares {
     }
 }
 
-/// Whether two spheres touch, each given by index and copy.
-fn touch(System { particles, domain, .. }: &System, (p, a): (usize, Image), (q, b): (usize, Image)) -> bool {
+/// Whether two spheres touch.
+fn touch(System { particles, domain, .. }: &System, Touchable { spheres, .. }: &Touchable) -> bool {
     let Particles { x, radius, .. } = particles;
+    let [(p, a), (q, b)] = spheres.map(|(p, image)| (p as usize, image));
     let branch = x[p] + domain.shift(a) - (x[q] + domain.shift(b));
     let reach = radius[p] + radius[q];
     branch.dot(branch) < reach * reach
 }
 
+/// Rounding of coordinates, nm.
+const ROUNDING: f64 = 1e-6;
+
+/// The contacts that came or went since contacts were counted last.
+fn changes<M: PairModel>(block: &mut Block<M>, system: &System, strayed: f64, all: bool) -> Vec<Touchable> {
+    let mut changes = Vec::new();
+    for pair in block.touchable.iter_mut().take_while(|pair| all || pair.margin <= strayed + ROUNDING) {
+        let touches = touch(system, pair);
+        if touches != pair.touches {
+            pair.touches = touches;
+            changes.push(*pair);
+        }
+    }
+    changes
+}
+
 impl<M: PairModel> Simulation<M> {
-    /// Updates the shares of the contacts before these are evaluated.
+    /// Updates the shares of the contacts before these are evaluated: of those that share a sphere or a body with one that came or went.
     pub(super) fn share(&mut self) {
         if !M::FRICTION_STOPS {
             return;
         }
-        let shares = Shares::count(&self.blocks, &self.system);
-        // A contact that comes or goes changes the count of its spheres.
-        if self.shared.as_ref() == Some(&shares) {
+        let (model, system, shares) = (&self.model, &self.system, &mut self.shares);
+        // The first time every pair is looked at, then those whose gap may have changed enough.
+        let (strayed, all) = (shares.strayed, shares.contacts.is_empty());
+        let blocks = self.blocks.par_iter_mut().with_max_len(1);
+        let changes: Vec<_> = blocks.map(|block| changes(block, system, strayed, all)).collect();
+        shares.contacts.resize(count_turning(system), 0);
+        if changes.iter().all(Vec::is_empty) {
             return;
         }
-        let (model, system) = (&self.model, &self.system);
+        let mut changed = vec![false; shares.contacts.len()];
+        for Touchable { spheres, touches, .. } in changes.into_iter().flatten() {
+            for end in spheres.map(|(p, _)| turning(system, p)) {
+                shares.contacts[end] = if touches { shares.contacts[end] + 1 } else { shares.contacts[end] - 1 };
+                changed[end] = true;
+            }
+        }
         self.blocks.par_iter_mut().with_max_len(1).for_each(|block| {
-            for k in 0..block.touchable.len() {
-                let Touchable { i, j, row, lane } = block.touchable[k];
-                let moment = shares.reduced(system, block.member(i).0, block.member(j).0);
-                block.pairs.change_constants(row, lane, |constants| model.turning(constants, moment));
+            let Block { touchable, pairs, .. } = block;
+            for &Touchable { spheres: [(p, _), (q, _)], row, lane, .. } in touchable.iter().filter(|pair| pair.touches)
+            {
+                if changed[turning(system, p)] || changed[turning(system, q)] {
+                    let moment = shares.reduced(system, p as usize, q as usize);
+                    pairs.change_constants(row as usize, lane.into(), |constants| model.turning(constants, moment));
+                }
             }
         });
-        self.shared = Some(shares);
     }
 
     /// The shares of the pairs as they will be in the next step.

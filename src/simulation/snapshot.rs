@@ -3,6 +3,7 @@
 //! The state from which the neighbour list was built is stored instead of the list, so a simulation restored from a snapshot has the same list,
 //! the same order of sums, and continues with the same bits.
 
+use super::shares::Shares;
 use super::{Integrator, Ledger, Listed, Settings, Simulation, VerletState};
 use crate::error::{Halt, Reason};
 use crate::motion::LoadTable;
@@ -86,7 +87,7 @@ impl<M: PairModel> Simulation<M> {
             listed,
             reach,
             far_known,
-            shared: None,
+            shares: Shares::default(),
             box_rate,
             momentum_flux,
             stress,

@@ -35,14 +35,8 @@ impl Pair {
         Contact::new(x, v, omega[0], omega[1], self.r[0], self.r[1])
     }
     fn act(&self, c: &Contact<f64>, spring: Vec3<f64>) -> (Wrench<f64>, Vec3<f64>, Lost<f64>) {
-        let Outcome { wrench, memory, losses } = self.k.act(
-            self.law.rolling_over,
-            self.law.arms.of(c, self.law.h_n),
-            c,
-            self.attraction.force(c.distance),
-            spring,
-            DT,
-        );
+        let (arms, f_na) = (self.law.arms.of(c, self.law.h_n), self.attraction.force(c.distance));
+        let Outcome { wrench, memory, losses } = self.law.act(&self.k, arms, c, f_na, spring, DT);
         (wrench, memory, losses)
     }
 }
@@ -96,7 +90,7 @@ proptest! {
     fn nothing_but_a_slip_takes_from_the_spring_and_no_loss_is_negative(n in unit(), d in 10.4..11.1, v in vector(20.0), wi in vector(9.0), xi in vector(0.4)) {
         let (_, kept, lost) = PAIR.act(&PAIR.contact(n * d, v, [wi, Vec3::zero()]), xi);
         prop_assert!(lost.normal >= 0.0 && lost.sliding >= 0.0 && lost.rolling >= 0.0);
-        prop_assert!(kept.norm() < PAIR.k.lambda_t);
+        prop_assert!(kept.norm() < PAIR.law.lambda_t);
         prop_assert_eq!(lost.sliding > 0.0, kept.norm() == 0.0);
     }
 
@@ -105,7 +99,7 @@ proptest! {
         let (none, h) = (Vec3::zero(), 1e-5);
         let at = |d: f64| PAIR.contact(Vec3::new(d, 0.0, 0.0), none, [none; 2]);
         let energy = |d: f64| {
-            let held = PAIR.k.stored(&at(d), PAIR.attraction.potential(d), &none);
+            let held = PAIR.law.held(&PAIR.k, &at(d), PAIR.attraction.potential(d), &none);
             held.repulsion + held.attraction + held.tangential
         };
         let force = PAIR.act(&at(d), none).0.force.0[0];
@@ -186,7 +180,7 @@ fn a_contact_that_is_drawn_apart_loses_what_its_spring_held_to_its_area() {
     let (n, none, xi) = (Vec3::new(0.6, 0.0, 0.8), Vec3::zero(), Vec3::new(0.0, 0.3, 0.0));
     let v = n * 40.0;
     let (mut d, mut spring, mut lost) = (10.9, xi, 0.0);
-    let held = PAIR.k.stored(&PAIR.contact(n * d, v, [none; 2]), 0.0, &xi).tangential;
+    let held = PAIR.law.held(&PAIR.k, &PAIR.contact(n * d, v, [none; 2]), 0.0, &xi).tangential;
     while d < 11.2 {
         d += 40.0 * DT;
         let (_, kept, losses) = PAIR.act(&PAIR.contact(n * d, v, [none; 2]), spring);
@@ -233,10 +227,10 @@ fn approach(gamma_0: f64, start: f64, duration: f64, dt: f64) -> (Vec<f64>, f64)
     let at = |d: f64, v: f64| pair.contact(Vec3::new(d, 0.0, 0.0), Vec3::new(v, 0.0, 0.0), [none; 2]);
     let act = |d: f64, v: f64| {
         let c = at(d, v);
-        pair.k.act(pair.law.rolling_over, pair.law.arms.of(&c, pair.law.h_n), &c, pair.attraction.force(d), none, dt)
+        pair.law.act(&pair.k, pair.law.arms.of(&c, pair.law.h_n), &c, pair.attraction.force(d), none, dt)
     };
     let energy = |d: f64, v: f64| {
-        let held = pair.k.stored(&at(d, v), pair.attraction.potential(d), &none);
+        let held = pair.law.held(&pair.k, &at(d, v), pair.attraction.potential(d), &none);
         held.repulsion + held.attraction + 0.5 * m_eff * v * v
     };
     let (mut d, mut v, mut lost, mut path) = (start, 0.0, 0.0, vec![]);

@@ -1,9 +1,8 @@
 //! The golden trajectories of the titania paper, moved by the contact law.
 
 use crate::golden::{Complaints, Run, Trajectory};
-use crate::spec::titania::Parameters;
 use crate::spec::titania::eq12_sliding::{sawtooth, sliding_spring, spring_energy};
-use crate::spec::titania::eq13_rolling::RollingOver;
+use crate::spec::titania::{Parameters, Titania};
 use crate::spec::{Contact, Vec3};
 
 /// The files, each with its comparison.
@@ -15,16 +14,8 @@ pub(super) const TRAJECTORIES: &[Trajectory] = &[
 /// A pair approaches and relaxes as integrated independently.
 fn relaxation(run: &Run, complaints: &mut Complaints) -> Result<(), String> {
     let (r, f_a, m_eff) = (run.number("r_i")? + run.number("h_n")?, run.number("f_a")?, run.number("m_eff")?);
-    let law = Parameters {
-        k_n: run.number("k_n")?,
-        r_eff: 0.5 * r,
-        gamma_n: run.number("gamma_n")?,
-        tau_s: 0.0,
-        tau_r: 0.0,
-        lambda_t: r,
-        slip: 0.0,
-        inertia: 1.0,
-    };
+    let law = Titania { tau_s: 0.0, tau_r: 0.0, lambda_t: r, ..Titania::paper(1.0, 1.0, 1.0) };
+    let k = Parameters { k_n: run.number("k_n")?, r_eff: 0.5 * r, gamma_n: run.number("gamma_n")?, inertia: 1.0 };
     let (samples, none) = (run.samples::<3>()?, Vec3::zero());
     let [t, mut delta, mut rate] = samples[0];
     complaints.near("sample 0: t", 0.0, t, 0.0);
@@ -36,7 +27,7 @@ fn relaxation(run: &Run, complaints: &mut Complaints) -> Result<(), String> {
         for _ in 0..steps {
             let along = |x| Vec3::new(x, 0.0, 0.0);
             let c = Contact::new(along(2.0 * r - delta), along(-rate), none, none, r, r);
-            let acts = law.act(RollingOver::Rolling, [r - 0.5 * delta; 2], &c, -f_a, none, dt);
+            let acts = law.act(&k, [r - 0.5 * delta; 2], &c, -f_a, none, dt);
             rate -= acts.wrench.force.0[0] / m_eff * dt;
             delta += rate * dt;
         }
