@@ -13,7 +13,7 @@ pub(super) type RowInput = [Row; 16];
 /// The output of a row: force on `i`, torque on `i`, torque on `j`.
 pub(super) type RowOutput = [Row; 9];
 
-/// Evaluates a row, advances its springs by `dt`, and enters its losses and its work. For rows of `JOINED` pairs the compiler omits the terms of contacts.
+/// Evaluates a row, advances its springs by `dt`, and enters its losses. For rows of `JOINED` pairs the compiler omits the terms of contacts.
 #[inline(always)]
 pub(super) fn act<M: PairModel, const JOINED: bool>(
     model: &M,
@@ -51,7 +51,6 @@ pub(super) fn act<M: PairModel, const JOINED: bool>(
             output[k + 3].0[lane] = a[k];
             output[k + 6].0[lane] = b[k];
         }
-        sums.power.0[lane] += wrench.power(&contact);
         for k in 0..M::Losses::<f64>::LEN {
             sums.losses.at_mut(k).0[lane] += *outcome.losses.at(k);
         }
@@ -72,7 +71,6 @@ fn apart<M: PairModel>(model: &M, input: &RowInput, output: &mut RowOutput, sums
     for lane in 0..LANES {
         let contact = contact(input, lane);
         let force = model.far(&contact);
-        sums.power.0[lane] += force.dot(contact.v);
         push(force, &contact, lane, input, output, sums, allowed);
     }
 }
@@ -127,7 +125,6 @@ fn push<M: PairModel>(
 
 /// Sums over pairs, lane by lane.
 pub(super) struct Sums<M: PairModel> {
-    power: Row,
     losses: M::Losses<Row>,
     /// Diagonal of the sum of branch vector times force.
     pub virial: [Row; 3],
@@ -137,16 +134,16 @@ pub(super) struct Sums<M: PairModel> {
 impl<M: PairModel> Default for Sums<M> {
     fn default() -> Self {
         let zero = Row::zero();
-        Self { power: zero, losses: Flat::from_fn(|_| zero), virial: [zero; 3], clearance: Row::lit(f64::INFINITY) }
+        Self { losses: Flat::from_fn(|_| zero), virial: [zero; 3], clearance: Row::lit(f64::INFINITY) }
     }
 }
 
 impl<M: PairModel> Sums<M> {
-    /// All lanes together.
+    /// All lanes together, but for the power, which follows from the loads on the spheres.
     pub(super) fn total(&self) -> Totals<M::Losses<f64>> {
         let sum = |row: Row| row.0.iter().sum::<f64>();
         Totals {
-            power: sum(self.power),
+            power: 0.0,
             losses: Flat::from_fn(|k| sum(*self.losses.at(k))),
             virial: self.virial.map(sum),
             clearance: self.clearance.0.into_iter().fold(f64::INFINITY, f64::min),

@@ -52,15 +52,17 @@ impl GatheredSpheres {
         }
     }
 
-    /// Power of the forces on the spheres.
+    /// Power of the loads on the spheres.
     fn power(&self, loads: &[Load; CAPACITY]) -> f64 {
-        let mut power = [0.0; 3];
-        for (motion, load) in self.motion[..self.len].iter().zip(loads) {
-            for k in 0..3 {
-                power[k] += load.0[k] * motion[k + 3];
+        // Four lanes each: the fourth multiplies a padding zero.
+        let mut power = [[0.0; 4]; 2];
+        for ((motion, spin), load) in self.motion[..self.len].iter().zip(&self.spin).zip(loads) {
+            for k in 0..4 {
+                power[0][k] += load.0[k] * motion[k + 3];
+                power[1][k] += load.0[k + 3] * spin[k];
             }
         }
-        power.iter().sum()
+        power.iter().flatten().sum()
     }
 }
 
@@ -84,15 +86,13 @@ pub fn evaluate<M: PairModel>(
             dispatch_far(model, instructions, far, spheres_of_block);
         }
         let spheres = ..spheres_of_block.len;
-        let mut totals = Totals { virial: far.virial, ..Totals::default() };
         match &far.loads {
-            Some(held) => {
-                loads[spheres].copy_from_slice(&held[spheres]);
-                totals.power = spheres_of_block.power(held);
-            }
+            Some(held) => loads[spheres].copy_from_slice(&held[spheres]),
             None => loads[spheres].fill(Load::zero()),
         }
-        totals.and(dispatch(model, instructions, pairs, spheres_of_block, loads, max_overlap, dt))
+        let of_far = Totals { virial: far.virial, ..Totals::default() };
+        let totals = of_far.and(dispatch(model, instructions, pairs, spheres_of_block, loads, max_overlap, dt));
+        Totals { power: spheres_of_block.power(loads), ..totals }
     })
 }
 
