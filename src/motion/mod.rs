@@ -12,6 +12,6 @@ mod walls;
 
 pub use bodies::{LoadTable, advance_bodies};
 pub use box_relaxation::BoxRelaxation;
-pub use spheres::{MotionTotals, Spheres, Step, advance, gathered, inertia};
+pub use spheres::{MotionTotals, Spheres, Step, advance, inertia};
 pub use verlet::Integrator;
 pub use walls::{WallWork, drive, kinetic_energy};

@@ -1,6 +1,7 @@
-//! The spheres of a block: gather of forces, and one time step.
+//! One time step of the spheres of a block.
 
-use crate::forces::{Block, Instructions, Load};
+use crate::forces::{Instructions, LANES, MergedLoads, Square, Vectorised, vectorised};
+use crate::spec::Vec3;
 use crate::spec::mechanics::box_stress::momentum_flux;
 use crate::spec::mechanics::drag::global_damping;
 use crate::spec::mechanics::kick_and_drift::drift;
@@ -8,9 +9,7 @@ use crate::spec::mechanics::kinetic_energy::kinetic_energy;
 use crate::spec::mechanics::sphere::moment_of_inertia;
 use crate::spec::mechanics::symplectic_euler::symplectic_euler;
 use crate::spec::mechanics::work::drag_loss;
-use crate::spec::{PairModel, Vec3};
 use crate::system::{Particles, Wall};
-use std::borrow::Cow;
 
 /// Moment of inertia of a sphere, ag nm^2.
 pub fn inertia(particles: &Particles, p: usize) -> f64 {
@@ -124,7 +123,19 @@ impl MotionTotals {
         }
     }
 
+    /// Enters a sphere's part in the sums.
+    #[inline(always)]
+    fn enter(&mut self, [kinetic, drag, scheme, xx, yy, zz]: [f64; 6]) {
+        self.kinetic += kinetic;
+        self.drag += drag;
+        self.scheme += scheme;
+        for (sum, part) in self.momentum_flux.iter_mut().zip([xx, yy, zz]) {
+            *sum += part;
+        }
+    }
+
     /// Enters the displacement of a sphere since the neighbour list was built.
+    #[inline(always)]
     pub fn stray(&mut self, way: Vec3<f64>) {
         for (a, way) in way.0.into_iter().enumerate() {
             self.least[a] = if way < self.least[a] { way } else { self.least[a] };
@@ -140,46 +151,147 @@ impl MotionTotals {
     }
 }
 
-/// The loads on the first spheres of a block: its own, and those from the halos of other blocks.
-pub fn gathered<M: PairModel>(blocks: &[Block<M>], number: usize, count: usize) -> Cow<'_, [Load]> {
-    let block = &blocks[number];
-    let own = &block.loads[..count];
-    if block.incoming.is_empty() {
-        return Cow::Borrowed(own);
-    }
-    let mut loads = own.to_vec();
-    for &(to, from, place) in block.incoming.iter().take_while(|entry| (entry.0 as usize) < count) {
-        let sum = &mut loads[to as usize];
-        *sum = *sum + blocks[from as usize].loads[place as usize];
-    }
-    Cow::Owned(loads)
+/// Moves spheres, on which these loads act, by one step of Eq. 1.
+pub fn advance(loads: MergedLoads, spheres: Spheres, step: &Step) -> MotionTotals {
+    vectorised(step.instructions, Advance { loads, spheres, step })
 }
 
-/// Moves the first spheres of a block by one step of Eq. 1.
-pub fn advance<M: PairModel>(blocks: &[Block<M>], number: usize, spheres: Spheres, step: &Step) -> MotionTotals {
-    let Step { dt, damping, .. } = *step;
-    let loads = gathered(blocks, number, spheres.x.len());
-    let mut moved = MotionTotals::default();
-    for (p, load) in loads.iter().enumerate() {
-        let (m, x, v, w) = (spheres.mass[p], spheres.x[p], spheres.v[p], spheres.w[p]);
-        let (x, v, w) = if spheres.wall[p] == 0 {
-            let i = moment_of_inertia(m, spheres.radius[p]);
-            let [fx, fy, fz, tx, ty, tz, ..] = load.0;
-            let (force, torque) = (Vec3([fx, fy, fz]) + global_damping(damping, v), Vec3([tx, ty, tz]));
-            let (after, x, spin) = symplectic_euler(x, v, w, force, torque, m, i, dt);
-            moved.kinetic += kinetic_energy(m, after, i, spin);
-            moved.drag += drag_loss(damping, v, dt);
-            moved.scheme += kinetic_energy(m, after - v, i, spin - w);
-            moved.add_momentum_flux(m, after);
-            (x, after, spin)
-        } else {
-            let Wall { velocity, spin, .. } = step.walls[spheres.wall[p] as usize - 1];
-            (drift(x, velocity, dt), velocity, spin)
-        };
-        let x = Vec3(std::array::from_fn(|a| x.0[a] * step.growth[a]));
-        let listed = Vec3(std::array::from_fn(|a| spheres.listed[p].0[a] * step.stretch[a]));
-        moved.stray(x - listed);
-        (spheres.x[p], spheres.v[p], spheres.w[p]) = (x, v, w);
+/// Spheres of a block, the loads on them, and the step they take.
+struct Advance<'a> {
+    loads: MergedLoads<'a>,
+    spheres: Spheres<'a>,
+    step: &'a Step<'a>,
+}
+
+/// A sphere after a step, and its part in the sums.
+struct Moved {
+    x: Vec3<f64>,
+    v: Vec3<f64>,
+    w: Vec3<f64>,
+    /// Kinetic energy, loss to the drag, addition by the scheme, momentum flux.
+    sums: [f64; 6],
+}
+
+impl Vectorised for Advance<'_> {
+    type Outcome = MotionTotals;
+
+    #[inline(always)]
+    fn run(mut self, across: impl Fn(Square) -> Square) -> MotionTotals {
+        let mut moved = MotionTotals::default();
+        let mut extremes = [[[f64::INFINITY; LANES]; 3], [[f64::NEG_INFINITY; LANES]; 3]];
+        let (count, whole) = (self.loads.len(), self.loads.len() / LANES * LANES);
+        for begin in (0..whole).step_by(LANES) {
+            if self.spheres.wall[begin..begin + LANES] == [0; LANES] {
+                self.advance_free(begin, &across, &mut moved, &mut extremes);
+            } else {
+                (begin..begin + LANES).for_each(|p| self.advance_one(p, &mut moved));
+            }
+        }
+        (whole..count).for_each(|p| self.advance_one(p, &mut moved));
+        for a in 0..3 {
+            moved.least[a] = extremes[0][a].into_iter().fold(moved.least[a], f64::min);
+            moved.most[a] = extremes[1][a].into_iter().fold(moved.most[a], f64::max);
+        }
+        moved
     }
-    moved
+}
+
+impl Advance<'_> {
+    #[inline(always)]
+    fn next_load(&mut self) -> [f64; LANES] {
+        self.loads.next().expect("a load for every sphere").0
+    }
+
+    /// Advances spheres side by side, none of which belongs to a wall. Sums are taken in the order of the spheres.
+    #[inline(always)]
+    fn advance_free(
+        &mut self,
+        begin: usize,
+        across: impl Fn(Square) -> Square,
+        moved: &mut MotionTotals,
+        [least, most]: &mut [[[f64; LANES]; 3]; 2],
+    ) {
+        let [fx, fy, fz, tx, ty, tz, ..] = across(std::array::from_fn(|_| self.next_load()));
+        let (mut sums, mut ways) = ([[0.0; LANES]; 6], [[0.0; LANES]; 3]);
+        let Self { spheres: Spheres { x, v, w, radius, mass, listed, .. }, step, .. } = self;
+        // Copies, of which the compiler knows that they do not overlap.
+        let (mut places, mut velocities, mut spins) = (chunk(x, begin), chunk(v, begin), chunk(w, begin));
+        let (radius, mass, listed) = (chunk(radius, begin), chunk(mass, begin), chunk(listed, begin));
+        for lane in 0..LANES {
+            let load = [fx[lane], fy[lane], fz[lane], tx[lane], ty[lane], tz[lane]];
+            let before = [places[lane], velocities[lane], spins[lane]];
+            let after = free(step, before, (mass[lane], radius[lane]), load);
+            (places[lane], velocities[lane], spins[lane]) = (grown(step, after.x), after.v, after.w);
+            let way = displacement(step, places[lane], listed[lane]);
+            for k in 0..6 {
+                sums[k][lane] = after.sums[k];
+            }
+            for a in 0..3 {
+                ways[a][lane] = way.0[a];
+            }
+        }
+        x[begin..begin + LANES].copy_from_slice(&places);
+        v[begin..begin + LANES].copy_from_slice(&velocities);
+        w[begin..begin + LANES].copy_from_slice(&spins);
+        for lane in 0..LANES {
+            moved.enter(sums.map(|sum| sum[lane]));
+            for a in 0..3 {
+                let way = ways[a][lane];
+                least[a][lane] = if way < least[a][lane] { way } else { least[a][lane] };
+                most[a][lane] = if way > most[a][lane] { way } else { most[a][lane] };
+            }
+        }
+    }
+
+    /// Advances a sphere.
+    #[inline(always)]
+    fn advance_one(&mut self, p: usize, moved: &mut MotionTotals) {
+        let [fx, fy, fz, tx, ty, tz, ..] = self.next_load();
+        let Self { spheres: Spheres { x, v, w, radius, mass, wall, listed }, step, .. } = self;
+        if wall[p] == 0 {
+            let after = free(step, [x[p], v[p], w[p]], (mass[p], radius[p]), [fx, fy, fz, tx, ty, tz]);
+            (x[p], v[p], w[p]) = (after.x, after.v, after.w);
+            moved.enter(after.sums);
+        } else {
+            let Wall { velocity, spin, .. } = step.walls[wall[p] as usize - 1];
+            (x[p], v[p], w[p]) = (drift(x[p], velocity, step.dt), velocity, spin);
+        }
+        x[p] = grown(step, x[p]);
+        moved.stray(displacement(step, x[p], listed[p]));
+    }
+}
+
+/// A copy of the numbers of a chunk of spheres.
+#[inline(always)]
+fn chunk<T: Copy>(of: &[T], begin: usize) -> [T; LANES] {
+    *of[begin..].first_chunk().expect("a chunk of spheres")
+}
+
+/// A free sphere after a step.
+#[inline(always)]
+fn free(
+    &Step { dt, damping, .. }: &Step,
+    [x, v, w]: [Vec3<f64>; 3],
+    (m, r): (f64, f64),
+    [fx, fy, fz, tx, ty, tz]: [f64; 6],
+) -> Moved {
+    let i = moment_of_inertia(m, r);
+    let (force, torque) = (Vec3([fx, fy, fz]) + global_damping(damping, v), Vec3([tx, ty, tz]));
+    let (after, x, spin) = symplectic_euler(x, v, w, force, torque, m, i, dt);
+    let scheme = kinetic_energy(m, after - v, i, spin - w);
+    let Vec3([xx, yy, zz]) = momentum_flux(m, after);
+    let sums = [kinetic_energy(m, after, i, spin), drag_loss(damping, v, dt), scheme, xx, yy, zz];
+    Moved { x, v: after, w: spin, sums }
+}
+
+/// A place after the growth of the box in a step.
+#[inline(always)]
+fn grown(step: &Step, x: Vec3<f64>) -> Vec3<f64> {
+    Vec3(std::array::from_fn(|a| x.0[a] * step.growth[a]))
+}
+
+/// The displacement since the neighbour list was built, but for that of the box.
+#[inline(always)]
+fn displacement(step: &Step, x: Vec3<f64>, listed: Vec3<f64>) -> Vec3<f64> {
+    x - Vec3(std::array::from_fn(|a| listed.0[a] * step.stretch[a]))
 }

@@ -21,7 +21,7 @@ pub use settings::Settings;
 pub use snapshot::Snapshot;
 
 use crate::error::{Halt, Reason};
-use crate::forces::{self, Block, Totals};
+use crate::forces::{self, Block, MergedLoads, Totals, stored_loads};
 use crate::interrupt::Interrupt;
 use crate::motion::{self, LoadTable, MotionTotals, Spheres};
 use crate::spec::mechanics::box_relaxation::box_work;
@@ -270,13 +270,13 @@ impl<M: PairModel> Simulation<M> {
             parts.push(part);
             spheres = rest;
         }
+        let stored = stored_loads(blocks);
         let moved: Vec<MotionTotals> = self
             .blocks
             .par_iter()
             .zip(parts)
-            .enumerate()
             .with_max_len(1)
-            .map(|(number, (_, part))| motion::advance(blocks, number, part, &step))
+            .map(|(block, part)| motion::advance(MergedLoads::new(block, part.x.len(), &stored), part, &step))
             .collect();
         let moved = moved.into_iter().fold(MotionTotals::default(), MotionTotals::and);
         if self.system.bodies.is_empty() {

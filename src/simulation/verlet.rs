@@ -3,14 +3,13 @@
 
 use super::Simulation;
 use crate::error::Halt;
-use crate::forces::{SurfaceTotals, Totals};
-use crate::motion::{gathered, verlet};
+use crate::forces::{MergedLoads, SurfaceTotals, Totals, stored_loads};
+use crate::motion::verlet;
 use crate::spec::mechanics::box_stress::box_stress;
 use crate::spec::mechanics::work::work;
 use crate::spec::numbers::Lanes;
 use crate::spec::{Flat, PairModel, Vec3};
 use crate::system::bounded;
-use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 /// The state between steps: the forces at the end of the last one.
@@ -119,10 +118,9 @@ impl<M: PairModel> Simulation<M> {
     }
 
     fn hold_loads(&mut self, totals: &Totals<M::Losses<f64>>, power_of_surfaces: f64) {
-        let blocks = &self.blocks;
-        let parts = (0..blocks.len()).into_par_iter().map(|number| gathered(blocks, number, blocks[number].own.len()));
-        let parts: Vec<_> = parts.collect();
-        let loads = parts.iter().flat_map(|part| part.iter()).map(|&Lanes([a, b, c, d, e, f, ..])| [a, b, c, d, e, f]);
+        let stored = stored_loads(&self.blocks);
+        let merged = |block| MergedLoads::new(block, block.own.len(), &stored);
+        let loads = self.blocks.iter().flat_map(merged).map(|Lanes([a, b, c, d, e, f, ..])| [a, b, c, d, e, f]);
         self.held = VerletState { loads: loads.collect(), pairs: totals.power, surfaces: power_of_surfaces, late: 0.0 };
     }
 }
