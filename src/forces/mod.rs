@@ -17,7 +17,7 @@ pub use blocks::{Block, Touchable, partition, places};
 pub use instructions::{Instructions, Vectorised};
 pub use kernel::{Load, evaluate, vectorised};
 pub use layout::{CAPACITY, LANES, bond};
-pub use merged::{MergedLoads, stored_loads};
+pub use merged::{MergedLoads, StoredLoads, stored_loads};
 pub use order::spatial_order;
 pub use pairs::{FarPairs, Pairs};
 pub use surfaces::{SurfaceTotals, each_touch, surface_forces};
