@@ -31,8 +31,22 @@ impl<R: Real> Contact<R> {
     #[inline(always)]
     pub fn new(x: Vec3<R>, v: Vec3<R>, omega_i: Vec3<R>, omega_j: Vec3<R>, r_i: R, r_j: R) -> Self {
         let distance = x.norm();
-        let n = x * (R::one() / distance);
-        Self { n, distance, gap: distance - r_i - r_j, v, omega_i, omega_j, r_i, r_j }
+        Self::at_distance(x, distance, R::one() / distance, v, omega_i, omega_j, r_i, r_j)
+    }
+
+    /// The same where the distance and its inverse are known.
+    #[inline(always)]
+    pub fn at_distance(
+        x: Vec3<R>,
+        distance: R,
+        inverse: R,
+        v: Vec3<R>,
+        omega_i: Vec3<R>,
+        omega_j: Vec3<R>,
+        r_i: R,
+        r_j: R,
+    ) -> Self {
+        Self { n: x * inverse, distance, gap: distance - r_i - r_j, v, omega_i, omega_j, r_i, r_j }
     }
 
     /// Rate of change of the gap, m/s: positive when the spheres separate.

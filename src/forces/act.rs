@@ -7,7 +7,7 @@ use num_traits::Zero;
 
 /// One number of eight pairs.
 pub(super) type Row = Lanes<LANES>;
-/// The gathered input of a row of pairs: differences of position and velocity, two unused numbers, angular
+/// The gathered input of a row of pairs: differences of position and velocity, the distance and its inverse, angular
 /// velocity and radius of `i` and of `j`.
 pub(super) type RowInput = [Row; 16];
 /// The output of a row: force on `i`, torque on `i`, torque on `j`.
@@ -58,6 +58,16 @@ pub(super) fn act<M: PairModel, const JOINED: bool>(
     }
 }
 
+/// Enters the distances of a row and their inverses. In a pass of its own, in which the root and the division of one row need not wait for those of another.
+#[inline(always)]
+pub(super) fn measure(input: &mut RowInput) {
+    for lane in 0..LANES {
+        let distance = Vec3([input[0].0[lane], input[1].0[lane], input[2].0[lane]]).norm();
+        input[6].0[lane] = distance;
+        input[7].0[lane] = 1.0 / distance;
+    }
+}
+
 /// Whether any pair of a row has a spring.
 #[inline(always)]
 fn holds<M: PairModel>(memory: &M::Memory<Row>) -> bool {
@@ -100,7 +110,7 @@ pub(super) fn far<M: PairModel>(
 fn contact(input: &RowInput, lane: usize) -> Contact<f64> {
     let number = |k: usize| input[k].0[lane];
     let vector = |k: usize| Vec3([number(k), number(k + 1), number(k + 2)]);
-    Contact::new(vector(0), vector(3), vector(8), vector(12), number(11), number(15))
+    Contact::at_distance(vector(0), number(6), number(7), vector(3), vector(8), vector(12), number(11), number(15))
 }
 
 /// Enters the force of a lane.

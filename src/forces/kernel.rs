@@ -174,6 +174,7 @@ macro_rules! pair_loop {
                     input[k] = Lanes(motion[k]);
                     input[k + LANES] = Lanes(spin[k]);
                 }
+                super::super::act::measure(input);
             }
 
             $(#[target_feature(enable = $features)])?
