@@ -64,7 +64,8 @@ impl Shares {
 fn touch(System { particles, domain, .. }: &System, Touchable { spheres, .. }: &Touchable) -> bool {
     let Particles { x, radius, .. } = particles;
     let [(p, a), (q, b)] = spheres.map(|(p, image)| (p as usize, image));
-    let branch = x[p] + domain.shift(a) - (x[q] + domain.shift(b));
+    let here = a == [0; 3] && b == [0; 3];
+    let branch = if here { x[p] - x[q] } else { x[p] + domain.shift(a) - (x[q] + domain.shift(b)) };
     let reach = radius[p] + radius[q];
     branch.dot(branch) < reach * reach
 }
