@@ -12,21 +12,15 @@ import statistics
 import subprocess
 from pathlib import Path
 
-from process import HOME, ROOT, TARGET
+from process import HOME, ROOT, TARGET, run
 
 SHORT = 50
 STOPPED = 75
 
 
 def veridem(*arguments):
-    """Runs the program to where it is told to stop; user CPU seconds, wall-clock seconds, largest memory in kB."""
-    words = [TARGET / "release" / "veridem", "--quiet", *arguments]
-    timed = ["/usr/bin/time", "-f", "%U %e %M", *map(str, words)]
-    done = subprocess.run(timed, cwd=HOME, stderr=subprocess.PIPE, text=True, check=False)
-    lines = done.stderr.strip().splitlines()
-    if done.returncode != STOPPED:
-        raise SystemExit(f"failed: {lines}")
-    return [float(number) for number in lines[-1].split()]
+    """Runs the program to where it is told to stop; CPU seconds, wall-clock seconds, largest memory in kB."""
+    return run([TARGET / "release" / "veridem", "--quiet", *arguments], 1, STOPPED)
 
 
 def main():
@@ -38,17 +32,17 @@ def main():
     options = arguments.parse_args()
     subprocess.run(["cargo", "build", "--release"], check=True, cwd=ROOT)
     HOME.mkdir(parents=True, exist_ok=True)
-    run, start = HOME / "run" / "film", HOME / "run" / "film-start"
+    film, start = HOME / "run" / "film", HOME / "run" / "film-start"
     shutil.rmtree(start, ignore_errors=True)
     case = options.case.resolve()
-    built = veridem("run", case, "--name", "film", "--force", "--stop-after-steps", options.settle)
-    run.rename(start)
+    built = veridem("run", case, "--out", HOME / "run", "--name", "film", "--force", "--stop-after-steps", options.settle)
+    film.rename(start)
     print(f"built and settled: {built[0]:.0f} s of CPU, {built[2] / 1024:.0f} MB")
 
     def measure(threads, steps):
-        shutil.rmtree(run, ignore_errors=True)
-        shutil.copytree(start, run)
-        return veridem("--threads", threads, "resume", "run/film", "--stop-after-steps", steps)
+        shutil.rmtree(film, ignore_errors=True)
+        shutil.copytree(start, film)
+        return veridem("--threads", threads, "resume", film, "--stop-after-steps", steps)
 
     for threads, column in ((1, 0), (2, 1)):
         cost = [

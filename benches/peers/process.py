@@ -12,13 +12,14 @@ PARTICLE_STEPS = 12_000_000  # of one measurement: a few seconds
 FEWEST_STEPS = 60  # a large crystal takes seconds to set up, and what is measured must outweigh how much those seconds vary
 
 
-def run(command, threads):
-    """CPU seconds, wall-clock seconds, and largest memory in kB."""
+def run(command, threads, expected=0):
+    """CPU seconds, wall-clock seconds, and largest memory in kB of a command that ends with the expected status."""
     environment = os.environ | {"OMP_NUM_THREADS": str(threads), "LD_LIBRARY_PATH": str(HOME / "lib")}
     begin = time.perf_counter()
-    process = subprocess.Popen([str(word) for word in command], env=environment)
+    words = [str(word) for word in command]
+    process = subprocess.Popen(words, env=environment, stderr=subprocess.DEVNULL if expected else None)
     _, status, usage = os.wait4(process.pid, 0)
-    if status != 0:
+    if os.waitstatus_to_exitcode(status) != expected:
         raise SystemExit(f"failed: {command}")
     return usage.ru_utime + usage.ru_stime, time.perf_counter() - begin, usage.ru_maxrss
 
@@ -30,9 +31,9 @@ def per_particle_step(command, threads, cells):
     return [cost / particles for cost in cost_of_step(lambda steps: command(cells, steps), threads, long // 10, long)]
 
 
-def cost_of_step(command, threads, short, long):
+def cost_of_step(command, threads, short, long, expected=0):
     """CPU and wall-clock seconds per step, from the difference of a run of `long` and one of `short` steps."""
-    (cpu_a, wall_a, _), (cpu_b, wall_b, _) = run(command(short), threads), run(command(long), threads)
+    (cpu_a, wall_a, _), (cpu_b, wall_b, _) = (run(command(steps), threads, expected) for steps in (short, long))
     return [(b - a) / (long - short) for a, b in ((cpu_a, cpu_b), (wall_a, wall_b))]
 
 

@@ -234,8 +234,10 @@ impl Advance<'_> {
         v[begin..begin + LANES].copy_from_slice(&velocities);
         w[begin..begin + LANES].copy_from_slice(&spins);
         for lane in 0..LANES {
-            moved.enter(sums.map(|sum| sum[lane]));
-            for a in 0..3 {
+            moved.enter(std::array::from_fn(|k| sums[k][lane]));
+        }
+        for a in 0..3 {
+            for lane in 0..LANES {
                 let way = ways[a][lane];
                 least[a][lane] = if way < least[a][lane] { way } else { least[a][lane] };
                 most[a][lane] = if way > most[a][lane] { way } else { most[a][lane] };
