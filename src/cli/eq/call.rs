@@ -31,7 +31,13 @@ impl Registry {
 
     /// The equation with an id; case, leading zeros and separators do not matter.
     pub(super) fn find(&self, id: &str) -> Result<&Entry, String> {
-        self.0.iter().find(|entry| plain_id(entry.equation.id) == plain_id(id)).ok_or_else(|| {
+        let exact = self.0.iter().find(|entry| entry.equation.id == id);
+        // Programs ask thousands of times, and by the exact id.
+        let alike = || {
+            let asked = plain_id(id);
+            self.0.iter().find(|entry| plain_id(entry.equation.id) == asked)
+        };
+        exact.or_else(alike).ok_or_else(|| {
             let ids = self.0.iter().map(|entry| entry.equation.id);
             format!("there is no equation `{id}`, {}", nearest(id, ids))
         })
