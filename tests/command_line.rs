@@ -207,6 +207,18 @@ fn the_summary_of_a_sweep_keeps_earlier_rows_and_is_never_made_of_another_file()
 }
 
 #[test]
+fn a_sweep_begins_with_its_longest_runs() {
+    let place = tempfile::tempdir().unwrap();
+    let key = "experiment.patch.compression.duration=300 steps,100 steps,900 steps,600 steps";
+    let sweep = ["--threads", "1", "sweep", &case("patch-hcp"), key, "--out", "swept"];
+    let sweep = telling(place.path(), &sweep);
+    assert!(sweep.status.success(), "{}", text(&sweep.stderr));
+    let told = text(&sweep.stderr);
+    let ended: Vec<&str> = told.lines().filter_map(|line| line.strip_suffix("steps: finished")).collect();
+    assert_eq!(ended, ["900", "600", "300", "100"].map(|steps| format!("duration={steps}")));
+}
+
+#[test]
 fn forced_a_sweep_begins_every_run_anew() {
     let place = tempfile::tempdir().unwrap();
     let sweep = |force: &[&str]| {

@@ -1,4 +1,4 @@
-//! `veridem sweep`: runs a case for several values of its keys, with one core and one run folder for each combination.
+//! `veridem sweep`: runs a case for several values of its keys, with a run folder for each combination.
 
 mod axis;
 mod report;

@@ -34,7 +34,7 @@ pub struct RunSet {
 }
 
 impl Setting<'_> {
-    /// Starts or resumes all runs that have not finished, one on each core.
+    /// Starts or resumes all runs that have not finished, on all cores.
     ///
     /// # Errors
     ///

@@ -2,7 +2,7 @@
 
 use super::paths::{CasePath, Files};
 use super::places::{free, is_there, outside, savable, unchanged};
-use super::plan::{affordable, moderate, plan, stages};
+use super::plan::{affordable, moderate, plan, stages, work};
 use super::recorder::Recorder;
 use super::saved::{Resumable, State};
 use super::{Driver, Message, Outcome, Study};
@@ -59,6 +59,8 @@ pub trait Runnable {
     ///
     /// If the spheres cannot be placed, the simulation halts, or the job asks for more than is usual.
     fn plan(&self, job: &Job, interrupt: &Interrupt) -> Result<Mapping, Error>;
+    /// About how much work a job is, as steps times spheres, to compare it with others. Finds out in a moment.
+    fn work(&self, job: &Job, interrupt: &Interrupt) -> f64;
     /// Runs a job in a new folder at `root`, replacing it if requested; `tell` receives its messages.
     ///
     /// # Errors
@@ -90,6 +92,10 @@ pub trait Runnable {
 impl<S: Study> Runnable for S {
     fn plan(&self, job: &Job, interrupt: &Interrupt) -> Result<Mapping, Error> {
         plan(self, job, interrupt)
+    }
+
+    fn work(&self, job: &Job, interrupt: &Interrupt) -> f64 {
+        work(self, job, interrupt)
     }
 
     fn start(

@@ -14,6 +14,8 @@ use sysinfo::{MemoryRefreshKind, ProcessesToUpdate, RefreshKind};
 
 /// Time for placing the spheres, after which a plan does without them.
 const PLACING: Duration = Duration::from_secs(120);
+/// Time for placing them, after which a job counts as longer than those whose spheres are placed sooner.
+const MOMENT: Duration = Duration::from_millis(100);
 /// Time during which steps are measured.
 const MEASURING: Duration = Duration::from_millis(300);
 
@@ -157,6 +159,15 @@ fn total(stages: &[StagePlan], number: fn(&StagePlan) -> u64) -> u64 {
 
 fn excess(job: &Job, what: &str) -> Error {
     Error::input(&job.file, format!("the case means {what}; with `--yes` it is accepted"))
+}
+
+/// Steps times spheres of a job.
+pub(super) fn work<S: Study>(study: &S, job: &Job, interrupt: &Interrupt) -> f64 {
+    let Ok(initial) = study.initial(&interrupt.within(MOMENT)) else {
+        return MANY_STEPS as f64 * study.expected_spheres().max(1.0);
+    };
+    let stages = stages(&Driver::new(study, interrupt), study, &initial, &job.output);
+    total(&stages, |stage| stage.steps) as f64 * initial.particles.len() as f64
 }
 
 /// The plan of a job: its initial state is made, and some of its first steps are taken.

@@ -6,6 +6,7 @@ use crate::case::document;
 use crate::error::Error;
 use crate::interrupt::Interrupt;
 use rayon::ThreadPoolBuilder;
+use rayon::prelude::*;
 use serde_yaml::{Mapping, Value};
 use sha2::{Digest, Sha256};
 use std::collections::HashMap;
@@ -196,8 +197,9 @@ fn enter<'a>(case: &'a mut Value, path: &[Part]) -> Result<&'a mut Value, String
     Ok(place)
 }
 
-/// Starts or resumes all runs that have not finished, one on each core; those of `anew` replace what is in their folder. `note` receives
-/// remarks about their folders, `ended` whether there was anything left to do. After an interruption no further run is started.
+/// Starts or resumes all runs that have not finished, the longest first, each on its share of the threads: one, where there are as many runs
+/// as threads. Those of `anew` replace what is in their folder. `note` receives remarks about their folders, `ended` whether there was anything
+/// left to do. After an interruption no further run is started.
 pub fn carry_out(
     points: &[Point],
     out: &Path,
@@ -208,28 +210,63 @@ pub fn carry_out(
     ended: &(dyn Fn(&Point, Result<bool, Error>) + Sync),
 ) {
     let next = AtomicUsize::new(0);
-    std::thread::scope(|scope| {
-        for _ in 0..rayon::current_num_threads().min(points.len()) {
-            scope.spawn(|| {
-                let core = ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
-                while !interrupt.is_due()
-                    && let Some(point) = points.get(next.fetch_add(1, Ordering::Relaxed))
-                {
-                    let run = || {
-                        let (root, job) = (out.join(&point.name), read(&point.file, &point.text)?);
-                        let mut tell = |message: Message| {
-                            if let Message::Note(text) = message {
-                                note(point, text);
-                            }
-                        };
-                        if anew(point) {
-                            return job.launch(&root, true, interrupt, &mut tell).map(|_| true);
-                        }
-                        job.complete(&root, interrupt, read, &mut tell)
-                    };
-                    ended(point, core.install(run));
+    let shares = shares(rayon::current_num_threads(), points.len());
+    let order = longest_first(points, shares.len(), read, interrupt);
+    let work = |threads| {
+        let pool = ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+        while !interrupt.is_due()
+            && let Some(point) = order.get(next.fetch_add(1, Ordering::Relaxed))
+        {
+            let run = || {
+                let (root, job) = (out.join(&point.name), read(&point.file, &point.text)?);
+                let mut tell = |message: Message| {
+                    if let Message::Note(text) = message {
+                        note(point, text);
+                    }
+                };
+                if anew(point) {
+                    return job.launch(&root, true, interrupt, &mut tell).map(|_| true);
                 }
-            });
+                job.complete(&root, interrupt, read, &mut tell)
+            };
+            ended(point, pool.install(run));
+        }
+    };
+    std::thread::scope(|scope| {
+        for threads in shares {
+            scope.spawn(move || work(threads));
         }
     });
+}
+
+/// The threads of each of the runs that are under way at a time.
+fn shares(threads: usize, runs: usize) -> Vec<usize> {
+    let together = threads.min(runs);
+    (0..together).map(|k| (threads + k) / together).rev().collect()
+}
+
+/// The runs, the longest first, so that no core waits long for the last one; in the given order if they are equally long or all under way at once.
+fn longest_first<'a>(points: &'a [Point], together: usize, read: Reader, interrupt: &Interrupt) -> Vec<&'a Point> {
+    let mut order: Vec<&Point> = points.iter().collect();
+    if together < points.len() {
+        let work = |point: &&Point| read(&point.file, &point.text).map_or(0.0, |job| job.study.work(&job, interrupt));
+        let work: Vec<f64> = order.par_iter().map(work).collect();
+        let mut places: Vec<usize> = (0..points.len()).collect();
+        places.sort_by(|&a, &b| work[b].total_cmp(&work[a]));
+        order = places.into_iter().map(|place| &points[place]).collect();
+    }
+    order
+}
+
+#[cfg(test)]
+mod tests {
+    use super::shares;
+
+    #[test]
+    fn every_thread_has_a_run_and_every_run_a_thread() {
+        assert_eq!(shares(2, 400), [1, 1]);
+        assert_eq!(shares(8, 3), [3, 3, 2]);
+        assert_eq!(shares(2, 1), [2]);
+        assert_eq!(shares(4, 0), [0; 0]);
+    }
 }

@@ -52,7 +52,7 @@ pub struct Ensemble {
     pub rise: Mean,
 }
 
-/// One ensemble of each kind, with the same aggregates in all, each run on one core. If stopped, it returns the ensembles of those
+/// One ensemble of each kind, with the same aggregates in all. If stopped, it returns the ensembles of those
 /// aggregates of which all kinds have finished, at least two.
 ///
 /// # Errors
