@@ -1,6 +1,7 @@
 //! The number types that implement [`Real`](crate::Real), apart from `f64` and `f32`.
 
 pub(crate) mod exponential;
+mod instructions;
 mod lanes;
 
 #[cfg(feature = "verify")]
@@ -12,6 +13,7 @@ mod interval;
 #[cfg(feature = "verify")]
 mod reference;
 
+pub use instructions::{Instructions, Set, Work};
 pub use lanes::{LaneMask, Lanes};
 
 #[cfg(feature = "verify")]

@@ -2,11 +2,11 @@
 
 use super::act::{Row, RowInput, RowOutput, Sums};
 use super::blocks::Block;
-use super::instructions::{Instructions, Set, Vectorised};
 use super::layout::{CAPACITY, LANES};
 use super::pairs::{FarPairs, Pairs};
+use super::vectorised::Vectorised;
 use super::{Totals, transpose};
-use crate::spec::numbers::Lanes;
+use crate::spec::numbers::{Instructions, Lanes, Set};
 use crate::spec::{PairModel, Vec3};
 use crate::system::{Domain, Particles};
 use num_traits::Zero;

@@ -3,7 +3,6 @@
 mod act;
 mod blocks;
 mod causes;
-mod instructions;
 mod kernel;
 mod layout;
 mod merged;
@@ -12,9 +11,10 @@ mod pairs;
 mod surfaces;
 mod totals;
 mod transpose;
+mod vectorised;
 
 pub use blocks::{Block, Touchable, partition, places};
-pub use instructions::{Instructions, Vectorised};
+pub use crate::spec::numbers::Instructions;
 pub use kernel::{Load, evaluate, vectorised};
 pub use layout::{CAPACITY, LANES, bond};
 pub use merged::{MergedLoads, StoredLoads, stored_loads};
@@ -23,3 +23,4 @@ pub use pairs::{FarPairs, Pairs};
 pub use surfaces::{SurfaceTotals, each_touch, surface_forces};
 pub use totals::Totals;
 pub use transpose::Square;
+pub use vectorised::Vectorised;

@@ -177,7 +177,7 @@ pub(super) mod back {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::forces::instructions::{Instructions, Set};
+    use crate::spec::numbers::{Instructions, Set};
 
     #[test]
     #[cfg(target_arch = "x86_64")]

@@ -1,6 +1,5 @@
 //! The vector instructions in use. The bits of the results do not depend on them.
 
-use super::transpose::Square;
 use std::sync::OnceLock;
 
 /// An instruction set that this processor has: there is no other way to come by one.
@@ -9,7 +8,7 @@ pub struct Instructions(Set);
 
 /// From the plainest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Set {
+pub enum Set {
     /// What every processor of the target has.
     Baseline,
     /// Four numbers at once.
@@ -63,15 +62,41 @@ impl Instructions {
     }
 
     /// Which one it is.
-    pub(super) fn set(self) -> Set {
+    pub fn set(self) -> Set {
         self.0
+    }
+
+    /// Does work with these instructions.
+    pub fn run<W: Work>(self, work: W) -> W::Outcome {
+        #[cfg(target_arch = "x86_64")]
+        #[expect(unsafe_code, reason = "`Instructions` exist only where the processor has them")]
+        match self.0 {
+            Set::Baseline => {}
+            // SAFETY: the processor has these instructions, or there were no such `Instructions`.
+            Set::Avx2 => return unsafe { avx2(work) },
+            // SAFETY: the processor has these instructions, or there were no such `Instructions`.
+            Set::Avx512 => return unsafe { avx512(work) },
+        }
+        work.run()
     }
 }
 
-/// Vectorised work, which is compiled for every instruction set.
-pub trait Vectorised {
+/// Work that is compiled for every instruction set.
+pub trait Work {
     /// The result.
     type Outcome;
-    /// Does the work; `across` transposes rows and columns. To be inlined.
-    fn run(self, across: impl Fn(Square) -> Square) -> Self::Outcome;
+    /// Does the work. To be inlined, or it is compiled for the baseline alone.
+    fn run(self) -> Self::Outcome;
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2")]
+fn avx2<W: Work>(work: W) -> W::Outcome {
+    work.run()
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx512f,avx512dq,avx512vl")]
+fn avx512<W: Work>(work: W) -> W::Outcome {
+    work.run()
 }
