@@ -4,6 +4,7 @@
 //! vectors, the unit check, the rounding bounds, the index, the benches and `veridem eq`. Names, units and domains are
 //! not repeated there: they are read from the table in the function's documentation.
 
+#[cfg(feature = "columns")]
 use crate::numbers::Lanes;
 use crate::{Real, Tensor, Vec3};
 
@@ -23,6 +24,9 @@ pub struct Equation {
     pub shape: fn() -> Shape,
     /// The function over each kind of number, arguments and results laid end to end.
     pub eval: Evaluate,
+    /// The function over columns of numbers.
+    #[cfg(feature = "columns")]
+    pub many: crate::columns::Many,
 }
 
 /// A paper: its room, the numbers that its equations carry in print, and the equations.
@@ -49,6 +53,7 @@ pub struct Shape {
 pub struct Evaluate {
     pub f64: fn(&[f64]) -> Vec<f64>,
     pub f32: fn(&[f32]) -> Vec<f32>,
+    #[cfg(feature = "columns")]
     pub lanes: fn(&[Lanes<8>]) -> Vec<Lanes<8>>,
     #[cfg(feature = "verify")]
     pub dual: fn(&[crate::numbers::Dual]) -> Vec<crate::numbers::Dual>,
@@ -64,51 +69,58 @@ pub struct Evaluate {
 pub trait Laid<R> {
     /// How many numbers it is; tuples of results list several.
     fn sizes() -> Vec<usize>;
-    /// Appends its numbers.
-    fn flatten(self, out: &mut Vec<R>);
+    /// Hands over its numbers, one after the other.
+    fn put(self, to: &mut impl FnMut(R));
 }
 /// An argument that can be taken up again from numbers laid end to end.
 pub trait Taken<R>: Laid<R> {
-    /// Takes the value from the front of `numbers`.
-    fn take(numbers: &mut &[R]) -> Self;
+    /// Takes its numbers, one after the other.
+    fn take(from: &mut impl FnMut() -> R) -> Self;
 }
 
 impl<R: Real> Laid<R> for R {
     fn sizes() -> Vec<usize> {
         vec![1]
     }
-    fn flatten(self, out: &mut Vec<R>) {
-        out.push(self);
+    #[inline(always)]
+    fn put(self, to: &mut impl FnMut(R)) {
+        to(self);
     }
 }
 impl<R: Real> Taken<R> for R {
-    fn take(numbers: &mut &[R]) -> R {
-        let value = numbers[0];
-        *numbers = &numbers[1..];
-        value
+    #[inline(always)]
+    fn take(from: &mut impl FnMut() -> R) -> R {
+        from()
     }
 }
 impl<R: Real> Laid<R> for Vec3<R> {
     fn sizes() -> Vec<usize> {
         vec![3]
     }
-    fn flatten(self, out: &mut Vec<R>) {
-        out.extend(self.0);
+    #[inline(always)]
+    fn put(self, to: &mut impl FnMut(R)) {
+        let [x, y, z] = self.0;
+        to(x);
+        to(y);
+        to(z);
     }
 }
 impl<R: Real> Taken<R> for Vec3<R> {
-    fn take(numbers: &mut &[R]) -> Self {
-        Self(std::array::from_fn(|_| R::take(numbers)))
+    #[inline(always)]
+    fn take(from: &mut impl FnMut() -> R) -> Self {
+        Self([from(), from(), from()])
     }
 }
 impl<R: Real> Laid<R> for Tensor<R> {
     fn sizes() -> Vec<usize> {
         vec![9]
     }
-    fn flatten(self, out: &mut Vec<R>) {
-        for row in self {
-            row.flatten(out);
-        }
+    #[inline(always)]
+    fn put(self, to: &mut impl FnMut(R)) {
+        let [x, y, z] = self;
+        x.put(to);
+        y.put(to);
+        z.put(to);
     }
 }
 
@@ -119,9 +131,10 @@ macro_rules! laid_tuple {
                 [$($part::sizes()),+].concat()
             }
             #[allow(non_snake_case)]
-            fn flatten(self, out: &mut Vec<R>) {
+            #[inline(always)]
+            fn put(self, to: &mut impl FnMut(R)) {
                 let ($($part,)+) = self;
-                $($part.flatten(out);)+
+                $($part.put(to);)+
             }
         }
     };
@@ -137,8 +150,8 @@ laid_tuple!(A B C D E F G);
 pub trait Kernel<R, A> {
     /// Sizes of its arguments and results.
     fn shape(&self) -> Shape;
-    /// Evaluates it with arguments laid end to end.
-    fn apply(&self, numbers: &[R]) -> Vec<R>;
+    /// Evaluates it: takes its arguments from one, hands its results to the other, laid end to end.
+    fn apply(&self, from: &mut impl FnMut() -> R, to: &mut impl FnMut(R));
 }
 
 macro_rules! kernel {
@@ -150,10 +163,9 @@ macro_rules! kernel {
             fn shape(&self) -> Shape {
                 Shape { arguments: [$($argument::sizes()),+].concat(), results: Out::sizes() }
             }
-            fn apply(&self, mut numbers: &[R]) -> Vec<R> {
-                let mut out = Vec::new();
-                self($($argument::take(&mut numbers)),+).flatten(&mut out);
-                out
+            #[inline(always)]
+            fn apply(&self, from: &mut impl FnMut() -> R, to: &mut impl FnMut(R)) {
+                self($($argument::take(from)),+).put(to);
             }
         }
     };
@@ -165,8 +177,10 @@ macro_rules! kernels {
 kernels!(A B C D E F G H I J K L M N O P Q S T U V W X Y);
 
 /// Evaluates a kernel with arguments laid end to end.
-pub fn apply<R, A, K: Kernel<R, A>>(kernel: K, numbers: &[R]) -> Vec<R> {
-    kernel.apply(numbers)
+pub fn apply<R: Copy, A, K: Kernel<R, A>>(kernel: K, numbers: &[R]) -> Vec<R> {
+    let (mut next, mut out) = (numbers.iter().copied(), Vec::new());
+    kernel.apply(&mut || next.next().expect("a number for each argument"), &mut |number| out.push(number));
+    out
 }
 /// Sizes of a kernel's arguments and results.
 pub fn shape<R, A, K: Kernel<R, A>>(kernel: K) -> Shape {
@@ -190,6 +204,7 @@ macro_rules! equation {
             eval: $crate::equation::Evaluate {
                 f64: flat,
                 f32: flat,
+                #[cfg(feature = "columns")]
                 lanes: flat,
                 #[cfg(feature = "verify")]
                 dual: flat,
@@ -199,6 +214,13 @@ macro_rules! equation {
                 reference: flat,
                 #[cfg(feature = "verify")]
                 interval: flat,
+            },
+            #[cfg(feature = "columns")]
+            many: $crate::columns::Many {
+                f64: |arguments, results| $crate::columns::one_by_one($function::<f64>, arguments, results),
+                rows: |instructions, arguments, results| {
+                    $crate::columns::in_rows($function::<f64>, instructions, arguments, results)
+                },
             },
         }
     }};

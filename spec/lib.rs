@@ -6,6 +6,8 @@
 #[cfg(test)]
 extern crate self as veridem_spec;
 
+#[cfg(feature = "columns")]
+pub mod columns;
 pub mod contact;
 pub mod document;
 pub mod equation;

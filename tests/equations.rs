@@ -3,7 +3,7 @@
 use veridem::golden::{documented, error, measure, samples};
 use veridem_spec::document::{Document, Quantity};
 use veridem_spec::equation::Equation;
-use veridem_spec::numbers::{Dimension, Interval, Lanes, Reference};
+use veridem_spec::numbers::{Dimension, Instructions, Interval, Lanes, Reference};
 
 /// Random inputs per equation.
 const COUNT: usize = 200;
@@ -55,6 +55,36 @@ fn eight_lanes_have_the_bits_of_eight_doubles() {
                 if single.iter().zip(&out).any(|(y, lanes)| y.to_bits() != lanes.0[lane].to_bits()) {
                     return Err(format!("{numbers:?} gives {single:?} alone and {out:?} in lane {lane}"));
                 }
+            }
+        }
+        Ok(())
+    });
+}
+
+#[test]
+fn columns_have_the_bits_of_single_numbers_with_every_instruction_set() {
+    every_equation(|equation, document| {
+        let inputs = inputs(equation, document)?;
+        let singles: Vec<Vec<f64>> = inputs.iter().map(|numbers| (equation.eval.f64)(numbers)).collect();
+        // with and without a rest that does not fill a row
+        for count in [1, 8, inputs.len() - 3] {
+            let arguments: Vec<Vec<f64>> =
+                (0..inputs[0].len()).map(|k| inputs[..count].iter().map(|numbers| numbers[k]).collect()).collect();
+            let arguments: Vec<&[f64]> = arguments.iter().map(Vec::as_slice).collect();
+            let mut room = vec![vec![f64::NAN; count]; singles[0].len()];
+            let mut check = |way: &str, evaluate: &dyn Fn(&[&[f64]], &mut [&mut [f64]])| {
+                evaluate(&arguments, &mut room.iter_mut().map(Vec::as_mut_slice).collect::<Vec<_>>());
+                for (place, single) in singles[..count].iter().enumerate() {
+                    if single.iter().zip(&mut room).any(|(y, column)| y.to_bits() != column[place].to_bits()) {
+                        return Err(format!("{way} differs from {single:?} at {:?}", inputs[place]));
+                    }
+                }
+                room.iter_mut().for_each(|column| column.fill(f64::NAN));
+                Ok(())
+            };
+            check("f64", &equation.many.f64)?;
+            for set in Instructions::available() {
+                check(set.name(), &|arguments, results| (equation.many.rows)(set, arguments, results))?;
             }
         }
         Ok(())

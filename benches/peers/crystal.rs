@@ -11,7 +11,7 @@ use veridem::system::System;
 const DIAMETER: f64 = 6.0;
 
 /// Silica, in MPa and mJ/m².
-fn silica() -> Wear {
+pub(crate) fn silica() -> Wear {
     let material = Material {
         young_modulus: 73e3,
         poisson_ratio: 0.17,
