@@ -13,8 +13,8 @@ mod totals;
 mod transpose;
 mod vectorised;
 
-pub use blocks::{Block, Touchable, partition, places};
 pub use crate::spec::numbers::Instructions;
+pub use blocks::{Block, Touchable, partition, places};
 pub use kernel::{Load, evaluate, vectorised};
 pub use layout::{CAPACITY, LANES, bond};
 pub use merged::{MergedLoads, StoredLoads, stored_loads};
