@@ -13,12 +13,15 @@ const WIDTH: usize = 32;
 /// Largest number of arguments, and of results.
 const MOST: usize = 96;
 
+/// The columns that receive the results.
+pub type Results<'a, 'b> = &'a mut [&'b mut [f64]];
+
 /// An equation over columns of equal length.
 pub struct Many {
     /// One number after the other.
-    pub f64: fn(&[&[f64]], &mut [&mut [f64]]),
+    pub f64: fn(&[&[f64]], Results),
     /// In rows, with the given instructions.
-    pub rows: fn(Instructions, &[&[f64]], &mut [&mut [f64]]),
+    pub rows: fn(Instructions, &[&[f64]], Results),
 }
 
 /// Evaluates a kernel with columns of arguments, one number after the other.
@@ -26,7 +29,7 @@ pub struct Many {
 /// # Panics
 ///
 /// If a column is missing or shorter than the first.
-pub fn one_by_one<A>(kernel: impl Kernel<f64, A>, arguments: &[&[f64]], results: &mut [&mut [f64]]) {
+pub fn one_by_one<A>(kernel: impl Kernel<f64, A>, arguments: &[&[f64]], results: Results) {
     for place in 0..length(arguments) {
         let (mut taken, mut given) = (0, 0);
         let mut from = || {
@@ -46,12 +49,7 @@ pub fn one_by_one<A>(kernel: impl Kernel<f64, A>, arguments: &[&[f64]], results:
 /// # Panics
 ///
 /// If a column is missing or shorter than the first, or there are more than 96 arguments or results.
-pub fn in_rows<A>(
-    kernel: impl Kernel<f64, A>,
-    instructions: Instructions,
-    arguments: &[&[f64]],
-    results: &mut [&mut [f64]],
-) {
+pub fn in_rows<A>(kernel: impl Kernel<f64, A>, instructions: Instructions, arguments: &[&[f64]], results: Results) {
     instructions.run(Rows { kernel, arguments, results, of: PhantomData });
 }
 
@@ -62,7 +60,7 @@ fn length(columns: &[&[f64]]) -> usize {
 struct Rows<'a, 'b, A, K> {
     kernel: K,
     arguments: &'a [&'a [f64]],
-    results: &'a mut [&'b mut [f64]],
+    results: Results<'a, 'b>,
     of: PhantomData<A>,
 }
 

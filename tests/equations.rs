@@ -1,6 +1,7 @@
 //! Every equation, over every kind of number: what its documentation claims is executed.
 
 use veridem::golden::{documented, error, measure, samples};
+use veridem_spec::columns::Results;
 use veridem_spec::document::{Document, Quantity};
 use veridem_spec::equation::Equation;
 use veridem_spec::numbers::{Dimension, Instructions, Interval, Lanes, Reference};
@@ -72,7 +73,7 @@ fn columns_have_the_bits_of_single_numbers_with_every_instruction_set() {
                 (0..inputs[0].len()).map(|k| inputs[..count].iter().map(|numbers| numbers[k]).collect()).collect();
             let arguments: Vec<&[f64]> = arguments.iter().map(Vec::as_slice).collect();
             let mut room = vec![vec![f64::NAN; count]; singles[0].len()];
-            let mut check = |way: &str, evaluate: &dyn Fn(&[&[f64]], &mut [&mut [f64]])| {
+            let mut check = |way: &str, evaluate: &dyn Fn(&[&[f64]], Results)| {
                 evaluate(&arguments, &mut room.iter_mut().map(Vec::as_mut_slice).collect::<Vec<_>>());
                 for (place, single) in singles[..count].iter().enumerate() {
                     if single.iter().zip(&mut room).any(|(y, column)| y.to_bits() != column[place].to_bits()) {
