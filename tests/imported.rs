@@ -82,6 +82,15 @@ fn a_film_from_a_file_does_what_the_generated_one_does() {
     assert_eq!(file(place.path(), "read", "events.jsonl"), file(place.path(), "grown", "events.jsonl"));
 }
 
+#[test]
+fn a_film_of_one_layer_has_no_bulk() {
+    let place = tempfile::tempdir().unwrap();
+    std::fs::write(place.path().join("film.csv"), "x,y,z,d\n20,20,4,8\n40,40,4,8\n20,40,4,8\n40,20,4,8\n").unwrap();
+    let text = "title: a layer\nmodel: {titania: {}}\nsample: {film: {sides: [60 nm, 60 nm], import: {file: film.csv, unit: 1 nm}}}\nexperiment: {spectroscopy: {relaxation: 0.05 ns, speed: 5 m/s, average: 0.1 ns, reversal: 1 ns, depth: 3 nm, retraction: 4 nm, tip: {radius: 5 nm, side: 30 nm}}}\n";
+    let (status, message) = run(place.path(), text, "layer", &["--stop-after-steps", "150"]);
+    assert_eq!(status, Some(75), "{message}");
+}
+
 /// The states of a case of an agglomerate after each step, as `see` is shown them, and the last one.
 fn follow(text: &str, rows: &str, mut see: impl FnMut(usize, &System)) -> System {
     let place = tempfile::tempdir().unwrap();

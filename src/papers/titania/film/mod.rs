@@ -293,14 +293,16 @@ impl<M: Law> Study for Plan<M> {
         let mut found = watch.findings(self.stages[stage], self.test.setpoint.value, simulation);
         if self.stages[stage] == FilmStage::Relaxation {
             let structure = self.structure(simulation.system());
+            // A single layer of spheres has no bulk.
+            let bulk = structure.bulk[0] < structure.bulk[1];
+            found.extend(bulk.then(|| Finding::number(results::POROSITY, structure.porosity).target(0.98)));
             found.extend([
-                Finding::number(results::POROSITY, structure.porosity).target(0.98),
                 Finding::number(results::THICKNESS, structure.thickness),
                 Finding::number(results::CONTACTS_BETWEEN, structure.contacts_between),
                 Finding::number(results::CONTACTS_WITHIN, structure.contacts_within),
             ]);
             let pores = [results::PORE_10, results::PORE_50, results::PORE_90].into_iter().zip(structure.pores);
-            found.extend(pores.map(|(result, pore)| Finding::number(result, pore)));
+            found.extend(pores.filter(|_| bulk).map(|(result, pore)| Finding::number(result, pore)));
             found.push(Finding::numbers(results::PROFILE, structure.profile));
         }
         Ok(found)
