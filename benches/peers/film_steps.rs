@@ -1,10 +1,12 @@
 //! Advances a film of water-covered titania: what `liggghts.py` sets against LIGGGHTS.
 //!
-//!     cargo run --release -p veridem-peers --bin film_steps -- rigid|free SPHERES STEPS
+//!     cargo run --release -p veridem-peers --bin film_steps -- rigid|free SPHERES STEPS [INSTRUCTIONS]
 //!
 //! Aggregates are rigid bodies, or all their spheres are by themselves; those on the floor are fixed. Without steps it prints what the
 //! film is: a line with the sides of the box, the number of pairs in contact and of those in range, and a line `aggregate x y z radius
 //! mass fixed` for each sphere. Units: nm, ag.
+
+mod instructions;
 
 use veridem::initial::film::{Bonding, FilmPlan};
 use veridem::run::advance;
@@ -19,7 +21,10 @@ const DENSITY: f64 = 4.23e-3;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let words: Vec<String> = std::env::args().skip(1).collect();
-    let [bonding, spheres, steps] = &words[..] else { return Err("expected rigid|free SPHERES STEPS".into()) };
+    let [bonding, spheres, steps, set @ ..] = &words[..] else {
+        return Err("expected rigid|free SPHERES STEPS".into());
+    };
+    instructions::choose(set.first());
     let (spheres, steps): (usize, u64) = (spheres.parse()?, steps.parse()?);
     rayon::ThreadPoolBuilder::new().num_threads(1).use_current_thread().build_global()?;
 

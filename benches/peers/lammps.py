@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Compares the engine with LAMMPS, whole process against whole process, in alternating pairs.
 
-    python3 benches/peers/lammps.py [--pairs N] [--threads N ...] [--lammps-only]
+    python3 benches/peers/lammps.py [--pairs N] [--threads N ...] [--instructions NAME] [--lammps-only]
 
 Both advance the same periodic HCP crystals of touching spheres: twelve neighbours each, listed once, no rebuild. LAMMPS runs
 gran/hooke/history, the engine the cohesive law of the wear paper. Every figure is the difference of a long and a short run, so that
@@ -41,7 +41,7 @@ def lammps(binary, launcher=(), options=()):
     return command
 
 
-def contestants(binary, threads, with_engine):
+def contestants(binary, threads, with_engine, instructions):
     """Every program that can use this many threads, by name."""
     mpi = () if threads == 1 else (HOME / "bin" / "mpiexec", "-n", threads)
     omp = ("-sf", "omp", "-pk", "omp", threads)
@@ -49,7 +49,7 @@ def contestants(binary, threads, with_engine):
         "LAMMPS gran/hooke/history": lammps(binary, launcher=mpi),
         "LAMMPS gran/hooke/history/omp": lammps(binary, options=omp),
     }
-    return programs | ({OURS: engine(threads)} if with_engine else {})
+    return programs | ({OURS: engine(threads, instructions)} if with_engine else {})
 
 
 def main():
@@ -57,6 +57,7 @@ def main():
     arguments.add_argument("--pairs", type=int, default=5, help="how often each program is measured (default 5)")
     arguments.add_argument("--threads", type=int, nargs="+", default=[1, 2], help="numbers of threads (default 1 2)")
     arguments.add_argument("--lammps-only", action="store_true", help="leave the engine out")
+    arguments.add_argument("--instructions", nargs=1, default=(), help="those of the engine: baseline, avx2 or avx512 (default: the widest)")
     options = arguments.parse_args()
     binary = install()
     if not options.lammps_only:
@@ -66,7 +67,7 @@ def main():
     print("| particles | threads | program | CPU | wall | ratio of CPU | ratio of wall |\n|---|---|---|---|---|---|---|")
     for cells in CRYSTALS:
         for threads in options.threads:
-            programs = contestants(binary, threads, not options.lammps_only)
+            programs = contestants(binary, threads, not options.lammps_only, options.instructions)
             samples = {name: [] for name in programs}
             for _ in range(options.pairs):
                 for name, command in programs.items():

@@ -2,7 +2,7 @@
 """Compares the engine with LIGGGHTS on a film of titania, whole process against whole process, in alternating pairs.
 
     apt-get install liggghts
-    python3 benches/peers/liggghts.py [--spheres N] [--pairs N]
+    python3 benches/peers/liggghts.py [--spheres N] [--pairs N] [--instructions NAME]
 
 Both start from the same film, with the same time step and skin, on one core: its aggregates once as rigid bodies (LIGGGHTS: `fix rigid
 molecule`, as in the paper), once with all their spheres by themselves. The engine runs the law of the titania paper. LIGGGHTS as it is
@@ -58,6 +58,7 @@ def main():
     arguments = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     arguments.add_argument("--spheres", type=int, default=20_000, help="spheres of the film (default 20,000)")
     arguments.add_argument("--pairs", type=int, default=5, help="how often both are measured (default 5)")
+    arguments.add_argument("--instructions", nargs=1, default=(), help="those of the engine: baseline, avx2 or avx512 (default: the widest)")
     options = arguments.parse_args()
     binary = shutil.which("liggghts")
     if binary is None:
@@ -72,7 +73,7 @@ def main():
         found = contacts(binary, data, bonding)
         programs = (
             lambda steps: liggghts(binary, data, bonding, steps),
-            lambda steps: [ENGINE, bonding, options.spheres, steps],
+            lambda steps: [ENGINE, bonding, options.spheres, steps, *options.instructions],
         )
         turns = [[cost_of_step(program, 1, long // 10, long)[0] / spheres for program in programs] for _ in range(options.pairs)]
         theirs, ours = (1e9 * statistics.median(costs) for costs in zip(*turns))

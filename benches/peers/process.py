@@ -42,10 +42,10 @@ def count(cells):
     return 4 * cells[0] * cells[1] * cells[2]
 
 
-def engine(threads):
-    """The command that makes the engine advance a crystal by a number of steps."""
+def engine(threads, instructions=()):
+    """The command that makes the engine advance a crystal by a number of steps, with the widest instructions or those that are named."""
     binary = TARGET / "release" / "hcp_steps"
-    return lambda cells, steps: [binary, *cells, steps, threads]
+    return lambda cells, steps: [binary, *cells, steps, threads, *instructions]
 
 
 def build_engine():
