@@ -211,7 +211,11 @@ impl Advance<'_> {
         moved: &mut MotionTotals,
         [least, most]: &mut [[[f64; LANES]; 3]; 2],
     ) {
-        let [fx, fy, fz, tx, ty, tz, ..] = across(std::array::from_fn(|_| self.next_load()));
+        let mut loads = [[0.0; LANES]; LANES];
+        for load in &mut loads {
+            *load = self.next_load();
+        }
+        let [fx, fy, fz, tx, ty, tz, ..] = across(loads);
         let (mut sums, mut ways) = ([[0.0; LANES]; 6], [[0.0; LANES]; 3]);
         let Self { spheres: Spheres { x, v, w, radius, mass, listed, .. }, step, .. } = self;
         // Copies, of which the compiler knows that they do not overlap.
