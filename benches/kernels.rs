@@ -91,9 +91,7 @@ fn equations(criterion: &mut Criterion) {
 
 /// Pairs of equal spheres about as far apart as is stated, in all directions, moving and turning a little.
 fn pairs<M: PairModel>(criterion: &mut Criterion, name: &str, model: &M, [r, m, distance, dt]: [f64; 4]) {
-    let mut noise =
-        (1..).map(|k: u64| (k.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 11) as f64 / (1u64 << 53) as f64 - 0.5);
-    let mut noise = || noise.next().unwrap_or(0.0);
+    let mut noise = crystal::noise();
     let constants: M::Coefficients<f64> = model.coefficients(r, r, m, m);
     let rows: Vec<Vec<f64>> = (0..LENGTH)
         .map(|_| {

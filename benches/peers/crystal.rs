@@ -25,17 +25,23 @@ pub(crate) fn silica() -> Wear {
     Wear { material, interaction: Interaction::Full }
 }
 
+/// Numbers between -1/2 and 1/2, always the same.
+pub(crate) fn noise() -> impl FnMut() -> f64 {
+    let mut numbers =
+        (1..).map(|k: u64| (k.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 11) as f64 / (1u64 << 53) as f64 - 0.5);
+    move || numbers.next().unwrap_or(0.0)
+}
+
 /// Spheres at 0.99 of a diameter from each other, moving a little.
 fn crystal(cells: [usize; 3]) -> System {
     let mut system = hcp(DIAMETER, cells, 2.2e-3);
-    let mut noise =
-        (1..).map(|k: u64| (k.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 11) as f64 / (1u64 << 53) as f64 - 0.5);
+    let mut noise = noise();
     for side in &mut system.domain.sides {
         *side *= 0.99;
     }
     for (x, v) in system.particles.x.iter_mut().zip(&mut system.particles.v) {
         *x = *x * 0.99;
-        v.0.fill_with(|| 1e-3 * noise.next().unwrap_or(0.0));
+        v.0.fill_with(|| 1e-3 * noise());
     }
     system
 }

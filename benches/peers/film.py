@@ -12,10 +12,9 @@ import statistics
 import subprocess
 from pathlib import Path
 
-from process import HOME, ROOT, TARGET, run
+from process import HOME, ROOT, STOPPED, TARGET, run
 
 SHORT = 50
-STOPPED = 75
 
 
 def veridem(*arguments):

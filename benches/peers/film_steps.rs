@@ -6,8 +6,7 @@
 //! film is: a line with the sides of the box, the number of pairs in contact and of those in range, and a line `aggregate x y z radius
 //! mass fixed` for each sphere. Units: nm, ag.
 
-mod instructions;
-
+use veridem::forces::Instructions;
 use veridem::initial::film::{Bonding, FilmPlan};
 use veridem::run::advance;
 use veridem::simulation::{Settings, Simulation};
@@ -24,7 +23,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let [bonding, spheres, steps, set @ ..] = &words[..] else {
         return Err("expected rigid|free SPHERES STEPS".into());
     };
-    instructions::choose(set.first());
+    if let Some(name) = set.first() {
+        Instructions::named(name).expect("instructions that this processor has: baseline, avx2 or avx512").choose();
+    }
     let (spheres, steps): (usize, u64) = (spheres.parse()?, steps.parse()?);
     rayon::ThreadPoolBuilder::new().num_threads(1).use_current_thread().build_global()?;
 

@@ -8,6 +8,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent.parent
 TARGET = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")).resolve()
 HOME = TARGET / "peers"
+STOPPED = 75  # the status of a run that was told to stop
 PARTICLE_STEPS = 12_000_000  # of one measurement: a few seconds
 FEWEST_STEPS = 60  # a large crystal takes seconds to set up, and what is measured must outweigh how much those seconds vary
 

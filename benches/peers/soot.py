@@ -13,11 +13,10 @@ import statistics
 import subprocess
 from pathlib import Path
 
-from process import HOME, ROOT, TARGET, cost_of_step
+from process import HOME, ROOT, STOPPED, TARGET, cost_of_step
 
 SPHERES = 150
 SHORT, LONG = 5_000, 105_000
-STOPPED = 75
 AUTHORS = 478
 
 

@@ -52,6 +52,11 @@ impl Instructions {
         CHOSEN.get_or_init(|| self);
     }
 
+    /// Those with this name, if this processor has them.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::available().into_iter().find(|set| set.name() == name)
+    }
+
     /// The name.
     pub fn name(self) -> &'static str {
         match self.0 {

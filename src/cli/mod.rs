@@ -181,9 +181,8 @@ fn exit(done: Result<(), Error>, json: bool) -> ExitCode {
 /// Chooses the vector instructions with this name.
 fn choose_instructions(name: Option<&str>) -> Result<(), Error> {
     let Some(name) = name else { return Ok(()) };
-    let sets = Instructions::available();
-    let Some(chosen) = sets.iter().find(|set| set.name() == name) else {
-        let names: Vec<&str> = sets.iter().map(|set| set.name()).collect();
+    let Some(chosen) = Instructions::named(name) else {
+        let names: Vec<&str> = Instructions::available().into_iter().map(Instructions::name).collect();
         let what = format!("--instructions: this processor has no `{name}`, it has `{}`", names.join("`, `"));
         return Err(Error::Usage(what));
     };

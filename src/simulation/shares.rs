@@ -93,7 +93,7 @@ impl<M: PairModel> Simulation<M> {
             return;
         }
         let (model, system, shares) = (&self.model, &self.system, &mut self.shares);
-        // The first time every pair is looked at, then those whose gap may have changed enough.
+        // The first evaluation of a neighbour list tests every pair, later ones those whose gap may have changed enough.
         let (strayed, all) = (shares.strayed, shares.contacts.is_empty());
         let blocks = self.blocks.par_iter_mut().with_max_len(1);
         let changes: Vec<_> = blocks.map(|block| changes(block, system, strayed, all)).collect();

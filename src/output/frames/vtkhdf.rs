@@ -61,7 +61,7 @@ impl Frame<'_> {
         file.finish().expect("the names are names of links, and shapes fit their numbers")
     }
 
-    /// A data set of numbers with this many in a row, in single precision if they have so many digits.
+    /// A data set with `width` numbers in a row, in single precision if frames have seven digits.
     fn real(&self, group: &mut GroupBuilder, name: &str, numbers: &[f64], width: usize) {
         let set = group.create_dataset(name);
         match self.digits {
@@ -72,7 +72,7 @@ impl Frame<'_> {
     }
 }
 
-/// A data set of whole numbers with this many in a row.
+/// A data set with `width` whole numbers in a row.
 fn whole(group: &mut GroupBuilder, name: &str, numbers: &[i64], width: usize) {
     group.create_dataset(name).with_i64_data(numbers).with_shape(&shape(numbers.len(), width));
 }
