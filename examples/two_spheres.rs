@@ -9,7 +9,7 @@ use veridem::spec::PairModel;
 use veridem::spec::mechanics::reduced_mass::effective_mass;
 use veridem::spec::mechanics::sphere::sphere_mass;
 use veridem::spec::wear::a42_restitution::pair_restitution;
-use veridem::spec::wear::law::{Interaction, Material, Wear};
+use veridem::spec::wear::{Interaction, Material, Wear};
 use veridem::system::System;
 
 fn main() -> Result<(), Box<dyn Error>> {

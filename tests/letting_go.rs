@@ -6,7 +6,7 @@ use common::soot::{MASS, RADIUS, dry, plane, settings as soot_settings, space};
 use common::{SILICA, crowd, settings, wear};
 use veridem::run::{advance, advance_until};
 use veridem::simulation::{Settings, Simulation};
-use veridem::spec::wear::law::{Interaction, Material, Wear};
+use veridem::spec::wear::{Interaction, Material, Wear};
 use veridem::spec::{PairModel, Vec3};
 use veridem::system::{Domain, Particles, Surface, System};
 

@@ -4,7 +4,7 @@ use veridem::error::Halt;
 use veridem::forces::Instructions;
 use veridem::initial::hcp;
 use veridem::simulation::{Settings, Simulation};
-use veridem::spec::wear::law::{Interaction, Material, Wear};
+use veridem::spec::wear::{Interaction, Material, Wear};
 use veridem::system::System;
 
 /// Diameter of the spheres, nm.

@@ -49,7 +49,6 @@ impl<R: Real> Parameters<R> {
     pub fn act(&self, c: &Contact<R>, spring: Vec3<R>, dt: R) -> Outcome<R, Vec3<R>, Losses<R>> {
         let in_range = c.gap.le(self.delta_f);
         let (arm_i, arm_j) = (moment_arm(c.r_i, c.gap), moment_arm(c.r_j, c.gap));
-        let v_n = R::select(in_range, c.normal_velocity(), R::zero());
         let v_t = Vec3::select(in_range, c.sliding_velocity(arm_i, arm_j), Vec3::zero());
 
         let stretched = stretched_spring(spring, c.n, v_t, dt);
@@ -57,19 +56,35 @@ impl<R: Real> Parameters<R> {
         let kept = kept_fraction(self.k_t, stretched.norm(), cap);
         let spring = Vec3::select(in_range, stretched * kept, Vec3::zero());
 
-        let f_n = normal_force(self.k_n, self.delta_e, self.delta_f, c.gap);
         let f_t = tangential_part(spring * self.k_t, self.c_t, v_t);
+        self.outcome(c, [arm_i, arm_j], f_t, v_t, [stretched, spring], dt)
+    }
+
+    /// The outcome of a contact: Eq. 2 with the tangential force on i, which acts at the end of the arms, and the energy that is lost
+    /// where the spring slips and in the dashpots.
+    #[inline(always)]
+    pub(super) fn outcome(
+        &self,
+        c: &Contact<R>,
+        [arm_i, arm_j]: [R; 2],
+        f_t: Vec3<R>,
+        v_t: Vec3<R>,
+        [stretched, slipped]: [Vec3<R>; 2],
+        dt: R,
+    ) -> Outcome<R, Vec3<R>, Losses<R>> {
+        let v_n = R::select(c.gap.le(self.delta_f), c.normal_velocity(), R::zero());
+        let f_n = normal_force(self.k_n, self.delta_e, self.delta_f, c.gap);
         Outcome {
             wrench: Wrench {
                 force: normal_part(f_n, self.c_n, v_n, c.n) + f_t,
                 torque_i: contact_torque(arm_i, f_t, c.n),
                 torque_j: contact_torque(arm_j, f_t, c.n),
             },
-            memory: spring,
+            memory: slipped,
             losses: Losses {
                 normal_damping: self.c_n * v_n.squared() * dt,
                 tangential_damping: self.c_t * v_t.dot(v_t) * dt,
-                slip: spring_energy(self.k_t, stretched) - spring_energy(self.k_t, spring),
+                slip: spring_energy(self.k_t, stretched) - spring_energy(self.k_t, slipped),
             },
         }
     }

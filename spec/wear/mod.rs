@@ -56,6 +56,7 @@ pub mod def_elastic_constants;
 pub mod def_kinematics;
 pub mod def_parameters;
 pub mod def_potential;
+pub mod def_published;
 pub mod def_restitution;
 pub mod def_stable_step;
 pub mod def_zero_force_end;
@@ -85,6 +86,7 @@ pub use crate::mechanics::reduced_mass as eq17_effective_mass;
 pub use crate::mechanics::symplectic_euler as eq01_symplectic_euler;
 
 pub use def_contact::Parameters;
+pub use def_published::Published;
 pub use law::{Interaction, Material, Wear};
 
 use crate::equation::{Equation, Paper};
@@ -109,6 +111,7 @@ fn equations() -> Vec<Equation> {
         eq05_rescaled_maximum::equations(),
         mechanics::projected_spring::equations(),
         def_contact::equations(),
+        def_published::equations(),
         eq06_critical_time_step::equations(),
         def_stable_step::equations(),
         mechanics::stable_step::equations(),

@@ -12,7 +12,7 @@ use veridem::run::advance;
 use veridem::simulation::{Settings, Simulation};
 use veridem::spec::Vec3;
 use veridem::spec::mechanics::sphere::sphere_mass;
-use veridem::spec::wear::law::{Interaction, Material, Wear};
+use veridem::spec::wear::{Interaction, Material, Wear};
 use veridem::system::{Domain, Motion, Particles, System};
 
 /// Silica: Table 5 of the wear paper, in MPa and pN/nm.

@@ -50,9 +50,10 @@ const REDUCED: [(&str, &str, &str); 35] = [
 pub(crate) const OUTPUT: &str = "{series: 50 steps, frames: 400 steps, checkpoints: 150 steps}";
 
 /// Values of which variations draw one. Those that do not go together are refused by the reader and drawn again.
-const VARIED: [(&str, &str, &[&str]); 21] = [
+const VARIED: [(&str, &str, &[&str]); 22] = [
     ("wear", "restitution", &["0.3", "0.7", "1"]),
     ("wear", "scaling", &["0", "0.5", "1"]),
+    ("wear", "readings", &["own", "as-published"]),
     ("wear", "forget_stretched_springs", &["true"]),
     ("hcp", "size", &["[4 d_0, 6 d_0, 3 d_0]", "[5 d_0, 9 d_0, 3 d_0]"]),
     ("amorphous", "volume_fraction", &["0.6", "0.7"]),

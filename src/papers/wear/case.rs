@@ -5,7 +5,7 @@ use crate::case::quantity::{
     CriticalDamping, CriticalDiameter, CriticalStep, Density, Drag, JunctionDiameter, Length, ModeDiameter, Pressure,
     Quantity, Scaled, SurfaceEnergy, Time, Velocity, YoungModulus,
 };
-use crate::case::section::{choice, defaults, section};
+use crate::case::section::{choice, defaults, section, words};
 use std::path::PathBuf;
 
 /// A length, or a multiple of the most frequent particle diameter.
@@ -47,9 +47,22 @@ section! {
         density: Quantity<Density>,
         /// Exponent s with which the strength falls for diameters above d_c: 0 preserves the strength, 1/2 the surface energy.
         scaling: f64,
+        /// Whose reading of the paper is computed where there are several.
+        readings: Readings = Readings::Own,
         /// Resets the tangential springs of pairs that do not touch whenever the neighbour list is rebuilt, as the authors' published
         /// program does; for comparison only.
         forget_stretched_springs: bool = false,
+    }
+}
+
+words! {
+    /// Whose reading of the paper is computed.
+    pub enum Readings {
+        /// Ours.
+        Own = "own",
+        /// That of the authors' published program, a pair style of LAMMPS: the cap of Eq. 5 limits the force of spring and dashpot
+        /// together, the moment arms are the radii, and `forget_stretched_springs` is true.
+        AsPublished = "as-published",
     }
 }
 

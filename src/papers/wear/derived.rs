@@ -1,6 +1,8 @@
 //! Derived values of a case of the wear paper: its scales in engine units, and the resolved keys.
 
-use super::case::{Amorphous, Case, Experiment, Hcp, InCriticalDampings, InCriticalSteps, Material, Model, Sample};
+use super::case::{
+    Amorphous, Case, Experiment, Hcp, InCriticalDampings, InCriticalSteps, Material, Model, Readings, Sample,
+};
 use crate::case::units::{in_unit, rounded};
 use crate::initial::lattice::{hcp_number, hcp_sides};
 use crate::spec::mechanics::solids::sphere_volume;
@@ -30,6 +32,14 @@ impl Material {
     /// The contact law, with the forces of a stage.
     pub fn law(&self, interaction: wear::Interaction) -> wear::Wear {
         wear::Wear { material: self.spec(), interaction }
+    }
+}
+
+/// Sets the key that the authors' program decides.
+pub(super) fn read_as_published(case: &mut Case) {
+    let Model::Wear(material) = &mut case.model;
+    if material.readings == Readings::AsPublished {
+        material.forget_stretched_springs = true;
     }
 }
 

@@ -28,7 +28,8 @@ use crate::output::columns::STEP;
 #[cfg(feature = "cli")]
 use crate::reproduce::Chapter;
 use crate::run::Runnable;
-use case::{Case, Experiment, Model, Sample};
+use crate::spec::wear as spec;
+use case::{Case, Experiment, Model, Readings, Sample};
 use columns::{
     MEAN_FRICTION, NORMAL_STRAIN, NORMAL_STRESS, SEPARATION, SHEAR_STRAIN, SHEAR_STRESS, SLID, TURNS, VOLUME_FRACTION,
 };
@@ -66,6 +67,9 @@ impl Paper for Wear {
     type Sample = Sample;
     type Experiment = Experiment;
 
+    fn complete(case: &mut Case) {
+        derived::read_as_published(case);
+    }
     fn check(case: &Case, found: &mut Found) {
         check::problems(case, found);
     }
@@ -82,6 +86,9 @@ impl Paper for Wear {
         case::saves(case)
     }
     fn study(case: Case) -> Box<dyn Runnable> {
-        Box::new(Plan::of(&case))
+        match material(&case).readings {
+            Readings::Own => Box::new(Plan::<spec::Wear>::of(&case)),
+            Readings::AsPublished => Box::new(Plan::<spec::Published>::of(&case)),
+        }
     }
 }

@@ -123,7 +123,7 @@ impl Stage {
     }
 
     /// Whether the stage has ended.
-    pub fn progress(&self, simulation: &Simulation<Wear>) -> Progress {
+    pub fn progress(&self, simulation: &Simulation<impl PairModel>) -> Progress {
         let step = simulation.system().step;
         match &self.stop {
             Stop::After(_) if step >= self.steps(simulation.settings().dt) => Progress::Done,
@@ -147,7 +147,7 @@ impl Stage {
     }
 
     /// Returns the system at the end of the stage.
-    pub fn end(&self, simulation: Simulation<Wear>) -> System {
+    pub fn end(&self, simulation: Simulation<impl PairModel>) -> System {
         let mut system = simulation.into_system();
         if let Some(density) = self.final_density {
             set_system_density(&mut system, density);

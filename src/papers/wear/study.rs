@@ -15,20 +15,22 @@ use crate::observe::PairKind;
 use crate::output::{Cell, Column, Finding, load_sample, save_sample};
 use crate::run::{Progress, Study};
 use crate::simulation::{Settings, Simulation};
-use crate::spec::Contact;
 use crate::spec::wear::{Interaction, Wear};
+use crate::spec::{Contact, PairModel};
 use crate::system::System;
+use std::marker::PhantomData;
 
 /// The stages of a case: those that prepare the sample, one after the other, then the tests, each of which starts from the sample.
-pub struct Plan {
+pub struct Plan<M> {
     case: Case,
     scales: Scales,
     /// The stages that prepare the sample.
     preparation: usize,
     stages: Vec<Stage>,
+    law: PhantomData<M>,
 }
 
-impl Plan {
+impl<M> Plan<M> {
     /// The plan of a case.
     pub fn of(case: &Case) -> Self {
         let (scales, material) = (Scales::of(case), material(case));
@@ -49,7 +51,8 @@ impl Plan {
                 [compression, tension, shear].into_iter().flatten().collect()
             }
         };
-        Self { case: case.clone(), scales, preparation: preparation.len(), stages: [preparation, experiments].concat() }
+        let stages = [preparation.as_slice(), &experiments].concat();
+        Self { case: case.clone(), scales, preparation: preparation.len(), stages, law: PhantomData }
     }
 
     /// All parameters that determine a sample.
@@ -62,8 +65,8 @@ impl Plan {
     }
 }
 
-impl Study for Plan {
-    type Model = Wear;
+impl<M: PairModel + From<Wear>> Study for Plan<M> {
+    type Model = M;
     type Watch = Watch;
 
     fn stages(&self) -> Vec<&'static str> {
@@ -119,8 +122,8 @@ impl Study for Plan {
         Ok(system)
     }
 
-    fn model(&self, stage: usize, _: &System) -> Wear {
-        material(&self.case).law(self.stages[stage].interaction)
+    fn model(&self, stage: usize, _: &System) -> M {
+        material(&self.case).law(self.stages[stage].interaction).into()
     }
 
     fn settings(&self, stage: usize, system: &System) -> Settings {
@@ -135,7 +138,7 @@ impl Study for Plan {
         self.stages[stage].steps(dt)
     }
 
-    fn progress(&self, stage: usize, watch: &Watch, simulation: &Simulation<Wear>) -> Progress {
+    fn progress(&self, stage: usize, watch: &Watch, simulation: &Simulation<M>) -> Progress {
         if watch.ended() { Progress::Done } else { self.stages[stage].progress(simulation) }
     }
 
@@ -146,7 +149,7 @@ impl Study for Plan {
         stage.may_end_early() || fails(&stage.setup)
     }
 
-    fn end(&self, stage: usize, simulation: Simulation<Wear>) -> Result<System, Error> {
+    fn end(&self, stage: usize, simulation: Simulation<M>) -> Result<System, Error> {
         Ok(self.stages[stage].end(simulation))
     }
 
@@ -163,11 +166,11 @@ impl Study for Plan {
         if has_junction { columns::windows() } else { Vec::new() }
     }
 
-    fn watch(&self, stage: usize, simulation: &Simulation<Wear>, _: &Interrupt) -> Result<Watch, Error> {
+    fn watch(&self, stage: usize, simulation: &Simulation<M>, _: &Interrupt) -> Result<Watch, Error> {
         Ok(Watch::begin(&self.stages[stage], simulation))
     }
 
-    fn follow(&self, _: usize, watch: &mut Watch, simulation: &Simulation<Wear>) -> Vec<String> {
+    fn follow(&self, _: usize, watch: &mut Watch, simulation: &Simulation<M>) -> Vec<String> {
         watch.follow(simulation);
         Vec::new()
     }
@@ -179,11 +182,11 @@ impl Study for Plan {
         system.walls.len() == walls && (1..=walls as u32).all(has_spheres) && watch.belongs_to(setup, system)
     }
 
-    fn look(&self, _: usize, watch: &mut Watch, simulation: &Simulation<Wear>) -> Vec<Cell> {
+    fn look(&self, _: usize, watch: &mut Watch, simulation: &Simulation<M>) -> Vec<Cell> {
         watch.look(simulation)
     }
 
-    fn window(&self, watch: &Watch, _: &Simulation<Wear>) -> Option<Vec<Cell>> {
+    fn window(&self, watch: &Watch, _: &Simulation<M>) -> Option<Vec<Cell>> {
         watch.window()
     }
 
@@ -192,7 +195,7 @@ impl Study for Plan {
         Some(PairKind::Contact)
     }
 
-    fn flags(&self, watch: &Watch, simulation: &Simulation<Wear>) -> Vec<(&'static str, Vec<bool>)> {
+    fn flags(&self, watch: &Watch, simulation: &Simulation<M>) -> Vec<(&'static str, Vec<bool>)> {
         watch.flags(simulation.system())
     }
 
@@ -200,7 +203,7 @@ impl Study for Plan {
         &self,
         stage: usize,
         watch: &Watch,
-        simulation: &Simulation<Wear>,
+        simulation: &Simulation<M>,
         _: &Interrupt,
     ) -> Result<Vec<Finding>, Error> {
         Ok(watch.findings(&self.stages[stage], &self.case, simulation))

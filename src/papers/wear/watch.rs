@@ -12,8 +12,8 @@ use crate::observe::{Link, links, packing, upper_wall};
 use crate::output::frames::THIRD_BODY;
 use crate::output::{Cell, Column, Finding};
 use crate::simulation::Simulation;
+use crate::spec::PairModel;
 use crate::spec::Vec3;
-use crate::spec::wear::Wear;
 use crate::system::System;
 use serde::{Deserialize, Serialize};
 
@@ -69,7 +69,7 @@ pub struct Sheared {
 
 impl Watch {
     /// Starts observing a stage.
-    pub fn begin(stage: &Stage, simulation: &Simulation<Wear>) -> Self {
+    pub fn begin(stage: &Stage, simulation: &Simulation<impl PairModel>) -> Self {
         let system = simulation.system();
         match &stage.setup {
             Setup::None => Self::Relaxation,
@@ -93,7 +93,7 @@ impl Watch {
     }
 
     /// Observes a step.
-    pub fn follow(&mut self, simulation: &Simulation<Wear>) {
+    pub fn follow(&mut self, simulation: &Simulation<impl PairModel>) {
         match self {
             Self::Relaxation => {}
             Self::Test(test) if simulation.system().step.is_multiple_of(MEASURED) => test.follow(simulation),
@@ -114,7 +114,7 @@ impl Watch {
     }
 
     /// Measures a row: the cells of the columns of the stage.
-    pub fn look(&self, simulation: &Simulation<Wear>) -> Vec<Cell> {
+    pub fn look(&self, simulation: &Simulation<impl PairModel>) -> Vec<Cell> {
         match self {
             Self::Relaxation => vec![Cell::Number(packing::volume_fraction(simulation.system()))],
             Self::Test(watch) => watch.look(simulation, &links(simulation)),
@@ -140,7 +140,7 @@ impl Watch {
     }
 
     /// The findings of the stage.
-    pub fn findings(&self, stage: &Stage, case: &Case, simulation: &Simulation<Wear>) -> Vec<Finding> {
+    pub fn findings(&self, stage: &Stage, case: &Case, simulation: &Simulation<impl PairModel>) -> Vec<Finding> {
         match self {
             Self::Relaxation => {
                 vec![
@@ -156,7 +156,7 @@ impl Watch {
 
 impl Test {
     /// The strain and the stress of the test, and all cells but the peak.
-    fn read(&self, simulation: &Simulation<Wear>, links: &[Link]) -> ([f64; 2], [f64; 5]) {
+    fn read(&self, simulation: &Simulation<impl PairModel>, links: &[Link]) -> ([f64; 2], [f64; 5]) {
         let reading = self.gauge.read(simulation.system(), links);
         let (normal, shear) = (reading.stress[1].0[1], reading.stress[0].0[1]);
         let [sheared, stretched, _] = reading.strain.0;
@@ -164,7 +164,7 @@ impl Test {
         (own, [stretched, sheared, normal, reading.stress[0].0[0], shear])
     }
 
-    fn follow(&mut self, simulation: &Simulation<Wear>) {
+    fn follow(&mut self, simulation: &Simulation<impl PairModel>) {
         let ([strain, stress], _) = self.read(simulation, &links(simulation));
         self.strain = strain;
         if stress > self.peak[1] {
@@ -181,12 +181,12 @@ impl Test {
             && stress < 0.5 * self.peak[1];
     }
 
-    fn look(&self, simulation: &Simulation<Wear>, links: &[Link]) -> Vec<Cell> {
+    fn look(&self, simulation: &Simulation<impl PairModel>, links: &[Link]) -> Vec<Cell> {
         let ([_, stress], cells) = self.read(simulation, links);
         cells.into_iter().chain([stress.max(self.peak[1])]).map(Cell::Number).collect()
     }
 
-    fn findings(&self, case: &Case, simulation: &Simulation<Wear>) -> Vec<Finding> {
+    fn findings(&self, case: &Case, simulation: &Simulation<impl PairModel>) -> Vec<Finding> {
         let material = material(case);
         match self.kind {
             Kind::Compression => {
@@ -226,7 +226,7 @@ impl Test {
 }
 
 impl Sheared {
-    fn follow(&mut self, simulation: &Simulation<Wear>) {
+    fn follow(&mut self, simulation: &Simulation<impl PairModel>) {
         let system = simulation.system();
         self.witness.follow(system);
         self.closed = (upper_wall(system).0[0] - self.start[0]).abs() >= self.next;
@@ -236,7 +236,7 @@ impl Sheared {
         }
     }
 
-    fn look(&self, simulation: &Simulation<Wear>) -> Vec<Cell> {
+    fn look(&self, simulation: &Simulation<impl PairModel>) -> Vec<Cell> {
         let system = simulation.system();
         let now = upper_wall(system).0;
         let (slid, separation) = (now[0] - self.start[0], self.height + now[1] - self.start[1]);
@@ -253,7 +253,7 @@ impl Sheared {
         Some(cells)
     }
 
-    fn findings(&self, density: f64, simulation: &Simulation<Wear>) -> Vec<Finding> {
+    fn findings(&self, density: f64, simulation: &Simulation<impl PairModel>) -> Vec<Finding> {
         let fate = match self.witness.fate() {
             Fate::Flattened => "squeezed flat",
             Fate::Rolls => "detached and rolling",
