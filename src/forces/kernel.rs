@@ -82,7 +82,7 @@ pub fn evaluate<M: PairModel>(
     GATHERED.with_borrow_mut(|spheres_of_block| {
         spheres_of_block.load(block, particles, domain);
         let Block { pairs, far, loads, .. } = block;
-        if far_anew {
+        if M::MOSTLY_FAR && far_anew {
             dispatch_far(model, instructions, far, spheres_of_block);
         }
         let spheres = ..spheres_of_block.len;
@@ -96,6 +96,22 @@ pub fn evaluate<M: PairModel>(
     })
 }
 
+/// Calls a function of the pair loop that is compiled for these instructions, and returns its result.
+macro_rules! return_with {
+    ($instructions:expr, $function:ident($($argument:expr),*)) => {{
+        #[cfg(target_arch = "x86_64")]
+        #[expect(unsafe_code, reason = "`Instructions` exist only where the processor has them")]
+        match $instructions.set() {
+            Set::Baseline => {}
+            // SAFETY: the processor has these instructions, or there were no such `Instructions`.
+            Set::Avx2 => return unsafe { avx2::$function($($argument),*) },
+            // SAFETY: the processor has these instructions, or there were no such `Instructions`.
+            Set::Avx512 => return unsafe { avx512::$function($($argument),*) },
+        }
+        baseline::$function($($argument),*)
+    }};
+}
+
 fn dispatch<M: PairModel>(
     model: &M,
     instructions: Instructions,
@@ -105,16 +121,7 @@ fn dispatch<M: PairModel>(
     max_overlap: f64,
     dt: f64,
 ) -> Totals<M::Losses<f64>> {
-    #[cfg(target_arch = "x86_64")]
-    #[expect(unsafe_code, reason = "`Instructions` exist only where the processor has them")]
-    match instructions.set() {
-        Set::Baseline => {}
-        // SAFETY: the processor has these instructions, or there were no such `Instructions`.
-        Set::Avx2 => return unsafe { avx2::rows(model, pairs, spheres_of_block, loads, max_overlap, dt) },
-        // SAFETY: the processor has these instructions, or there were no such `Instructions`.
-        Set::Avx512 => return unsafe { avx512::rows(model, pairs, spheres_of_block, loads, max_overlap, dt) },
-    }
-    baseline::rows(model, pairs, spheres_of_block, loads, max_overlap, dt)
+    return_with!(instructions, rows(model, pairs, spheres_of_block, loads, max_overlap, dt))
 }
 
 fn dispatch_far<M: PairModel>(
@@ -123,30 +130,12 @@ fn dispatch_far<M: PairModel>(
     pairs: &mut FarPairs,
     spheres_of_block: &GatheredSpheres,
 ) {
-    #[cfg(target_arch = "x86_64")]
-    #[expect(unsafe_code, reason = "`Instructions` exist only where the processor has them")]
-    match instructions.set() {
-        Set::Baseline => {}
-        // SAFETY: the processor has these instructions, or there were no such `Instructions`.
-        Set::Avx2 => return unsafe { avx2::far(model, pairs, spheres_of_block) },
-        // SAFETY: the processor has these instructions, or there were no such `Instructions`.
-        Set::Avx512 => return unsafe { avx512::far(model, pairs, spheres_of_block) },
-    }
-    baseline::far(model, pairs, spheres_of_block);
+    return_with!(instructions, far(model, pairs, spheres_of_block))
 }
 
 /// Does vectorised work with the given instructions.
 pub fn vectorised<W: Vectorised>(instructions: Instructions, work: W) -> W::Outcome {
-    #[cfg(target_arch = "x86_64")]
-    #[expect(unsafe_code, reason = "`Instructions` exist only where the processor has them")]
-    match instructions.set() {
-        Set::Baseline => {}
-        // SAFETY: the processor has these instructions, or there were no such `Instructions`.
-        Set::Avx2 => return unsafe { avx2::vectorised(work) },
-        // SAFETY: the processor has these instructions, or there were no such `Instructions`.
-        Set::Avx512 => return unsafe { avx512::vectorised(work) },
-    }
-    baseline::vectorised(work)
+    return_with!(instructions, vectorised(work))
 }
 
 /// The pair loop for one instruction set. Its three parts are kept apart, or the compiler mixes the narrow moves of the first and the
