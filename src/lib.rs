@@ -44,6 +44,7 @@
 pub mod case;
 #[cfg(feature = "cli")]
 pub mod cli;
+pub mod equations;
 pub mod error;
 pub mod figures;
 pub mod forces;

@@ -1,13 +1,12 @@
 //! `veridem eq`: the equations of the specification, listed, shown, evaluated.
 
 mod batch;
-mod call;
 mod show;
 
 use super::{OutputMode, print};
+use crate::equations::Registry;
 use crate::error::Error;
 use batch::Lines;
-use call::Registry;
 use std::path::Path;
 
 /// The arguments.

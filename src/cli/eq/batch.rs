@@ -1,6 +1,6 @@
 //! JSON lines in, JSON lines out: for other programs that compare their numbers with these.
 
-use super::call::{Registry, Results};
+use crate::equations::{Registry, Results};
 use crate::error::{AtPath, Error};
 use serde::de::{self, Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
 use serde_json::{Map, Value};

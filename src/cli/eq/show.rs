@@ -1,6 +1,6 @@
 //! Equations on a terminal.
 
-use super::call::{Entry, Registry, Results};
+use crate::equations::{Entry, Registry, Results};
 use serde_json::{Value, json};
 use veridem_spec::document::Quantity;
 

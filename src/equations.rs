@@ -1,12 +1,12 @@
-//! Evaluation of an equation with the user's arguments: names are matched leniently, values are parsed strictly.
+//! The equations by name, evaluated with the user's arguments: names are matched leniently, values are parsed strictly.
 
 use crate::case::units;
-use veridem_spec::document::{Document, Quantity};
-use veridem_spec::equation::Equation;
-use veridem_spec::unit::WHOLE;
+use crate::spec::document::{Document, Quantity};
+use crate::spec::equation::Equation;
+use crate::spec::unit::WHOLE;
 
 /// An equation and its documentation.
-pub(super) struct Entry {
+pub struct Entry {
     /// The equation.
     pub equation: Equation,
     /// Its documentation.
@@ -14,23 +14,28 @@ pub(super) struct Entry {
 }
 
 /// Every equation.
-pub(super) struct Registry(pub Vec<Entry>);
+pub struct Registry(pub Vec<Entry>);
 
 /// A result: the row of the table, and its numbers.
-pub(super) type Results<'a> = Vec<(&'a Quantity, Vec<f64>)>;
+pub type Results<'a> = Vec<(&'a Quantity, Vec<f64>)>;
 
 impl Registry {
     /// All equations with their documentation.
-    pub(super) fn new() -> Self {
+    #[expect(clippy::new_without_default, reason = "it reads the documentation of all equations")]
+    pub fn new() -> Self {
         let document = |equation: Equation| {
             let document = Document::of(&equation).expect("every equation is documented");
             Entry { equation, document }
         };
-        Self(veridem_spec::equations().into_iter().map(document).collect())
+        Self(crate::spec::equations().into_iter().map(document).collect())
     }
 
     /// The equation with an id; case, leading zeros and separators do not matter.
-    pub(super) fn find(&self, id: &str) -> Result<&Entry, String> {
+    ///
+    /// # Errors
+    ///
+    /// If there is none, with the nearest id.
+    pub fn find(&self, id: &str) -> Result<&Entry, String> {
         let exact = self.0.iter().find(|entry| entry.equation.id == id);
         // Programs ask thousands of times, and by the exact id.
         let alike = || {
@@ -44,7 +49,11 @@ impl Registry {
     }
 
     /// Evaluates an equation with arguments such as `k_n=1 N/m`.
-    pub(super) fn eval(&self, id: &str, arguments: &[String]) -> Result<Results<'_>, String> {
+    ///
+    /// # Errors
+    ///
+    /// If there is no such equation, or an argument is wrong.
+    pub fn eval(&self, id: &str, arguments: &[String]) -> Result<Results<'_>, String> {
         let entry = self.find(id)?;
         let mut given = vec![];
         for argument in arguments {
@@ -59,7 +68,11 @@ impl Registry {
 
 impl Entry {
     /// The argument with a name: by its name in the table, or the only one with that name or symbol regardless of case and underscores.
-    pub(super) fn argument(&self, name: &str) -> Result<&Quantity, String> {
+    ///
+    /// # Errors
+    ///
+    /// If there is none, with the nearest name.
+    pub fn argument(&self, name: &str) -> Result<&Quantity, String> {
         let quantities = &self.document.arguments;
         let only = |alike: &dyn Fn(&Quantity) -> bool| {
             let mut all = quantities.iter().filter(|q| alike(q));
@@ -74,32 +87,44 @@ impl Entry {
             })
     }
 
-    /// Evaluates the equation with arguments in SI, in any order.
-    pub(super) fn evaluate(&self, given: Vec<(String, Vec<f64>)>) -> Result<Results<'_>, String> {
-        let mut values: Vec<Option<Vec<f64>>> = self.document.arguments.iter().map(|_| None).collect();
+    /// Arguments given by name, in the order of the table.
+    ///
+    /// # Errors
+    ///
+    /// An unknown name, with the nearest one; an argument that is given twice or missing.
+    pub fn in_order<T>(&self, given: impl IntoIterator<Item = (impl AsRef<str>, T)>) -> Result<Vec<T>, String> {
+        let mut values: Vec<Option<T>> = self.document.arguments.iter().map(|_| None).collect();
         for (name, value) in given {
-            let quantity = self.argument(&name)?;
+            let quantity = self.argument(name.as_ref())?;
             let place = self.document.arguments.iter().position(|q| q.name == quantity.name).expect("one of them");
             if values[place].replace(value).is_some() {
                 return Err(format!("`{}` is given twice", quantity.name));
             }
         }
+        let missing = |q: &Quantity| format!("`{}` is missing ({} in {})", q.name, q.meaning, q.unit);
+        let all = self.document.arguments.iter().zip(values);
+        all.map(|(quantity, value)| value.ok_or_else(|| missing(quantity))).collect()
+    }
+
+    /// Evaluates the equation with arguments in SI, in any order.
+    ///
+    /// # Errors
+    ///
+    /// As [`in_order`](Self::in_order), and for a value of another size or outside its domain, or if a result is not finite.
+    pub fn evaluate(&self, given: Vec<(String, Vec<f64>)>) -> Result<Results<'_>, String> {
         let mut numbers = vec![];
-        for (quantity, value) in self.document.arguments.iter().zip(values) {
-            let name = &quantity.name;
-            let value =
-                value.ok_or_else(|| format!("`{name}` is missing ({} in {})", quantity.meaning, quantity.unit))?;
+        for (quantity, value) in self.document.arguments.iter().zip(self.in_order(given)?) {
             if value.len() != quantity.size {
-                return Err(format!("`{name}` is {} numbers, expected {}", value.len(), shape(quantity)));
+                return Err(format!("`{}` is {} numbers, expected {}", quantity.name, value.len(), shape(quantity)));
             }
             if !quantity.domain.contains(&value) {
-                return Err(format!("`{name}` = {} is outside its domain: {}", plainly(&value), quantity.domain));
+                return Err(outside(quantity, &quantity.name, &value));
             }
             numbers.extend(value);
         }
         let out = (self.equation.eval.f64)(&numbers);
         if out.iter().any(|y| !y.is_finite()) {
-            return Err(format!("{} has no finite value for these arguments: {}", self.equation.id, plainly(&out)));
+            return Err(self.not_finite("these arguments", &out));
         }
         let mut rest = out.as_slice();
         let mut take = |size| {
@@ -109,6 +134,16 @@ impl Entry {
         };
         Ok(self.document.results.iter().map(|quantity| (quantity, take(quantity.size))).collect())
     }
+
+    /// Says that the results for some arguments are not finite.
+    pub fn not_finite(&self, arguments: &str, results: &[f64]) -> String {
+        format!("{} has no finite value for {arguments}: {}", self.equation.id, plainly(results))
+    }
+}
+
+/// Says that a value, which has this name, is outside the domain of a quantity.
+pub fn outside(quantity: &Quantity, name: &str, value: &[f64]) -> String {
+    format!("`{name}` = {} is outside its domain: {}", plainly(value), quantity.domain)
 }
 
 /// One number, or several as a list.
@@ -124,7 +159,11 @@ fn shape(quantity: &Quantity) -> String {
 }
 
 /// Reads numbers and a unit of the right dimension; without a unit the numbers are in SI.
-fn with_unit(quantity: &Quantity, text: &str) -> Result<Vec<f64>, String> {
+///
+/// # Errors
+///
+/// What is wrong with the text.
+pub fn with_unit(quantity: &Quantity, text: &str) -> Result<Vec<f64>, String> {
     let wrong = |what: &str| {
         format!("`{}` = `{text}`: {what}, expected {} in {}", quantity.name, shape(quantity), quantity.unit)
     };

@@ -1,0 +1,7 @@
+"""Pham-Ba & Molinari 2022: adhesive wear of a cohesive solid. The equations, by the names of their functions."""
+
+from ._equations import functions as _functions_of
+
+_functions = _functions_of(__name__.rpartition(".")[2])
+globals().update(_functions)
+__all__ = sorted(_functions)
