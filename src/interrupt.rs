@@ -54,6 +54,11 @@ impl Interrupt {
         Self { deadline: Some(Instant::now() + time), ..self.clone() }
     }
 
+    /// Asks to stop, from another thread: all copies hear it.
+    pub fn request(&self) {
+        self.signal.store(true, Ordering::Relaxed);
+    }
+
     /// Whether to stop now, after this many steps of this process.
     pub fn stops(&self, steps: u64) -> bool {
         self.steps.is_some_and(|most| steps >= most) || self.is_due()

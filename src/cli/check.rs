@@ -5,7 +5,6 @@ use super::{OutputMode, print};
 use crate::error::Error;
 use crate::papers::Papers;
 use crate::run::Job;
-use serde_yaml::Mapping;
 use std::path::PathBuf;
 
 /// The arguments.
@@ -20,15 +19,9 @@ pub(super) fn run(arguments: &Arguments, papers: Papers, excess: bool, manner: O
     let interrupt = Limits::default().interrupt()?;
     let job = Job { excess, ..papers.read(&arguments.case)? };
     interrupt.check()?;
-    let plan = job.plan(&interrupt)?;
-    let mut checked: Mapping = serde_yaml::from_str(&job.resolved).expect("a resolved case is a mapping");
-    checked.insert("plan".into(), plan.into());
+    let checked = job.checked(&interrupt)?;
     for doubt in &job.doubts {
         manner.say(format!("warning: {doubt}"));
-    }
-    if !job.doubts.is_empty() {
-        let doubts = job.doubts.iter().map(|doubt| doubt.to_string().into());
-        checked.insert("warnings".into(), serde_yaml::Value::Sequence(doubts.collect()));
     }
     if manner.json {
         print(&format!("{:#}\n", serde_json::to_value(&checked).expect("a mapping with keys that are words")))

@@ -1,6 +1,6 @@
 //! The layout of a run folder.
 
-use super::series::{SERIES, is_table};
+use super::series::{SERIES, WINDOWS, is_table, stage_file};
 use super::{Checkpoints, create_folder};
 use crate::error::{AtPath, Error};
 use std::path::{Path, PathBuf};
@@ -74,6 +74,14 @@ impl RunFolder {
     /// The time series of all stages.
     pub fn series(&self) -> PathBuf {
         self.root.join(SERIES)
+    }
+    /// The time series of the columns that only this stage has.
+    pub fn series_of(&self, stage: &str) -> PathBuf {
+        self.root.join(stage_file(stage))
+    }
+    /// The means over windows.
+    pub fn windows(&self) -> PathBuf {
+        self.root.join(WINDOWS)
     }
     /// The tables, that of all stages first.
     ///

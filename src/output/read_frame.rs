@@ -38,6 +38,8 @@ pub struct ReadFrame {
     /// The pairs of spheres that act on each other, by their places in the frame, with their kind: 1 for a contact, 2 for a neck, 3 for a meniscus;
     /// empty if none are recorded.
     pub pairs: Vec<([u32; 2], u32)>,
+    /// The other columns of pairs.
+    pub pair_properties: Vec<Property>,
     /// The surfaces, if there are any.
     pub surfaces: Mesh,
 }
@@ -82,7 +84,14 @@ impl ReadFrame {
             frame.surfaces = mesh(&String::from_utf8_lossy(&read(&path)?));
         }
         if let Some(path) = beside("bonds") {
-            frame.pairs = frame.placed(&pairs(&String::from_utf8_lossy(&read(&path)?)));
+            let (pairs, properties) = pairs(&String::from_utf8_lossy(&read(&path)?));
+            let placed = frame.placed(&pairs);
+            let kept = |property: Property| {
+                let numbers = property.numbers.iter().zip(&placed).filter(|(_, pair)| pair.is_some());
+                Property { numbers: numbers.map(|(number, _)| *number).collect(), ..property }
+            };
+            frame.pair_properties = properties.into_iter().map(kept).collect();
+            frame.pairs = placed.into_iter().flatten().collect();
         }
         Ok(frame)
     }
@@ -155,13 +164,13 @@ impl ReadFrame {
         head
     }
 
-    /// Pairs of ids as pairs of places.
-    fn placed(&self, pairs: &[([u32; 2], u32)]) -> Vec<([u32; 2], u32)> {
+    /// Pairs of ids as pairs of places, where there are such spheres.
+    fn placed(&self, pairs: &[([u32; 2], u32)]) -> Vec<Option<([u32; 2], u32)>> {
         let ids = self.property("id").map_or(&[][..], |property| &property.numbers);
         let places: std::collections::HashMap<u32, u32> =
             ids.iter().enumerate().map(|(place, id)| (*id as u32, place as u32)).collect();
         let placed = |&([i, j], kind): &([u32; 2], u32)| Some(([*places.get(&i)?, *places.get(&j)?], kind));
-        pairs.iter().filter_map(placed).collect()
+        pairs.iter().map(placed).collect()
     }
 }
 
@@ -217,20 +226,28 @@ fn three<'a, T: std::str::FromStr>(words: &mut impl Iterator<Item = &'a str>) ->
     Some([next()?, next()?, next()?])
 }
 
-/// The ids and kinds of the pairs in a LAMMPS dump of local quantities, whose columns its header names.
-fn pairs(text: &str) -> Vec<([u32; 2], u32)> {
+/// The ids and kinds of the pairs in a LAMMPS dump of local quantities, whose columns its header names, and the other columns.
+fn pairs(text: &str) -> (Vec<([u32; 2], u32)>, Vec<Property>) {
     let mut lines = text.lines().skip_while(|line| !line.starts_with("ITEM: ENTRIES"));
-    let Some(head) = lines.next() else { return Vec::new() };
+    let Some(head) = lines.next() else { return Default::default() };
     let columns: Vec<&str> = head.split_ascii_whitespace().skip(2).collect();
     let place = |name: &str| columns.iter().position(|column| *column == name);
-    let (Some(i), Some(j)) = (place("batom1"), place("batom2")) else { return Vec::new() };
+    let (Some(i), Some(j)) = (place("batom1"), place("batom2")) else { return Default::default() };
     let kind = place("btype");
-    let of = |line: &str| {
+    let others: Vec<usize> = (0..columns.len()).filter(|&at| at != i && at != j && Some(at) != kind).collect();
+    let property =
+        |&at: &usize| Property { name: columns[at].into(), whole: false, components: 1, numbers: Vec::new() };
+    let (mut found, mut properties) = (Vec::new(), others.iter().map(property).collect::<Vec<_>>());
+    for line in lines.take_while(|line| !line.starts_with("ITEM:")) {
         let cells: Vec<&str> = line.split_ascii_whitespace().collect();
-        let number = |place: usize| cells.get(place)?.parse().ok();
-        Some(([number(i)?, number(j)?], kind.and_then(number).unwrap_or(1)))
-    };
-    lines.take_while(|line| !line.starts_with("ITEM:")).filter_map(of).collect()
+        let id = |place: usize| cells.get(place)?.parse().ok();
+        let (Some(i), Some(j)) = (id(i), id(j)) else { continue };
+        found.push(([i, j], kind.and_then(id).unwrap_or(1)));
+        for (property, &at) in properties.iter_mut().zip(&others) {
+            property.numbers.push(cells.get(at).and_then(|cell| cell.parse().ok()).unwrap_or(f64::NAN));
+        }
+    }
+    (found, properties)
 }
 
 #[cfg(test)]
@@ -261,9 +278,11 @@ mod tests {
     #[test]
     fn pairs_are_named_by_ids_and_have_a_kind() {
         let text = "ITEM: TIMESTEP\n5\nITEM: NUMBER OF ENTRIES\n2\nITEM: ENTRIES distance batom1 batom2 btype\n1.5 7 3 2\n2 3 9 1\n";
-        assert_eq!(pairs(text), [([7, 3], 2), ([3, 9], 1)]);
-        assert_eq!(ReadFrame::parse(FRAME).expect("a frame").placed(&pairs(text)), [([0, 1], 2)]);
-        assert_eq!(pairs("ITEM: TIMESTEP\n"), []);
+        let (found, properties) = pairs(text);
+        assert_eq!(found, [([7, 3], 2), ([3, 9], 1)]);
+        assert_eq!((&*properties[0].name, &properties[0].numbers[..]), ("distance", &[1.5, 2.0][..]));
+        assert_eq!(ReadFrame::parse(FRAME).expect("a frame").placed(&found), [Some(([0, 1], 2)), None]);
+        assert_eq!(pairs("ITEM: TIMESTEP\n"), Default::default());
     }
 
     #[test]

@@ -287,6 +287,22 @@ impl Job {
         self.study.plan(self, interrupt).map_err(|error| located(error, &self.file, &self.text))
     }
 
+    /// The case with every default and derived value, the plan of its run, and the warnings.
+    ///
+    /// # Errors
+    ///
+    /// As [`plan`](Self::plan).
+    pub fn checked(&self, interrupt: &Interrupt) -> Result<Mapping, Error> {
+        let plan = self.plan(interrupt)?;
+        let mut checked: Mapping = serde_yaml::from_str(&self.resolved).expect("a resolved case is a mapping");
+        checked.insert("plan".into(), plan.into());
+        if !self.doubts.is_empty() {
+            let doubts = self.doubts.iter().map(|doubt| doubt.to_string().into());
+            checked.insert("warnings".into(), serde_yaml::Value::Sequence(doubts.collect()));
+        }
+        Ok(checked)
+    }
+
     /// Checks that the input files exist, and that the files to be saved can be.
     fn needs(&self, root: &Path) -> Result<(), Error> {
         self.reads.iter().try_for_each(is_there)?;

@@ -1,6 +1,7 @@
 //! The sink that is a run folder: rows, frames, pictures, events and checkpoints.
 
 use super::plan::{Intervals, frame_due};
+use super::progress::{Message, RunProgress};
 use super::record::{Record, Recorded};
 use super::row::layout;
 use super::saved::State;
@@ -11,38 +12,6 @@ use crate::figures::picture;
 use crate::output::{Origin, RunFolder, write_atomically};
 use crate::simulation::Settings;
 use std::ops::ControlFlow;
-
-/// A message of a run to its user.
-#[derive(Clone, Debug)]
-pub enum Message<'a> {
-    /// Its progress.
-    Progress(RunProgress<'a>),
-    /// A remark about its folder.
-    Note(String),
-}
-
-/// Progress of a run.
-#[derive(Clone, Copy, Debug)]
-pub struct RunProgress<'a> {
-    /// The stage.
-    pub stage: &'a str,
-    /// Number of steps taken in this stage.
-    pub step: u64,
-    /// Largest number of steps of the stage.
-    pub steps: u64,
-    /// Largest number of steps of the stages before it.
-    pub before: u64,
-    /// Largest number of steps of all stages.
-    pub all: u64,
-    /// Whether this stage or one after it may end before its largest number of steps.
-    pub may_end_early: bool,
-    /// Number of particles.
-    pub particles: usize,
-    /// Relative residual of the physical energy balance.
-    pub residual: f64,
-    /// Largest overlap, relative to the sum of the radii.
-    pub overlap: f64,
-}
 
 /// Records a run in its folder.
 pub(super) struct Recorder<'a> {

@@ -3,10 +3,13 @@
 //! Nothing is computed here: arrays are taken apart into columns for the loops of the specification, and errors become exceptions.
 
 mod arrays;
+mod cases;
 mod columns;
 mod documentation;
 mod equation;
 mod errors;
+mod runs;
+mod work;
 
 use pyo3::prelude::*;
 
@@ -18,5 +21,17 @@ fn _veridem(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<equation::Equation>()?;
     module.add_class::<equation::Quantity>()?;
     module.add_function(wrap_pyfunction!(equation::all_equations, module)?)?;
-    module.add_function(wrap_pyfunction!(equation::id_of, module)?)
+    module.add_function(wrap_pyfunction!(equation::id_of, module)?)?;
+    module.add_function(wrap_pyfunction!(cases::yaml_of, module)?)?;
+    module.add_function(wrap_pyfunction!(cases::check, module)?)?;
+    module.add_function(wrap_pyfunction!(cases::run, module)?)?;
+    module.add_function(wrap_pyfunction!(cases::resume, module)?)?;
+    module.add_function(wrap_pyfunction!(runs::summary, module)?)?;
+    module.add_function(wrap_pyfunction!(runs::files, module)?)?;
+    module.add_function(wrap_pyfunction!(runs::stages, module)?)?;
+    module.add_function(wrap_pyfunction!(runs::table, module)?)?;
+    module.add_function(wrap_pyfunction!(runs::events, module)?)?;
+    module.add_function(wrap_pyfunction!(runs::results, module)?)?;
+    module.add_function(wrap_pyfunction!(runs::frame_files, module)?)?;
+    module.add_function(wrap_pyfunction!(runs::frame, module)?)
 }
