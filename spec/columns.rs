@@ -119,13 +119,60 @@ impl<R: Real, M: PairModel> Kernel<R, ()> for PairKernel<'_, M> {
 
     #[inline(always)]
     fn apply(&self, from: &mut impl FnMut() -> R, to: &mut impl FnMut(R)) {
-        let [x, v, omega_i, omega_j] = [Vec3::take(from), Vec3::take(from), Vec3::take(from), Vec3::take(from)];
-        let contact = Contact::new(x, v, omega_i, omega_j, from(), from());
-        let (constants, springs) = (Flat::from_fn(|_| from()), Flat::from_fn(|_| from()));
+        let (contact, constants, springs) = pair(from);
         let outcome = self.model.pair(&contact, &constants, springs, R::lit(self.dt));
         let wrench = outcome.wrench;
         (wrench.force, wrench.torque_i, wrench.torque_j).put(to);
         (0..M::Memory::<R>::LEN).for_each(|k| to(*outcome.memory.at(k)));
         (0..M::Losses::<R>::LEN).for_each(|k| to(*outcome.losses.at(k)));
     }
+}
+
+/// The constants of a pair as a kernel. Its arguments: the two radii, the two masses. Its results: the constants.
+pub struct CoefficientsKernel<'a, M> {
+    /// The law.
+    pub model: &'a M,
+    /// Whether a neck joins the pair.
+    pub joined: bool,
+}
+
+impl<R: Real, M: PairModel> Kernel<R, ()> for CoefficientsKernel<'_, M> {
+    fn shape(&self) -> Shape {
+        Shape { arguments: vec![1; 4], results: vec![1; M::Coefficients::<R>::LEN] }
+    }
+
+    #[inline(always)]
+    fn apply(&self, from: &mut impl FnMut() -> R, to: &mut impl FnMut(R)) {
+        let constants = self.model.coefficients(from(), from(), from(), from());
+        let constants = if self.joined { self.model.joined(constants) } else { constants };
+        (0..M::Coefficients::<R>::LEN).for_each(|k| to(*constants.at(k)));
+    }
+}
+
+/// The energy stored in a pair as a kernel. Its arguments are those of [`PairKernel`], its results the energies by cause.
+pub struct StoredKernel<'a, M> {
+    /// The law.
+    pub model: &'a M,
+}
+
+impl<R: Real, M: PairModel> Kernel<R, ()> for StoredKernel<'_, M> {
+    fn shape(&self) -> Shape {
+        let arguments = Kernel::<R, ()>::shape(&PairKernel { model: self.model, dt: 0.0 }).arguments;
+        Shape { arguments, results: vec![1; M::Stored::<R>::LEN] }
+    }
+
+    #[inline(always)]
+    fn apply(&self, from: &mut impl FnMut() -> R, to: &mut impl FnMut(R)) {
+        let (contact, constants, springs) = pair(from);
+        let stored = self.model.stored(&contact, &constants, &springs);
+        (0..M::Stored::<R>::LEN).for_each(|k| to(*stored.at(k)));
+    }
+}
+
+/// The kinematics, the constants and the springs of a pair.
+#[inline(always)]
+fn pair<R: Real, C: Flat<R>, S: Flat<R>>(from: &mut impl FnMut() -> R) -> (Contact<R>, C, S) {
+    let [x, v, omega_i, omega_j] = [Vec3::take(from), Vec3::take(from), Vec3::take(from), Vec3::take(from)];
+    let contact = Contact::new(x, v, omega_i, omega_j, from(), from());
+    (contact, Flat::from_fn(|_| from()), Flat::from_fn(|_| from()))
 }

@@ -1,25 +1,16 @@
 //! `veridem sweep`: runs a case for several values of its keys, with a run folder for each combination.
 
-mod axis;
-mod report;
-mod summary;
-
 use super::run::Limits;
 use super::{OutputMode, print};
-use crate::case::unmarked;
 use crate::error::Error;
 use crate::interrupt::Interrupt;
-use crate::output::{Finding, Lock, create_folder};
 use crate::papers::Papers;
 use crate::run::Job;
-use crate::run::sweep::{Point, carry_out, distinct};
+use crate::run::sweep::{Point, Sweep};
 use crate::run::{Message, Reader};
-use axis::{Axis, axes};
 use indicatif::{HumanDuration, ProgressBar, ProgressStyle};
 use std::path::{Path, PathBuf};
-use std::sync::Mutex;
 use std::time::{Duration, Instant};
-use summary::{Summary, row};
 
 /// The arguments.
 #[derive(clap::Args)]
@@ -42,31 +33,19 @@ pub(super) struct Arguments {
 
 /// Duration of the trial from which the total time is estimated.
 const TRIAL: Duration = Duration::from_secs(3);
-/// Shortest interval between two versions of the summary.
-const PAUSE: Duration = Duration::from_secs(1);
 
 /// Runs every combination that has not finished yet and writes the summary.
 pub(super) fn run(arguments: &Arguments, papers: Papers, excess: bool, manner: OutputMode) -> Result<(), Error> {
     let read = |file: &Path, text: &str| Ok(Job { excess, ..papers.parse(file, text)? });
-    let Job { text, title, .. } = papers.read(&arguments.case)?;
-    let axes = axes(&arguments.keys)?;
-    let points = points(&arguments.case, &text, &axes, &read)?;
     let stem = arguments.case.file_stem().unwrap_or_default();
     let out = arguments.out.clone().unwrap_or_else(|| Path::new("run").join(stem));
+    let case = papers.read(&arguments.case)?;
     let interrupt = arguments.limits.interrupt()?;
-    create_folder(&out)?;
-    let _lock = Lock::take(&out)?;
-    let mut summary = Summary::open(&out)?;
-    for point in &points {
-        let before = summary.row(&point.name).cloned();
-        let (mut row, _) = row(&axes, point, &out, String::new())?;
-        row.reason = before.filter(|before| before.status == row.status).map_or(String::new(), |before| before.reason);
-        summary.put(row);
-    }
-    summary.write()?;
+    let sweep = Sweep::begin(&case, &arguments.keys, &out, &read)?;
+    let points = sweep.points();
     let mut tried = None;
     if !manner.quiet {
-        let (estimate, point) = estimate(&points, &out, arguments.force, &interrupt, &read)?;
+        let (estimate, point) = estimate(points, &out, arguments.force, &interrupt, &read)?;
         manner.say(estimate);
         tried = point.map(|point| &point.name);
     }
@@ -74,45 +53,22 @@ pub(super) fn run(arguments: &Arguments, papers: Papers, excess: bool, manner: O
     let style = ProgressStyle::with_template("{bar:24} {pos}/{len} runs, {eta} left");
     bar.set_style(style.expect("the template is well formed"));
     let anew = |point: &Point| arguments.force && tried != Some(&point.name);
-    let state = Mutex::new((summary, Instant::now(), Vec::new()));
     let note = |point: &Point, text: String| bar.suspend(|| manner.say(format!("{}: {text}", point.name)));
-    carry_out(&points, &out, &interrupt, &read, &anew, &note, &|point, outcome| {
-        let (told, reason) = match &outcome {
+    let failures = sweep.carry_out(&interrupt, &read, &anew, &note, &|point, outcome| {
+        let told = match outcome {
             // The trial may have finished the run.
-            Ok(done) if *done || tried == Some(&point.name) => ("finished".into(), String::new()),
-            Ok(_) => ("had finished before".into(), String::new()),
-            Err(error) => (error.to_string(), error.to_string().replace('\n', "; ")),
+            Ok(done) if *done || tried == Some(&point.name) => "finished".into(),
+            Ok(_) => "had finished before".into(),
+            Err(error) => error.to_string(),
         };
         bar.suspend(|| manner.say(format!("{}: {told}", point.name)));
         bar.inc(1);
-        let (summary, written, failures) = &mut *state.lock().expect("no worker panics");
-        failures.extend(outcome.err().map(|error| (point.name.clone(), error)));
-        if let Ok((row, _)) = row(&axes, point, &out, reason) {
-            summary.put(row);
-        }
-        // What cannot be written now is tried again at the end.
-        if written.elapsed() >= PAUSE && summary.write().is_ok() {
-            *written = Instant::now();
-        }
     });
     bar.finish_and_clear();
-    let (summary, _, mut failures) = state.into_inner().expect("no worker panics");
-    summary.write()?;
-    report::report(&title, &axes, &points, &out, &summary)?;
+    let failures = failures?;
     manner.say(format!("report: {}", out.join("report.html").display()));
-    print(&if manner.json { json(&axes, &points, &out, &summary, &failures)? } else { summary.table() })?;
-    if interrupt.is_due() || failures.iter().any(|(_, error)| matches!(error, Error::Stopped(_))) {
-        return Err(Error::Stopped(None));
-    }
-    let count = failures.len();
-    failures.sort_by_key(|(name, _)| points.iter().position(|point| point.name == *name));
-    match failures.into_iter().next() {
-        None => Ok(()),
-        Some((name, first)) => {
-            let what = format!("{count} of {} runs did not finish", points.len());
-            Err(Error::Runs(what, name, first.into()))
-        }
-    }
+    print(&if manner.json { sweep.json(&failures)? } else { sweep.table() })?;
+    sweep.verdict(failures, &interrupt)
 }
 
 /// Runs the first new combination for a moment, on one core, and returns an estimate of the total time, and the name of the
@@ -152,45 +108,4 @@ fn estimate<'a>(
     let all = each.mul_f64(new.len() as f64 / workers.min(new.len()) as f64);
     let (count, time) = (points.len(), HumanDuration(all));
     Ok((format!("{count} runs, {} of them new: about {time} on {workers} cores{what}", new.len()), Some(point)))
-}
-
-/// All combinations, each with its case; errors in any of them are found before the first is run.
-fn points(file: &Path, text: &str, axes: &[Axis], read: Reader) -> Result<Vec<Point>, Error> {
-    let base = serde_yaml::from_str(unmarked(text)).expect("the case has been read before");
-    let count = axes.iter().map(|axis| axis.values.len()).product();
-    let points: Vec<Point> = (0..count)
-        .map(|mut number| {
-            let mut values: Vec<(&str, &str)> = Vec::new();
-            for Axis { key, values: choices } in axes.iter().rev() {
-                values.push((key, &choices[number % choices.len()]));
-                number /= choices.len();
-            }
-            values.reverse();
-            Point::new(file, &base, &values, read)
-        })
-        .collect::<Result<_, Error>>()?;
-    distinct(&points)?;
-    Ok(points)
-}
-
-/// The runs of this sweep for programs, each with its results, or with the error that ended it.
-fn json(
-    axes: &[Axis],
-    points: &[Point],
-    out: &Path,
-    summary: &Summary,
-    failures: &[(String, Error)],
-) -> Result<String, Error> {
-    let object = |point: &Point| {
-        let reason = summary.row(&point.name).map_or(String::new(), |row| row.reason.clone());
-        let (row, findings) = row(axes, point, out, reason)?;
-        let keys: serde_json::Map<String, serde_json::Value> =
-            axes.iter().zip(&point.values).map(|(axis, value)| (axis.key.clone(), value.clone().into())).collect();
-        let error = failures.iter().find(|(name, _)| *name == point.name).map(|(_, error)| error.to_json());
-        Ok(serde_json::json!({
-            "run": out.join(&point.name), "keys": keys, "status": row.status, "reason": row.reason, "error": error, "results": Finding::results(&findings)
-        }))
-    };
-    let runs: Vec<serde_json::Value> = points.iter().map(object).collect::<Result<_, Error>>()?;
-    Ok(format!("{:#}\n", serde_json::Value::Array(runs)))
 }

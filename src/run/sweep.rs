@@ -1,5 +1,14 @@
 //! Sweeps: many runs in parallel, each in its own folder.
 
+mod axis;
+#[cfg(feature = "cli")]
+mod report;
+mod summary;
+mod whole;
+
+pub use axis::Axis;
+pub use whole::Sweep;
+
 use super::paths::absolute;
 use super::{Message, Reader};
 use crate::case::document;
@@ -81,7 +90,7 @@ fn name(values: &[(&str, &str)]) -> String {
 /// # Errors
 ///
 /// The first two runs that coincide.
-pub fn distinct(points: &[Point]) -> Result<(), Error> {
+fn distinct(points: &[Point]) -> Result<(), Error> {
     let same = ["are the same case", "have the same run folder"];
     for (k, what) in same.into_iter().enumerate() {
         let mut seen = HashMap::new();

@@ -9,7 +9,7 @@ const MOST: usize = 100_000;
 const DIGITS: usize = 12;
 
 /// A key and its values.
-pub(super) struct Axis {
+pub struct Axis {
     /// The key, with its sections.
     pub key: String,
     /// Its values, in YAML.

@@ -1,11 +1,12 @@
 //! The report of a sweep: its runs, and its results against the swept keys.
 
-use super::{Axis, Summary};
+use super::Point;
+use super::axis::Axis;
+use super::summary::Summary;
 use crate::case::units::{number_and_unit, shifted, unit};
 use crate::error::Error;
 use crate::figures::{self, Cell, Curve, Mark, Plot, Report};
 use crate::output::{Finding, RunFolder, write_atomically};
-use crate::run::sweep::Point;
 use std::path::Path;
 
 /// Most plots of a page.

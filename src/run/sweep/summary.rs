@@ -1,9 +1,9 @@
 //! The summary of a sweep: one row per run, those of earlier sweeps into the same folder included.
 
-use super::Axis;
+use super::Point;
+use super::axis::Axis;
 use crate::error::Error;
 use crate::output::{Finding, Manifest, RunFolder, read, write_atomically};
-use crate::run::sweep::Point;
 use std::path::{Path, PathBuf};
 
 /// The column between the keys and the results.
