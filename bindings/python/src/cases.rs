@@ -5,11 +5,14 @@ use crate::work::{interruptible, limit, pool};
 use pyo3::exceptions::{PyFileExistsError, PyValueError};
 use pyo3::prelude::*;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::Sender;
 use std::time::Instant;
 use veridem::error::Error;
+use veridem::interrupt::Interrupt;
 use veridem::output::{Place, RunFolder};
 use veridem::papers::PAPERS;
+use veridem::run::sweep::{Point, Sweep};
 use veridem::run::{Job, Message};
 
 /// The YAML text of a case that is given as JSON.
@@ -116,6 +119,45 @@ pub(crate) fn resume(
             let folder = RunFolder::open(&run)?;
             let job = PAPERS.read(&folder.case())?;
             job.resume(&folder, interrupt, &mut teller(sender)).map(drop)
+        };
+        interruptible(py, &pool(threads)?, &limit(max_time)?, work, |told| tell.call1(told).map(drop))
+    })
+}
+
+/// Runs a case for several values of its keys; returns the runs as JSON.
+#[pyfunction]
+pub(crate) fn sweep(
+    py: Python<'_>,
+    file: PathBuf,
+    text: Option<String>,
+    keys: Vec<String>,
+    out: PathBuf,
+    force: bool,
+    excess: bool,
+    threads: Option<usize>,
+    max_time: Option<f64>,
+    tell: &Bound<'_, PyAny>,
+) -> PyResult<String> {
+    caught(|| {
+        let work = |interrupt: &Interrupt, sender: &Sender<Told>| {
+            let reader = |file: &Path, text: &str| read(file, Some(text), excess);
+            let sweep = Sweep::begin(&read(&file, text.as_deref(), excess)?, &keys, &out, &reader)?;
+            let (count, ended) = (sweep.points().len(), AtomicUsize::new(0));
+            let say = |share: Option<f64>, point: &Point, text: &str| {
+                sender.send((share, format!("{}: {text}", point.name))).ok();
+            };
+            let note = |point: &Point, text: String| say(None, point, &text);
+            let failures = sweep.carry_out(interrupt, &reader, &|_| force, &note, &|point, outcome| {
+                let share = (ended.fetch_add(1, Ordering::Relaxed) + 1) as f64 / count as f64;
+                let outcome = outcome.as_ref().map_or_else(Error::to_string, |_| "finished".into());
+                say(Some(share), point, &outcome);
+            })?;
+            let runs = sweep.json(&failures)?;
+            // What failed stands in the table; what was interrupted has no table.
+            match sweep.verdict(failures, interrupt) {
+                Err(Error::Stopped(run)) => Err(Error::Stopped(run)),
+                _ => Ok(runs),
+            }
         };
         interruptible(py, &pool(threads)?, &limit(max_time)?, work, |told| tell.call1(told).map(drop))
     })

@@ -80,6 +80,15 @@ impl Equation {
     }
 }
 
+/// The axes of the components of a number, a vector or a tensor.
+fn axes(size: usize) -> &'static [usize] {
+    match size {
+        1 => &[],
+        9 => &[3, 3],
+        _ => &[3],
+    }
+}
+
 #[pymethods]
 impl Equation {
     #[pyo3(signature = (*positional, check = true, **keywords))]
@@ -105,11 +114,10 @@ impl Equation {
                 }
                 arguments.push(argument);
             }
-            let sizes: Vec<usize> = document.results.iter().map(|quantity| quantity.size).collect();
+            let axes: Vec<&[usize]> = document.results.iter().map(|quantity| axes(quantity.size)).collect();
             let instructions = Instructions::best();
-            let computed = over_columns(py, arguments, &sizes, |_, arguments, results| {
+            let computed = over_columns(py, arguments, &axes, |arguments, results| {
                 (equation.many.rows)(instructions, arguments, results);
-                Ok(())
             })?;
             if check && let Some((at, found)) = computed.first_not_finite() {
                 let at = place(at, &computed.shape);

@@ -79,7 +79,7 @@ pub(crate) fn events(run: PathBuf) -> PyResult<Vec<(String, f64, String)>> {
 }
 
 /// Name, value, unit, standard error, target, and why there is no value.
-type Row = (String, Py<PyAny>, String, Option<f64>, Option<f64>, Option<String>);
+pub(crate) type Row = (String, Py<PyAny>, String, Option<f64>, Option<f64>, Option<String>);
 
 /// The results of a run.
 #[pyfunction]

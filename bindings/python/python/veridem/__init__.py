@@ -3,26 +3,34 @@
 from __future__ import annotations
 
 from . import mechanics, soot, titania, wear
-from ._cases import Case, check, resume, run
+from ._aggregates import Aggregate
+from ._cases import Case, check, resume, run, sweep
 from ._equations import eq, equations
+from ._laws import Law, Pairs
 from ._runs import Frame, Frames, Result, Run, open
+from ._simulation import Contacts, Simulation
 from ._veridem import Equation, Quantity, __version__
 from .errors import BrokenInvariant, Error, Halted, InputError, Problem, RunsFailed, Stopped, VerificationFailed
 
 __all__ = [
+    "Aggregate",
     "BrokenInvariant",
     "Case",
+    "Contacts",
     "Equation",
     "Error",
     "Frame",
     "Frames",
     "Halted",
     "InputError",
+    "Law",
+    "Pairs",
     "Problem",
     "Quantity",
     "Result",
     "Run",
     "RunsFailed",
+    "Simulation",
     "Stopped",
     "VerificationFailed",
     "__version__",
@@ -34,6 +42,7 @@ __all__ = [
     "resume",
     "run",
     "soot",
+    "sweep",
     "titania",
     "wear",
 ]

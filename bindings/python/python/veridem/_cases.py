@@ -7,10 +7,13 @@ import os
 import sys
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Any, Union
+from typing import TYPE_CHECKING, Any, Union
 
 from . import _veridem
 from ._runs import Run
+
+if TYPE_CHECKING:
+    import pandas
 
 Case = Union[str, "os.PathLike[str]", Mapping[str, Any]]
 """A case: its file, its YAML text (of more than one line), or its sections as a dict."""
@@ -69,16 +72,67 @@ def resume(
     return Run(path)
 
 
+def sweep(
+    case: Case,
+    keys: Mapping[str, Any],
+    out: str | os.PathLike[str],
+    *,
+    force: bool = False,
+    excess: bool = False,
+    threads: int | None = None,
+    max_time: float | None = None,
+    progress: Progress | bool | None = None,
+) -> pandas.DataFrame:
+    """Runs a case for all combinations of the values of some of its keys, such as `{"seed": [1, 2], "output.series": ["1 ps", "2 ps"]}`.
+
+    Returns a table of the runs: keys, status, results, reason of a failure, and run folder. The folder `out` has a folder for every run,
+    `summary.csv` and a report. Runs that have finished are not repeated unless forced: the same call resumes a sweep that was stopped.
+    """
+    import pandas
+
+    file, text = _source(case)
+    words = [f"{key}={_values(key, values)}" for key, values in keys.items()]
+    with _Line(progress) as tell:
+        runs = json.loads(_veridem.sweep(file, text, words, os.fspath(out), force, excess, threads, max_time, tell))
+    rows = []
+    for run in runs:
+        results = {}
+        for name, result in run["results"].items():
+            unit = f" [{result['unit']}]" if result.get("unit") else ""
+            results[name + unit] = result.get("value", result.get("values", result.get("verdict")))
+        rows.append({**run["keys"], "status": run["status"], **results, "reason": run["reason"], "run": run["run"]})
+    return pandas.DataFrame(rows)
+
+
+def _values(key: str, values: Any) -> str:
+    """The values of a key as on the command line."""
+    if isinstance(values, str) or not hasattr(values, "__iter__"):
+        raise TypeError(f"`{key}`: found {values!r}, expected a list of values")
+    return ",".join(_value(value) for value in values)
+
+
+def _value(value: Any) -> str:
+    # Words stand as they are, so that the folders of runs have plain names.
+    if isinstance(value, str) and not set(value) & set(",[]{}\"'"):
+        return value
+    return json.dumps(value, default=_plain, allow_nan=False)
+
+
 def _source(case: Case) -> tuple[str, str | None]:
     """The file of a case, and its text if it is not in a file."""
     if isinstance(case, Mapping):
-        try:
-            return "<dict>", _veridem.yaml_of(json.dumps(case, default=_plain, allow_nan=False))
-        except ValueError as error:
-            raise ValueError(f"found in a case what no file can hold: {error}") from error
+        return "<dict>", yaml_of(case)
     if isinstance(case, str) and "\n" in case:
         return "<text>", case
     return os.fspath(case), None
+
+
+def yaml_of(sections: Mapping[str, Any]) -> str:
+    """Sections of a case as text."""
+    try:
+        return _veridem.yaml_of(json.dumps(sections, default=_plain, allow_nan=False))
+    except ValueError as error:
+        raise ValueError(f"found in a case what no file can hold: {error}") from error
 
 
 def _plain(value: Any) -> Any:
