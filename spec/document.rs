@@ -120,13 +120,14 @@ impl Domain {
 
     /// Whether a scalar, vector or tensor with these components may occur. A NaN never may.
     pub fn contains(&self, components: &[f64]) -> bool {
-        components.iter().all(|x| x.is_finite())
-            && match *self {
-                Self::Unit => (components.iter().map(|x| x * x).sum::<f64>().sqrt() - 1.0).abs() <= UNIT_TOLERANCE,
-                Self::Between { lo, hi, with_lo, with_hi } => components
-                    .iter()
-                    .all(|x| if with_lo { *x >= lo } else { *x > lo } && if with_hi { *x <= hi } else { *x < hi }),
-            }
+        match *self {
+            Self::Unit => (components.iter().map(|x| x * x).sum::<f64>().sqrt() - 1.0).abs() <= UNIT_TOLERANCE,
+            // Without a way out of the loop several components are looked at together.
+            Self::Between { lo, hi, with_lo, with_hi } => components.iter().fold(true, |within, x| {
+                let at_bound = (*x == lo) & !with_lo | (*x == hi) & !with_hi;
+                within & x.is_finite() & (*x >= lo) & (*x <= hi) & !at_bound
+            }),
+        }
     }
 }
 

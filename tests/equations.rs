@@ -5,7 +5,7 @@
 mod crystal;
 
 use veridem::golden::{documented, error, measure, samples};
-use veridem_spec::columns::{PairKernel, Results, in_rows};
+use veridem_spec::columns::{CoefficientsKernel, PairKernel, Results, StoredKernel, in_rows, one_by_one};
 use veridem_spec::document::{Document, Quantity};
 use veridem_spec::equation::Equation;
 use veridem_spec::numbers::{Dimension, Instructions, Interval, Lanes, Reference};
@@ -102,7 +102,7 @@ fn columns_have_the_bits_of_single_numbers_with_every_instruction_set() {
 fn compare_pairs<M: PairModel>(name: &str, model: &M, [r, m, distance, dt]: [f64; 4]) {
     let constants = model.coefficients(r, r, m, m);
     let mut noise = crystal::noise();
-    let (mut rows, mut expected) = (Vec::new(), Vec::new());
+    let (mut rows, mut expected, mut stored) = (Vec::new(), Vec::new(), Vec::new());
     for _ in 0..37 {
         let mut vector = |size: f64| Vec3([noise(), noise(), noise()]) * size;
         let x = Vec3([distance, 0.0, 0.0]) + vector(0.05 * distance);
@@ -116,18 +116,29 @@ fn compare_pairs<M: PairModel>(name: &str, model: &M, [r, m, distance, dt]: [f64
         let results = [wrench.force, wrench.torque_i, wrench.torque_j].into_iter().flat_map(|u| u.0);
         let results = results.chain((0..M::Memory::<f64>::LEN).map(|k| *memory.at(k)));
         expected.push(results.chain((0..M::Losses::<f64>::LEN).map(|k| *losses.at(k))).collect::<Vec<_>>());
+        let held = model.stored(&contact, &constants, &springs);
+        stored.push((0..M::Stored::<f64>::LEN).map(|k| *held.at(k)).collect::<Vec<_>>());
     }
     let columns: Vec<Vec<f64>> = (0..rows[0].len()).map(|k| rows.iter().map(|row| row[k]).collect()).collect();
     let arguments: Vec<&[f64]> = columns.iter().map(Vec::as_slice).collect();
-    for set in Instructions::available() {
+    let check = |way: &str, expected: &[Vec<f64>], evaluate: &dyn Fn(Results)| {
         let mut room = vec![vec![f64::NAN; rows.len()]; expected[0].len()];
-        let mut results: Vec<&mut [f64]> = room.iter_mut().map(Vec::as_mut_slice).collect();
-        in_rows(PairKernel { model, dt }, set, &arguments, &mut results);
+        evaluate(&mut room.iter_mut().map(Vec::as_mut_slice).collect::<Vec<_>>());
         for (place, single) in expected.iter().enumerate() {
             let same = single.iter().zip(&room).all(|(y, column)| y.to_bits() == column[place].to_bits());
-            assert!(same, "{name}, {}: {single:?} at {:?}", set.name(), rows[place]);
+            assert!(same, "{name}, {way}: {single:?} at {:?}", rows[place]);
         }
+    };
+    for set in Instructions::available() {
+        check(set.name(), &expected, &|results| in_rows(PairKernel { model, dt }, set, &arguments, results));
+        check(set.name(), &stored, &|results| in_rows(StoredKernel { model }, set, &arguments, results));
     }
+    let sizes = [r, r, m, m].map(|size| vec![size; rows.len()]);
+    let constants = vec![(0..M::Coefficients::<f64>::LEN).map(|k| *constants.at(k)).collect(); rows.len()];
+    check("constants", &constants, &|results| {
+        let kernel = CoefficientsKernel { model, joined: false };
+        one_by_one(kernel, &sizes.each_ref().map(Vec::as_slice), results);
+    });
 }
 
 #[test]

@@ -54,40 +54,67 @@ fn stretches(
     evaluate: impl Fn(&[&[f64]], Results<'_, '_>),
 ) {
     let width = STRETCH.min(count);
-    let mut input = vec![vec![0.0; width]; sources.iter().map(|source| source.0).sum()];
-    let mut output = vec![vec![0.0; width]; computed.iter().map(|result| result.0).sum()];
+    // Numbers one after the other are columns already; components of vectors, and what is the same everywhere, are copied.
+    let is_column = |&(size, numbers): &(usize, &[f64])| size == 1 && numbers.len() > 1;
+    let copied = sources.iter().filter(|source| !is_column(source)).map(|source| source.0).sum();
+    let apart = computed.iter().filter(|result| result.0 > 1).map(|result| result.0).sum();
+    let (mut input, mut output) = (vec![vec![0.0; width]; copied], vec![vec![0.0; width]; apart]);
     for begin in (0..count).step_by(STRETCH) {
         let length = width.min(count - begin);
         let mut columns = input.iter_mut();
-        for &(size, numbers) in sources {
-            for (component, column) in columns.by_ref().take(size).enumerate() {
-                if numbers.len() > size {
-                    let from = numbers[begin * size..][..length * size].iter().skip(component).step_by(size);
-                    column.iter_mut().zip(from).for_each(|(to, number)| *to = *number);
-                } else if begin == 0 {
-                    column.fill(numbers[component]);
-                }
+        for &(size, numbers) in sources.iter().filter(|source| !is_column(source)) {
+            let columns = columns.by_ref().take(size).enumerate();
+            if numbers.len() > size {
+                let vectors = &numbers[begin * size..][..length * size];
+                columns.for_each(|(component, column)| gather(vectors, size, component, column));
+            } else if begin == 0 {
+                columns.for_each(|(component, column)| column.fill(numbers[component]));
             }
         }
-        let arguments: Vec<&[f64]> = input.iter().map(|column| &column[..length]).collect();
-        let mut results: Vec<&mut [f64]> = output.iter_mut().map(|column| &mut column[..length]).collect();
+        let (mut columns, mut arguments) = (input.iter(), Vec::new());
+        for source in sources {
+            if is_column(source) {
+                arguments.push(&source.1[begin..][..length]);
+            } else {
+                arguments.extend(columns.by_ref().take(source.0).map(|column| &column[..length]));
+            }
+        }
+        let (mut columns, mut results) = (output.iter_mut(), Vec::new());
+        for (size, numbers) in &mut *computed {
+            if *size == 1 {
+                results.push(&mut numbers[begin..][..length]);
+            } else {
+                results.extend(columns.by_ref().take(*size).map(|column| &mut column[..length]));
+            }
+        }
         evaluate(&arguments, &mut results);
         let mut columns = output.iter();
-        for (size, numbers) in &mut *computed {
-            let to = &mut numbers[begin * *size..][..length * *size];
-            for (component, column) in columns.by_ref().take(*size).enumerate() {
-                let to = to.iter_mut().skip(component).step_by(*size);
-                to.zip(column).for_each(|(to, number)| *to = *number);
-            }
+        for (size, numbers) in computed.iter_mut().filter(|result| result.0 > 1) {
+            let vectors = &mut numbers[begin * *size..][..length * *size];
+            columns.by_ref().take(*size).enumerate().for_each(|(at, column)| scatter(column, vectors, *size, at));
         }
     }
+}
+
+/// Takes a component of every vector.
+fn gather(vectors: &[f64], size: usize, component: usize, column: &mut [f64]) {
+    column.iter_mut().zip(vectors.chunks_exact(size)).for_each(|(to, vector)| *to = vector[component]);
+}
+
+/// Sets a component of every vector.
+fn scatter(column: &[f64], vectors: &mut [f64], size: usize, component: usize) {
+    vectors.chunks_exact_mut(size).zip(column).for_each(|(vector, number)| vector[component] = *number);
 }
 
 impl Computed {
     /// The first evaluation with a result that is not finite, and its results.
     pub(crate) fn first_not_finite(&self) -> Option<(usize, Vec<f64>)> {
         let sized = || self.results.iter().map(|(numbers, axes)| (numbers, axes.iter().product::<usize>()));
-        let first = |(numbers, size): (&Vec<f64>, usize)| Some(numbers.iter().position(|x| !x.is_finite())? / size);
+        // Without a way out of the loop several numbers are looked at together.
+        let finite = |numbers: &[f64]| numbers.iter().fold(true, |all, x| all & x.is_finite());
+        let first = |(numbers, size): (&Vec<f64>, usize)| {
+            (!finite(numbers)).then(|| numbers.iter().position(|x| !x.is_finite()).map(|at| at / size))?
+        };
         let at = sized().filter_map(first).min()?;
         let found = sized().flat_map(|(numbers, size)| &numbers[at * size..][..size]);
         Some((at, found.copied().collect()))

@@ -143,6 +143,10 @@ impl Equation {
         format!("<equation {id}: {function}({})>", documentation::parameters(self.entry).join(", "))
     }
 
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (&'static str,))> {
+        Ok((py.import("veridem")?.getattr("eq")?, (self.entry.equation.id,)))
+    }
+
     /// The name of the function.
     #[getter]
     fn function(&self) -> &'static str {

@@ -25,8 +25,13 @@ pub(crate) fn keep_quiet() {
 pub(crate) fn caught<T>(work: impl FnOnce() -> PyResult<T>) -> PyResult<T> {
     catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|_| {
         let message = BROKEN.lock().map(|message| message.clone()).unwrap_or_default();
-        Err(made("BrokenInvariant", &format!("broken invariant, a defect of veridem: {message}"), |_| Ok(())))
+        Err(broken(&message))
     })
+}
+
+/// The exception of a broken invariant.
+pub(crate) fn broken(message: &str) -> PyErr {
+    made("BrokenInvariant", &format!("broken invariant, a defect of veridem: {message}"), |_| Ok(()))
 }
 
 /// An exception of a class of the package.

@@ -1,14 +1,14 @@
 //! Simulations that are stepped from Python.
 
 use crate::arrays::Numbers;
-use crate::errors::{caught, exception, wrong};
+use crate::errors::{broken, caught, exception, wrong};
 use crate::law::Law;
 use crate::work::pool;
 use numpy::{IntoPyArray, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::ThreadPool;
-use std::sync::{Mutex, MutexGuard};
+use std::sync::{Mutex, MutexGuard, TryLockError};
 use std::time::{Duration, Instant};
 use veridem::error::Error;
 use veridem::run::advance_until;
@@ -87,9 +87,9 @@ impl PySimulation {
         loop {
             match self.steps.try_lock() {
                 Ok(steps) => return Ok(steps),
-                Err(std::sync::TryLockError::WouldBlock) => py.detach(|| std::thread::sleep(Duration::from_millis(1))),
-                Err(std::sync::TryLockError::Poisoned(_)) => {
-                    return Err(wrong("the simulation broke in an earlier step"));
+                Err(TryLockError::WouldBlock) => py.detach(|| std::thread::sleep(Duration::from_millis(1))),
+                Err(TryLockError::Poisoned(_)) => {
+                    return Err(broken("an earlier step did not end"));
                 }
             }
             py.check_signals()?;

@@ -30,6 +30,7 @@ def test_documentation_comes_from_the_table():
     for part in ["Eq. 3", "k_n : float or array [N/m], > 0", "Erratum", "begin{cases}"]:
         assert part in normal_force.__doc__
     assert pickle.loads(pickle.dumps(normal_force)) is normal_force
+    assert pickle.loads(pickle.dumps(veridem.eq("wear-3"))).id == "wear-3"
     row = veridem.eq("wear-3").arguments[0]
     assert (row.name, row.unit, row.domain, row.size) == ("k_n", "N/m", "> 0", 1)
 

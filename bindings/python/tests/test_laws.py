@@ -1,5 +1,7 @@
 """Contact laws over arrays of pairs."""
 
+import pickle
+
 import numpy as np
 import pytest
 import veridem
@@ -127,6 +129,12 @@ def test_wrong_values_are_told_by_key(silica, change, key):
 def test_wrong_pairs_are_told(silica, wrong, message):
     with pytest.raises(ValueError, match=message):
         veridem.Law(silica).pairs(**{"x": [6.0, 0.0, 0.0], **SIZES, **wrong})
+
+
+def test_laws_go_to_other_processes(silica):
+    law = veridem.Law(silica)
+    again = pickle.loads(pickle.dumps(law))
+    assert np.array_equal(again.pairs([5.9, 0, 0], **SIZES).force, law.pairs([5.9, 0, 0], **SIZES).force)
 
 
 def test_no_pairs_have_no_forces(silica):

@@ -40,8 +40,12 @@ class Law:
     def __init__(self, model: str | Mapping[str, Any], radii: Sequence[float] | None = None) -> None:
         if isinstance(model, str) and model.isidentifier():
             model = {model: {}}
-        text = model if isinstance(model, str) else yaml_of(model)
-        self._law = _veridem.Law(text, None if radii is None else [float(radius) for radius in radii])
+        self._model = model if isinstance(model, str) else yaml_of(model)
+        self._radii = None if radii is None else [float(radius) for radius in radii]
+        self._law = _veridem.Law(self._model, self._radii)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Law, (self._model, self._radii)
 
     @property
     def paper(self) -> str:
