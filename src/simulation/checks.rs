@@ -4,11 +4,14 @@ use super::{Settings, Simulation};
 use crate::error::{Halt, Reason, Stability};
 use crate::spec::mechanics::coordinated_step::coordinated_time_step;
 use crate::spec::{PairModel, Vec3};
-use crate::system::{Particles, System};
+use crate::system::{Domain, Particles, System};
 use std::collections::BTreeSet;
 
 /// Gap up to which spheres touch, as a fraction of the sum of their radii.
 const TOUCHING: f64 = 1e-6;
+
+/// Most copies of a box, along an axis, that a sphere may touch: any more are a mistake, and exhaust the memory.
+const IMAGES: f64 = 16.0;
 
 impl<M: PairModel> Simulation<M> {
     pub(super) fn halt(&self, reason: Reason) -> Halt {
@@ -69,7 +72,19 @@ impl<M: PairModel> Simulation<M> {
                 return Err(self.halt(Reason::Setting { name, value, expected }));
             }
         }
+        self.check_images()?;
         self.check_time_step()
+    }
+
+    /// Whether the box is large enough for its copies to be counted.
+    fn check_images(&self) -> Result<(), Halt> {
+        let largest = self.system.particles.radius.iter().copied().fold(0.0, f64::max);
+        let reach = self.model.range(largest, largest) + self.settings.skin;
+        let Domain { sides, periodic } = self.system.domain;
+        let narrow = (0..3).filter(|&axis| periodic[axis]).map(|axis| sides[axis]).find(|side| reach > IMAGES * side);
+        let (name, expected) =
+            ("periodic side", "at least a sixteenth of the range of the largest spheres and the skin");
+        narrow.map_or(Ok(()), |value| Err(self.halt(Reason::Setting { name, value, expected })))
     }
 
     /// Whether all necks join spheres of the system.

@@ -2,7 +2,7 @@
 //! and the velocities of half a step before, with which the springs advance, too.
 
 use super::Simulation;
-use crate::error::Halt;
+use crate::error::{Halt, Reason};
 use crate::forces::{MergedLoads, SurfaceTotals, Totals, stored_loads};
 use crate::motion::verlet;
 use crate::spec::mechanics::box_stress::box_stress;
@@ -81,9 +81,13 @@ impl<M: PairModel> Simulation<M> {
     /// Evaluates the present forces, at the start and after necks have broken, without advancing springs.
     pub(super) fn hold(&mut self) -> Result<(), Halt> {
         let free = self.system.walls.is_empty() && self.system.bodies.is_empty();
-        let plain = self.settings.damping == 0.0 && self.settings.relax_box.is_none();
+        let damping = self.settings.damping;
+        if damping != 0.0 {
+            let expected = "0 with velocity Verlet, and where the velocities at the start are those at its time";
+            return Err(self.halt(Reason::Setting { name: "damping", value: damping, expected }));
+        }
         assert!(
-            free && plain,
+            free && self.settings.relax_box.is_none(),
             "forces at the start are known for free spheres that nothing but their partners and surfaces act on"
         );
         let springs: Vec<_> = self.blocks.iter().map(|block| block.pairs.memory.clone()).collect();

@@ -18,6 +18,11 @@ use veridem::observe::aggregate::AggregateShape;
 use veridem::output::write_atomically;
 use veridem_spec::Vec3;
 
+/// Largest length, nm: the measures of a shape overflow far beyond it.
+const METRE: f64 = 1e9;
+/// Smallest radius, nm.
+const SMALLEST: f64 = 1e-3;
+
 type Arrays<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<f64>>);
 
 /// Does something about spheres that can be interrupted, on all cores.
@@ -38,8 +43,11 @@ fn spheres(positions: &Bound<'_, PyAny>, radii: &Bound<'_, PyAny>) -> PyResult<V
     if r.len() != 1 && r.len() != x.len() / 3 {
         return Err(wrong(format!("`radii` are of {} spheres, `positions` of {}", r.len(), x.len() / 3)));
     }
-    if x.is_empty() || x.iter().any(|x| !x.is_finite()) || r.iter().any(|r| !(*r > 0.0 && r.is_finite())) {
-        return Err(wrong("expected at least one sphere, finite positions and radii above 0"));
+    let within = |x: &f64| x.abs() <= METRE;
+    if x.is_empty() || !x.iter().all(within) || !r.iter().all(|r| within(r) && *r >= SMALLEST) {
+        return Err(wrong(format!(
+            "expected at least one sphere, positions of at most {METRE:e} nm and radii of {SMALLEST} to {METRE:e} nm"
+        )));
     }
     let radius = |k: usize| if r.len() == 1 { r[0] } else { r[k] };
     let sphere = |(k, x): (usize, &[f64])| Sphere { centre: Vec3([x[0], x[1], x[2]]), radius: radius(k) };
@@ -111,6 +119,9 @@ pub(crate) fn neck_pairs<'py>(
     as_given: bool,
 ) -> PyResult<Bound<'py, PyArray2<i64>>> {
     caught(|| {
+        if !(distance > 0.0 && distance.is_finite()) {
+            return Err(wrong(format!("`distance` = {distance}: expected a length above 0")));
+        }
         let spheres = spheres(positions, radii)?;
         let length = if as_given { NeckLength::AsGiven } else { NeckLength::Touching };
         let found = waited(py, |interrupt| necks(&spheres, distance, length, true, interrupt))?;

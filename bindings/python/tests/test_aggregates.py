@@ -62,5 +62,7 @@ def test_wrong_files_and_recipes_are_told(tmp_path):
         veridem.Aggregate.grow(5, radius=14.0, fractal_dimension=1.8, prefactor=1.3, method="slowly")
     with pytest.raises(ValueError, match="`format`"):
         veridem.Aggregate.read(file, format="doc")
-    with pytest.raises(ValueError, match="finite positions"):
+    with pytest.raises(ValueError, match="`distance` = 0"):
+        veridem.Aggregate([[0, 0, 0]], 1.0).necks(0.0)
+    with pytest.raises(ValueError, match="expected at least one sphere, positions"):
         veridem.Aggregate([[0, 0, np.inf]], 1.0).shape
