@@ -11,7 +11,7 @@ use veridem_spec::columns::{CoefficientsKernel, PairKernel, Results, StoredKerne
 use veridem_spec::numbers::Instructions;
 use veridem_spec::soot::{Along, Lagging, Printed, Programmed};
 use veridem_spec::titania::Tabulated;
-use veridem_spec::wear::Interaction;
+use veridem_spec::wear::{Interaction, Published};
 use veridem_spec::{Flat, Named, Necked, PairModel};
 
 /// Numbers of a pair.
@@ -102,11 +102,17 @@ fn first_key(section: &str) -> Option<String> {
 }
 
 fn of_wear(model: &str, _: Option<Vec<f64>>) -> Result<Arc<dyn AnyLaw>, Error> {
+    use wear::case::Readings;
     let case = case_with::<wear::Wear>(
         model,
         "sample: {hcp: {diameter: 1 d_c, size: [5 d_0, 5 d_0, 3 d_0]}}\nexperiment: {patch: {compression: {}}}\n",
     )?;
-    Ok(Arc::new(wear::material(&case).law(Interaction::Full)))
+    let material = wear::material(&case);
+    let law = material.law(Interaction::Full);
+    Ok(match material.readings {
+        Readings::Own => Arc::new(law),
+        Readings::AsPublished => Arc::new(Published(law)),
+    })
 }
 
 fn of_soot(model: &str, _: Option<Vec<f64>>) -> Result<Arc<dyn AnyLaw>, Error> {

@@ -62,6 +62,13 @@ def test_a_law_is_composed_of_its_equations(silica):
     assert law.range(3.0, 3.2) == pytest.approx(6.2 + constants["delta_f"])
 
 
+def test_the_published_program_reads_the_law_otherwise(silica):
+    """Its cap limits spring and dashpot together."""
+    own, published = veridem.Law(silica), veridem.Law({"wear": {**silica["wear"], "readings": "as-published"}})
+    moving = {"x": [6.0, 0, 0], "v": [0, 1e4, 0], **SIZES}
+    assert np.abs(published.pairs(**moving).force[1]) < np.abs(own.pairs(**moving).force[1])
+
+
 def test_action_is_reaction():
     law = veridem.Law("soot")
     arguments = pairs(100, np.random.default_rng(3), law)

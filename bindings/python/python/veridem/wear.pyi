@@ -70,6 +70,7 @@ __all__ = [
     "pair_stress",
     "pair_time_step_limit",
     "potential",
+    "published_contact",
     "relative_acceleration",
     "rescaled_maximum",
     "rescaled_separation",
@@ -780,6 +781,94 @@ def contact(x_i: ArrayLike, x_j: ArrayLike, v_i: ArrayLike, v_j: ArrayLike, omeg
     * a dashpot sets in with a jump and may pull
 
     wear-contact, spec/wear/def_contact.rs, rounding error at most 2 ULP
+    """
+
+@type_check_only
+class _PublishedContact(NamedTuple):
+    force: NDArray[np.float64]
+    torque_i: NDArray[np.float64]
+    torque_j: NDArray[np.float64]
+    xi_next: NDArray[np.float64]
+
+def published_contact(x_i: ArrayLike, x_j: ArrayLike, v_i: ArrayLike, v_j: ArrayLike, omega_i: ArrayLike, omega_j: ArrayLike, r_i: ArrayLike | str, r_j: ArrayLike | str, m_i: ArrayLike | str, m_j: ArrayLike | str, e: ArrayLike | str, nu: ArrayLike | str, sigma_mn: ArrayLike | str, sigma_mt: ArrayLike | str, gamma: ArrayLike | str, eta: ArrayLike | str, s: ArrayLike | str, xi: ArrayLike, dt: ArrayLike | str, *, check: bool = True) -> _PublishedContact:
+    """Section 2 as the authors' published program computes it: the contact law as a whole.
+
+    Parameters
+    ----------
+    x_i : array (..., 3) [m]
+        $\\mathbf{x}_i$: position of i
+    x_j : array (..., 3) [m]
+        $\\mathbf{x}_j$: position of j, distinct from `x_i`
+    v_i : array (..., 3) [m/s]
+        $\\mathbf{v}_i$: velocity of i
+    v_j : array (..., 3) [m/s]
+        $\\mathbf{v}_j$: velocity of j
+    omega_i : array (..., 3) [rad/s]
+        $\\boldsymbol{\\omega}_i$: angular velocity of i
+    omega_j : array (..., 3) [rad/s]
+        $\\boldsymbol{\\omega}_j$: angular velocity of j
+    r_i : float or array [m], > 0
+        $r_i$: radius of i
+    r_j : float or array [m], > 0
+        $r_j$: radius of j
+    m_i : float or array [kg], > 0
+        $m_i$: mass of i
+    m_j : float or array [kg], > 0
+        $m_j$: mass of j
+    e : float or array [Pa], > 0
+        $E$: Young's modulus
+    nu : float or array, (-1, 0.25]
+        $\\nu$: Poisson's ratio
+    sigma_mn : float or array [Pa], > 0
+        $\\sigma_{m,N}$: tensile strength
+    sigma_mt : float or array [Pa], >= 0
+        $\\sigma_{m,T}$: shear strength
+    gamma : float or array [J/m^2], > 0
+        $\\gamma$: surface energy
+    eta : float or array, [0, 1]
+        $\\eta$: restitution coefficient
+    s : float or array, >= 0
+        $s$: scaling parameter
+    xi : array (..., 3) [m]
+        $\\boldsymbol{\\xi}$: tangential spring before
+    dt : float or array [s], >= 0
+        $\\Delta t$: time step
+    check : bool
+        refuse values outside their domain, and results that are not finite
+
+    Returns
+    -------
+    force : array (..., 3) [N]
+        $\\mathbf{F}$: force on i; the force on j is its negative
+    torque_i : array (..., 3) [N m]
+        $\\mathbf{T}_i$: torque on i about its centre
+    torque_j : array (..., 3) [N m]
+        $\\mathbf{T}_j$: torque on j about its centre
+    xi_next : array (..., 3) [m]
+        $\\boldsymbol{\\xi}$: tangential spring now
+
+    Formula as printed
+    ------------------
+        \\mathbf{F}_T = -\\min\\left(1, \\frac{F'_{m,T}}{|k_T \\boldsymbol{\\xi} + c_T \\mathbf{v}_T|}\\right) (k_T \\boldsymbol{\\xi} + c_T \\mathbf{v}_T), \\quad
+        a = r
+
+    Reading
+    -------
+    The program is a pair style of LAMMPS. It differs from [`contact`](super::def_contact::contact) twice. The cap of Eq. 5 limits the
+    force of spring and dashpot together, where Eq. 2 adds the dashpot to the limited force of the spring; a pair that slips keeps the
+    spring with which both have the limited force. And the arms, of the torques as of the sliding velocity, are the radii, so that a
+    tangential force creates angular momentum. At every rebuild of its neighbour list it also forgets the springs of pairs that do not
+    touch.
+
+    Laws
+    ----
+    * without dashpots a touching pair that does not spin feels the same force
+    * the whole tangential force never exceeds the cap which ours does
+    * a pair that sticks has the spring of the paper
+    * a tangential force creates angular momentum at the rate of the gap
+    * what spring and dashpot lose is the work of the force
+
+    wear-published-contact, spec/wear/def_published.rs, rounding error at most 4 ULP
     """
 
 @overload
