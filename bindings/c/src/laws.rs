@@ -1,0 +1,201 @@
+//! The contact laws by name, with the keys of a case file. Numbers are in nm, ns and ag, hence pN, zJ, MPa and mN/m.
+
+use crate::error::{Done, wrong};
+use crate::law::{Law, Of};
+use crate::words::{Key, Values, Words};
+use veridem_spec::mechanics::four_springs::{Friction, Springs};
+use veridem_spec::soot::{self, Along, Lagging, Printed, Programmed, Soot};
+use veridem_spec::titania::eq02_torque::Arms;
+use veridem_spec::titania::eq03_attraction::Solvation;
+use veridem_spec::titania::eq07_damping_coefficient::DampingRadius;
+use veridem_spec::titania::eq09_stiffness::Stiffness;
+use veridem_spec::titania::eq12_sliding::Slip;
+use veridem_spec::titania::eq13_rolling::{Rolling, RollingOver};
+use veridem_spec::titania::{Liquid, Tabulated, Titania};
+use veridem_spec::wear::{Interaction, Material, Wear};
+use veridem_spec::{Flat, Necked};
+
+/// The law of this name. For `titania`, `radii` are those of all spheres, in ascending order: the attraction of every two is tabulated.
+pub(crate) fn named(name: &str, words: &[&str], radii: &[f64]) -> Done<Box<dyn Law>> {
+    match name {
+        "wear" => wear(&Words::parse("wear", WEAR, words)?),
+        "soot" => soot(&Words::parse("soot", SOOT, words)?),
+        "titania" => titania(&Words::parse("titania", TITANIA, words)?, radii),
+        _ => wrong(format!("found the law `{name}`, expected `wear`, `soot` or `titania`")),
+    }
+}
+
+const ABOVE: Values = Values::Numbers(1, "> 0");
+const NOT_BELOW: Values = Values::Numbers(1, ">= 0");
+const SPRINGS: Values = Values::Numbers(8, ">= 0");
+
+const WEAR: &[Key] = &[
+    ("young_modulus", ABOVE),
+    ("poisson_ratio", Values::Numbers(1, "(-1, 0.25]")),
+    ("tensile_strength", ABOVE),
+    ("shear_strength", NOT_BELOW),
+    ("surface_energy", ABOVE),
+    ("restitution", Values::Numbers(1, "[0, 1]")),
+    ("scaling", NOT_BELOW),
+    ("interaction", Values::OneOf(&["full", "normal", "repulsive"])),
+];
+
+fn wear(words: &Words) -> Done<Box<dyn Law>> {
+    let material = Material {
+        young_modulus: words.required("young_modulus")?,
+        poisson_ratio: words.required("poisson_ratio")?,
+        tensile_strength: words.required("tensile_strength")?,
+        shear_strength: words.required("shear_strength")?,
+        surface_energy: words.required("surface_energy")?,
+        restitution: words.required("restitution")?,
+        scaling: words.required("scaling")?,
+        forget_stretched_springs: false,
+    };
+    let interaction = [Interaction::Full, Interaction::Normal, Interaction::Repulsive][words.choice("interaction")?];
+    Ok(Of::boxed(Wear { material, interaction }))
+}
+
+const SOOT: &[Key] = &[
+    ("neck_springs", SPRINGS),
+    ("contact", SPRINGS),
+    ("friction_at_rest", Values::Numbers(3, ">= 0")),
+    ("friction_in_motion", Values::Numbers(3, ">= 0")),
+    ("hamaker_constant", NOT_BELOW),
+    ("substrate_hamaker_constant", NOT_BELOW),
+    ("tip_hamaker_constant", NOT_BELOW),
+    ("saturation", ABOVE),
+    ("capillary_force", NOT_BELOW),
+    ("capillary_reach", ABOVE),
+    ("capillary_sharpness", ABOVE),
+    ("cutoff", ABOVE),
+    ("torsion", Values::OneOf(&["spring", "as-printed", "as-published"])),
+    ("springs_act", Values::OneOf(&["after-stretching", "before-stretching"])),
+];
+
+fn springs(words: &Words, key: &str) -> Done<Springs<f64>> {
+    match words.numbers::<8>(key)? {
+        Some(numbers) => Ok(Springs::from_fn(|k| numbers[k])),
+        None => wrong(format!("`{key}` is missing: four stiffnesses and four damping coefficients")),
+    }
+}
+
+fn soot(words: &Words) -> Done<Box<dyn Law>> {
+    let contact = springs(words, "contact")?;
+    let at_rest = words.numbers::<3>("friction_at_rest")?.unwrap_or([1.0, 0.1, 0.1]);
+    let in_motion = words.numbers::<3>("friction_in_motion")?.unwrap_or(at_rest);
+    let friction = Friction::from_fn(|k| if k < 3 { at_rest[k] } else { in_motion[k - 3] });
+    let (delta_0, cutoff) = (words.number("saturation", 1.0)?, words.number("cutoff", 70.0)?);
+    let wall = |hamaker| soot::Wall { contact, friction, hamaker, delta_0, cutoff };
+    let law = Soot {
+        neck: springs(words, "neck_springs")?,
+        contact,
+        friction,
+        attraction: soot::Attraction {
+            a: words.number("hamaker_constant", 100.0)?,
+            delta_0,
+            psi: words.number("capillary_force", 0.0)?,
+            kappa: words.number("capillary_sharpness", 0.178571429)?,
+            d_cutoff: words.number("capillary_reach", 56.0)?,
+            cutoff,
+        },
+        reading: (),
+        walls: [
+            wall(words.number("substrate_hamaker_constant", 100.0)?),
+            wall(words.number("tip_hamaker_constant", 1000.0)?),
+        ],
+    };
+    Ok(match (words.choice("torsion")?, words.choice("springs_act")?) {
+        (0, 0) => Of::boxed(read(law, Along)),
+        (0, _) => Of::boxed(read(law, Lagging)),
+        (1, 0) => Of::boxed(read(law, Printed)),
+        _ => Of::boxed(read(law, Programmed)),
+    })
+}
+
+/// The same with springs read in some way.
+fn read<S>(law: Soot<()>, reading: S) -> Soot<S> {
+    let Soot { neck, contact, friction, attraction, walls, reading: () } = law;
+    Soot { neck, contact, friction, attraction, walls, reading }
+}
+
+const TITANIA: &[Key] = &[
+    ("humidity", Values::Numbers(1, "(0, 1)")),
+    ("temperature", ABOVE),
+    ("surface_tension", Values::OneOf(&["experimental", "tip3p"])),
+    ("liquid", Values::Numbers(3, "> 0")),
+    ("contact_angle", NOT_BELOW),
+    ("core_gap", ABOVE),
+    ("layer", ABOVE),
+    ("solvation", Values::OneOf(&["israelachvili", "printed"])),
+    ("solvation_force", Values::Numbers(1, "any")),
+    ("solvation_growth", Values::Numbers(1, "any")),
+    ("solvation_period", ABOVE),
+    ("damping_constant", NOT_BELOW),
+    ("damping_radius", Values::OneOf(&["bare", "contact"])),
+    ("sliding_strength", NOT_BELOW),
+    ("rolling_strength", NOT_BELOW),
+    ("slip_period", ABOVE),
+    ("slip", Values::OneOf(&["reset", "remainder"])),
+    ("contact_stiffness", Values::OneOf(&["pair", "size"])),
+    ("moment_arms", Values::OneOf(&["half-gap", "half-layer"])),
+    ("rolling", Values::OneOf(&["stopping", "unlimited"])),
+    ("rolling_over", Values::OneOf(&["rolling", "spin"])),
+    ("neck_springs", SPRINGS),
+];
+
+/// Largest error of the tables of the attraction, pN.
+const TOLERANCE: f64 = 0.1;
+
+fn titania(words: &Words, radii: &[f64]) -> Done<Box<dyn Law>> {
+    let paper = Titania::paper(1.0, 1e3, 1.0);
+    let megapascal = 1e-6;
+    let (mut liquid, mut thermal_pressure) = (paper.liquid, paper.thermal_pressure);
+    if let Some([temperature]) = words.numbers("temperature")? {
+        thermal_pressure = Titania::thermal_pressure_of_water(temperature) * megapascal;
+    }
+    if words.choice("surface_tension")? == 1 {
+        liquid = Liquid::Water { scale: 1.0 };
+    }
+    // Surface tension, thermal energy per volume of a molecule, thickness of the layer.
+    if let Some([gamma, pressure, h_w]) = words.numbers("liquid")? {
+        (liquid, thermal_pressure) = (Liquid::Other { gamma, h_w }, pressure);
+    }
+    let law = Titania {
+        core_gap: words.number("core_gap", paper.core_gap)?,
+        h_n: words.number("layer", paper.h_n)?,
+        humidity: words.number("humidity", paper.humidity)?,
+        thermal_pressure,
+        contact_angle: words.number("contact_angle", paper.contact_angle)?,
+        liquid,
+        solvation: [Solvation::Israelachvili, Solvation::Printed][words.choice("solvation")?],
+        f_00: words.number("solvation_force", paper.f_00)?,
+        f_01: words.number("solvation_growth", paper.f_01)?,
+        sigma: words.number("solvation_period", paper.sigma)?,
+        gamma_0: words.number("damping_constant", paper.gamma_0)?,
+        tau_s: words.number("sliding_strength", paper.tau_s)?,
+        tau_r: words.number("rolling_strength", paper.tau_r)?,
+        lambda_t: words.number("slip_period", paper.lambda_t)?,
+        slip: [Slip::Reset, Slip::Remainder][words.choice("slip")?],
+        stiffness: [Stiffness::PerPair, Stiffness::PerSize][words.choice("contact_stiffness")?],
+        arms: [Arms::HalfGap, Arms::HalfLayer][words.choice("moment_arms")?],
+        rolling: [Rolling::Stopping, Rolling::Unlimited][words.choice("rolling")?],
+        rolling_over: [RollingOver::Rolling, RollingOver::Spin][words.choice("rolling_over")?],
+        damping_radius: [DampingRadius::Bare, DampingRadius::Contact][words.choice("damping_radius")?],
+        ..paper
+    };
+    if let Some(r) = radii.iter().find(|&&r| r <= law.h_n) {
+        return wrong(format!("titania: found a sphere of radius {r}, expected more than the layer of {}", law.h_n));
+    }
+    if radii.is_empty() {
+        return Ok(Of::boxed(law));
+    }
+    let tabulated = Tabulated::new(law, radii, TOLERANCE);
+    Ok(match words.numbers::<8>("neck_springs")? {
+        None => Of::boxed(tabulated),
+        Some(neck) => {
+            // The spheres of the contact law overlap at rest by the layers on both.
+            let layer = law.h_n - 0.5 * law.core_gap;
+            Of::boxed(Necked { law: tabulated, neck: Springs::from_fn(|k| neck[k]), layer })
+        }
+    })
+}
