@@ -182,6 +182,13 @@ impl<M: PairModel> Pairs<M> {
         Ok(())
     }
 
+    fn clear(&mut self) {
+        self.i.clear();
+        self.j.clear();
+        self.constants.clear();
+        self.history.clear();
+    }
+
     fn check(&self, spheres: &Spheres) -> Done {
         let found = spheres.x.len();
         if found == self.count { Ok(()) } else { wrong(format!("found {found} spheres, listed were {}", self.count)) }
@@ -191,8 +198,7 @@ impl<M: PairModel> Pairs<M> {
 impl<M: PairModel> List for Pairs<M> {
     fn build(&mut self, (owned, id): (usize, &[c_int]), neighbours: &dyn Neighbours) -> Done {
         let count = id.len();
-        (self.i.clear(), self.j.clear());
-        (self.constants.clear(), self.history.clear());
+        self.clear();
         self.count = count;
         let (mask, mut beyond) = (neighbours.mask(), None);
         neighbours.each(&mut |p, of_p| {
@@ -208,7 +214,7 @@ impl<M: PairModel> List for Pairs<M> {
             }
         });
         if let Some((p, q)) = beyond {
-            (self.i.clear(), self.j.clear());
+            self.clear();
             return wrong(format!("found the pair {p}, {q} of {owned} owned spheres and {count} in all"));
         }
         self.history.resize(self.i.len() * width::<M>(), 0.0);

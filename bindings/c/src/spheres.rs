@@ -1,6 +1,7 @@
 //! The spheres of a caller, and the sums over a step: structures of the header.
 
 use crate::error::{Done, wrong};
+use crate::pointers::{lent, lent_mut};
 use std::ffi::c_int;
 
 /// The version of the structures and functions of the header.
@@ -40,26 +41,6 @@ pub(crate) struct Spheres<'a> {
     pub moment: &'a [f64],
     /// Number of contacts that share it.
     pub contacts: &'a [f64],
-}
-
-/// A slice that the caller lends; empty for a null pointer.
-///
-/// # Safety
-///
-/// The pointer is null, or points to `count` values that live and are not changed for as long as the result is used.
-pub(crate) unsafe fn lent<'a, T>(pointer: *const T, count: usize) -> &'a [T] {
-    // SAFETY: the promise of the caller.
-    if pointer.is_null() || count == 0 { &[] } else { unsafe { std::slice::from_raw_parts(pointer, count) } }
-}
-
-/// The same to be written.
-///
-/// # Safety
-///
-/// As for [`lent`], and nothing else reads or writes the values meanwhile.
-pub(crate) unsafe fn lent_mut<'a, T>(pointer: *mut T, count: usize) -> &'a mut [T] {
-    // SAFETY: the promise of the caller.
-    if pointer.is_null() || count == 0 { &mut [] } else { unsafe { std::slice::from_raw_parts_mut(pointer, count) } }
 }
 
 /// The spheres that a caller describes.
