@@ -84,7 +84,8 @@ typedef struct veridem_spheres {
     const int32_t *id;       /* ids, the same for a sphere and its ghosts; the springs of a pair belong to that with the lower one */
     double *force;           /* to which forces on owned spheres are added, 3 each */
     double *torque;          /* the same of torques */
-    const double *moment;    /* moment of inertia of a sphere, or the least of its body, INFINITY if it cannot turn; NULL: of spheres */
+    const double *moment;    /* least moment of inertia of the body of a sphere, 0 for a sphere by itself, 1e300 or more for one that
+                                cannot turn; NULL if contacts do not share inertia */
     const double *contacts;  /* number of contacts that share it; NULL if `moment` is */
 } veridem_spheres;
 

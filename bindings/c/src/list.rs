@@ -9,11 +9,15 @@ use std::sync::Arc;
 use veridem_spec::columns::{PairKernel, in_rows};
 use veridem_spec::mechanics::friction_share::inertia_share;
 use veridem_spec::mechanics::reduced_mass::effective_mass;
+use veridem_spec::mechanics::sphere::moment_of_inertia;
 use veridem_spec::numbers::Instructions;
 use veridem_spec::{Contact, Flat, PairModel, Vec3};
 
 /// How many pairs are gathered before they are evaluated; their columns fit into the second cache.
 const CHUNK: usize = 256;
+
+/// Moment of inertia from which on a sphere cannot turn.
+const FIXED: f64 = 1e300;
 
 /// The neighbours of some spheres, by their places.
 pub(crate) trait Neighbours {
@@ -88,8 +92,10 @@ impl<M: PairModel> Pairs<M> {
             return k;
         }
         let share = |p: u32| {
-            let moment = spheres.moment[p as usize];
-            moment.is_finite().then(|| inertia_share(moment, spheres.contacts[p as usize]))
+            let p = p as usize;
+            let given = spheres.moment[p];
+            let moment = if given == 0.0 { moment_of_inertia(spheres.mass[p], spheres.radius[p]) } else { given };
+            (moment < FIXED).then(|| inertia_share(moment, spheres.contacts[p]))
         };
         let reduced = match (share(self.i[pair]), share(self.j[pair])) {
             (Some(of_i), Some(of_j)) => effective_mass(of_i, of_j),

@@ -37,7 +37,8 @@ pub(crate) struct Spheres<'a> {
     pub id: &'a [c_int],
     pub force: &'a mut [[f64; 3]],
     pub torque: &'a mut [[f64; 3]],
-    /// Moment of inertia of each sphere or of its body, infinite for one that cannot turn; empty if the caller gives none.
+    /// Least moment of inertia of the body of each sphere, zero for one without, 1e300 or more for one that cannot turn; empty if the caller
+    /// gives none.
     pub moment: &'a [f64],
     /// Number of contacts that share it.
     pub contacts: &'a [f64],

@@ -1,0 +1,257 @@
+/* SPDX-License-Identifier: GPL-2.0-or-later */
+#include "pair_veridem.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "fix_history.h"
+#include "force.h"
+#include "memory.h"
+#include "modify.h"
+#include "neigh_list.h"
+#include "neighbor.h"
+#include "update.h"
+
+#include <algorithm>
+#include <cstring>
+
+using namespace LAMMPS_NS;
+
+PairVeridem::PairVeridem(LAMMPS *lmp, const char *which) : Pair(lmp), name(which) {
+  restartinfo = 0;
+  one_coeff = 1;
+  single_enable = 0;
+  manybody_flag = 1;    // no pairwise computes that call single()
+  no_virial_fdotr_compute = 1;
+  finitecutflag = 1;
+  comm_forward = 1;
+}
+
+PairVeridem::~PairVeridem() {
+  if (copymode) return;
+  if (kept && modify->get_fix_by_id(FixVeridemHistory::ID)) modify->delete_fix(FixVeridemHistory::ID);
+  veridem_list_free(pair_list);
+  veridem_law_free(law);
+  if (allocated) {
+    memory->destroy(setflag);
+    memory->destroy(cutsq);
+  }
+  delete[] pvector;
+}
+
+void PairVeridem::expect(int code) {
+  if (code != 0) error->one(FLERR, "veridem: {}", veridem_message());
+}
+
+void PairVeridem::make_law(const std::vector<double> &radii) {
+  std::vector<const char *> pointers;
+  for (const auto &word : words) pointers.push_back(word.c_str());
+  veridem_law *made = nullptr;
+  int code = veridem_law_new(name.c_str(), pointers.data(), pointers.size(), radii.data(), radii.size(), &made);
+  // The same on every process: all of them stop together.
+  if (code != 0) error->all(FLERR, "veridem: {}", veridem_message());
+  veridem_law_free(law);
+  law = made;
+}
+
+/* The words of the law: keys and their values. */
+void PairVeridem::settings(int narg, char **arg) {
+  if (strcmp(update->unit_style, "nano") != 0)
+    error->all(FLERR, "pair_style veridem/{}: found units {}, expected units nano", name, update->unit_style);
+  words.assign(arg, arg + narg);
+  make_law({});
+  size_t kept_width, losses, energies;
+  veridem_law_count(law, VERIDEM_HISTORY, &kept_width);
+  veridem_law_count(law, VERIDEM_LOSSES, &losses);
+  veridem_law_count(law, VERIDEM_STORED, &energies);
+  if (width != 0 && width != kept_width)
+    error->all(FLERR, "pair_style veridem/{}: these keys change the history of pairs; use clear first", name);
+  width = kept_width;
+  stored.assign(energies, 0.0);
+  lost.assign(losses, 0.0);
+  nextra = static_cast<int>(energies + losses);
+  delete[] pvector;
+  pvector = new double[nextra];
+  if (comm->me == 0) {
+    std::string meaning = fmt::format("veridem/{}: compute pair gives", name);
+    for (int what : {VERIDEM_STORED, VERIDEM_LOSSES}) {
+      size_t count = what == VERIDEM_STORED ? energies : losses;
+      meaning += what == VERIDEM_STORED ? " the energies stored:" : "; and lost:";
+      for (size_t place = 0; place < count; place++) {
+        char text[64];
+        veridem_law_name(law, what, place, text, sizeof text);
+        meaning += fmt::format(" {}{}", text, place + 1 < count ? "," : "");
+      }
+    }
+    utils::logmesg(lmp, meaning + "\n");
+  }
+}
+
+/* pair_coeff * * [history FILE] */
+void PairVeridem::coeff(int narg, char **arg) {
+  bool file = narg == 4 && strcmp(arg[2], "history") == 0;
+  if ((narg != 2 && !file) || strcmp(arg[0], "*") != 0 || strcmp(arg[1], "*") != 0)
+    error->all(FLERR, "pair_coeff of veridem/{}: expected * * or * * history FILE", name);
+  int n = atom->ntypes;
+  if (!allocated) {
+    memory->create(setflag, n + 1, n + 1, "pair:setflag");
+    memory->create(cutsq, n + 1, n + 1, "pair:cutsq");
+    allocated = 1;
+  }
+  for (int i = 1; i <= n; i++)
+    for (int j = i; j <= n; j++) setflag[i][j] = 1;
+  if (!kept) {
+    modify->add_fix(fmt::format("{} all veridem/history {}", FixVeridemHistory::ID, width));
+    kept = dynamic_cast<FixVeridemHistory *>(modify->get_fix_by_id(FixVeridemHistory::ID));
+    kept->pair = this;
+    kept->restore_losses();
+  }
+  if (file) kept->read(arg[3]);
+}
+
+void PairVeridem::refuse_what_cannot_work() {
+  auto wants = [&](const char *found, const char *expected) {
+    error->all(FLERR, "pair_style veridem/{}: found {}, expected {}", name, found, expected);
+  };
+  if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
+    wants("an atom style without radius, mass per atom and angular velocity", "atom_style sphere");
+  if (strcmp(update->unit_style, "nano") != 0) wants("other units", "units nano");
+  if (force->newton_pair) wants("newton on", "newton off before the box is made");
+  if (!comm->ghost_velocity) wants("ghosts without velocities", "comm_modify vel yes");
+  if (!atom->tag_enable) wants("atoms without ids", "atom_modify id yes");
+  if (!neighbor->dist_check) wants("neigh_modify check no", "neigh_modify check yes, which tests the skin");
+  if (neighbor->skin <= 0.0) wants("a skin of zero", "a skin above 0");
+  if (utils::strmatch(update->integrate_style, "^respa")) wants("run_style respa", "run_style verlet");
+}
+
+void PairVeridem::init_style() {
+  refuse_what_cannot_work();
+
+  // All radii, each once, on every process.
+  std::vector<double> radii(atom->radius, atom->radius + atom->nlocal);
+  auto once = [](std::vector<double> &numbers) {
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  };
+  once(radii);
+  int here = static_cast<int>(radii.size()), all = 0;
+  std::vector<int> counts(comm->nprocs), places(comm->nprocs);
+  MPI_Allgather(&here, 1, MPI_INT, counts.data(), 1, MPI_INT, world);
+  for (int p = 0; p < comm->nprocs; p++) places[p] = all, all += counts[p];
+  std::vector<double> every(all);
+  MPI_Allgatherv(radii.data(), here, MPI_DOUBLE, every.data(), counts.data(), places.data(), MPI_DOUBLE, world);
+  once(every);
+  // Only this law needs them, and they may be as many as the spheres.
+  if (name == "titania") make_law(every);
+
+  largest.assign(atom->ntypes + 1, 0.0);
+  for (int i = 0; i < atom->nlocal; i++) largest[atom->type[i]] = std::max(largest[atom->type[i]], atom->radius[i]);
+  MPI_Allreduce(MPI_IN_PLACE, largest.data(), atom->ntypes + 1, MPI_DOUBLE, MPI_MAX, world);
+
+  veridem_list_free(pair_list);
+  pair_list = nullptr;
+  listed = false;
+  expect(veridem_list_new(law, &pair_list));
+  // A plain list with the range of each two types: those of granular styles end at the skin and forget stretched pairs.
+  neighbor->add_request(this);
+}
+
+double PairVeridem::init_one(int i, int j) {
+  double range = 0.0;
+  if (largest[i] > 0.0 && largest[j] > 0.0) expect(veridem_law_range(law, largest[i], largest[j], &range));
+  return range;
+}
+
+void PairVeridem::relist() {
+  // Pairs are told apart by the ids of their spheres: an image of a neighbour must not be a neighbour, too.
+  for (int a = 0; a < 3; a++)
+    if (domain->periodicity[a] && domain->prd[a] < 2.0 * neighbor->cutneighmax)
+      error->all(FLERR, "pair_style veridem/{}: found a periodic side of {}, expected at least {}, twice the reach of neighbours",
+                 name, domain->prd[a], 2.0 * neighbor->cutneighmax);
+  expect(veridem_list_build(pair_list, atom->nlocal + atom->nghost, atom->nlocal, atom->tag, list->inum, list->ilist,
+                            list->numneigh, list->firstneigh, NEIGHMASK));
+  listed = true;
+}
+
+bool PairVeridem::pairs(size_t &count, const uint32_t *&i, const uint32_t *&j, double *&history) {
+  if (!listed) return false;
+  expect(veridem_list_pairs(pair_list, &count, &i, &j, &history));
+  return true;
+}
+
+veridem_spheres PairVeridem::spheres() {
+  size_t owned = atom->nlocal, count = owned + atom->nghost;
+  veridem_spheres of = {};
+  of.abi = VERIDEM_ABI;
+  of.bytes = sizeof of;
+  if (count == 0) return of;
+  of.count = count, of.owned = owned, of.id = atom->tag;
+  of.x = atom->x[0], of.v = atom->v[0], of.omega = atom->omega[0];
+  of.radius = atom->radius, of.mass = atom->rmass;
+  of.force = atom->f[0], of.torque = atom->torque[0];
+  return of;
+}
+
+/* Counts the contacts of each sphere, or of its molecule if the spheres have the property d_moment. */
+void PairVeridem::share_inertia(veridem_spheres &spheres) {
+  int shares = 0;
+  expect(veridem_law_shares_inertia(law, &shares));
+  if (!shares) return;
+  int all = atom->nlocal + atom->nghost, is_double, columns;
+  moment.assign(all, 0.0);
+  contacts.assign(all, 0.0);
+  expect(veridem_list_contacts(pair_list, &spheres, contacts.data()));
+  int place = atom->find_custom("moment", is_double, columns);
+  if (place >= 0 && is_double == 1 && columns == 0) {
+    if (!atom->molecule) error->all(FLERR, "pair_style veridem/{}: d_moment needs the molecules of the spheres", name);
+    std::copy(atom->dvector[place], atom->dvector[place] + all, moment.begin());
+    tagint most = 0;
+    for (int i = 0; i < atom->nlocal; i++) most = std::max(most, atom->molecule[i]);
+    MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_LMP_TAGINT, MPI_MAX, world);
+    std::vector<double> of(most + 1, 0.0);
+    for (int i = 0; i < atom->nlocal; i++) of[atom->molecule[i]] += contacts[i];
+    MPI_Allreduce(MPI_IN_PLACE, of.data(), most + 1, MPI_DOUBLE, MPI_SUM, world);
+    for (int i = 0; i < atom->nlocal; i++)
+      if (atom->molecule[i] > 0) contacts[i] = of[atom->molecule[i]];
+  }
+  comm->forward_comm(this);
+  spheres.moment = moment.data();
+  spheres.contacts = contacts.data();
+}
+
+int PairVeridem::pack_forward_comm(int n, int *ghosts, double *buf, int, int *) {
+  for (int k = 0; k < n; k++) buf[k] = contacts[ghosts[k]];
+  return n;
+}
+
+void PairVeridem::unpack_forward_comm(int n, int first, double *buf) {
+  for (int k = 0; k < n; k++) contacts[first + k] = buf[k];
+}
+
+void PairVeridem::compute(int eflag, int vflag) {
+  ev_init(eflag, vflag);
+  if (eflag_atom || vflag_atom) error->all(FLERR, "pair_style veridem/{} has no energy or virial per atom", name);
+  veridem_spheres of = spheres();
+  share_inertia(of);
+  // At the start of a run forces are evaluated for the same time as at the end of the last one.
+  int advance = update->setupflag == 0;
+  double dt = advance ? update->dt : 0.0;
+  stepped = stepped || advance;
+  std::fill(stored.begin(), stored.end(), 0.0);
+  expect(veridem_list_step(pair_list, &of, dt, advance, lost.data(), lost.size(), eflag_either ? stored.data() : nullptr,
+                           eflag_either ? stored.size() : 0, vflag_either ? virial : nullptr));
+  if (eflag_either) {
+    for (double energy : stored) eng_vdwl += energy;
+    std::copy(stored.begin(), stored.end(), pvector);
+    std::copy(lost.begin(), lost.end(), pvector + stored.size());
+  }
+}
+
+double PairVeridem::memory_usage() {
+  size_t count = 0;
+  const uint32_t *i, *j;
+  double *history;
+  if (!pairs(count, i, j, history)) return 0.0;
+  return static_cast<double>(count) * (width + 12) * sizeof(double);
+}

@@ -1,0 +1,60 @@
+/* SPDX-License-Identifier: GPL-2.0-or-later
+ * A contact law of veridem as a pair style of LAMMPS. */
+#ifndef PAIR_VERIDEM_H
+#define PAIR_VERIDEM_H
+
+#include "pair.h"
+#include "veridem.h"
+
+#include <string>
+#include <vector>
+
+namespace LAMMPS_NS {
+
+class FixVeridemHistory;
+
+class PairVeridem : public Pair {
+ public:
+  PairVeridem(class LAMMPS *, const char *law);
+  ~PairVeridem() override;
+  void settings(int, char **) override;
+  void coeff(int, char **) override;
+  void init_style() override;
+  double init_one(int, int) override;
+  void compute(int, int) override;
+  int pack_forward_comm(int, int *, double *, int, int *) override;
+  void unpack_forward_comm(int, int, double *) override;
+  double memory_usage() override;
+
+  /* Lists the pairs anew, after LAMMPS has. */
+  void relist();
+  /* The pairs: false if none are listed. */
+  bool pairs(size_t &count, const uint32_t *&i, const uint32_t *&j, double *&history);
+  /* The spheres of this process. */
+  veridem_spheres spheres();
+  /* Ends LAMMPS with the reason of a failed call on any process. */
+  void expect(int code);
+
+  veridem_law *law = nullptr;
+  size_t width = 0;             /* numbers of the history of a pair */
+  std::vector<double> stored;   /* energies stored now, of this process */
+  std::vector<double> lost;     /* energies lost since the beginning, of this process */
+  bool stepped = false;         /* whether springs have advanced since they were gathered */
+
+ private:
+  std::string name;
+  std::vector<std::string> words;
+  std::vector<double> largest;    /* radius of each type */
+  std::vector<double> moment, contacts;
+  veridem_list *pair_list = nullptr;
+  FixVeridemHistory *kept = nullptr;
+  bool listed = false;
+
+  void make_law(const std::vector<double> &radii);
+  void share_inertia(veridem_spheres &);
+  void refuse_what_cannot_work();
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
