@@ -37,6 +37,36 @@ class Frame:
         """The places of the spheres by id."""
         return np.argsort(self["id"].astype(int))
 
+    def moments(self):
+        """Least principal moment of inertia of the body of each sphere, as `d_moment` wants it: 0 for a sphere by itself, 1e300 for a wall."""
+        mass, radius, found = self["mass"], self["radius"], np.zeros(self.count)
+        for body in set(self["body"]):
+            members = np.flatnonzero(self["body"] == body)
+            if self["wall"][members].any():
+                found[members] = 1e300
+            elif len(members) > 1:
+                arms = self.together(members)
+                arms = arms - mass[members] @ arms / mass[members].sum()
+                own = 0.4 * radius[members] ** 2 + (arms**2).sum(axis=1)
+                tensor = (mass[members] * own).sum() * np.eye(3) - (mass[members, None] * arms).T @ arms
+                found[members] = np.linalg.eigvalsh(tensor)[0]
+        return found
+
+    def together(self, members):
+        """The centres of spheres that touch each other, not folded into the box."""
+        x, front, left = self["pos"][members].copy(), [0], set(range(1, len(members)))
+        sides = np.where(self.periodic, self.sides, 1e30)
+        while front and left:
+            here = front.pop()
+            for other in sorted(left):
+                way = x[other] - x[here]
+                way -= sides * np.round(way / sides)
+                if np.linalg.norm(way) < 1.05 * self["radius"][members[[here, other]]].sum():
+                    x[other] = x[here] + way
+                    left.discard(other)
+                    front.append(other)
+        return x
+
 
 class Pairs:
     """A local dump of pairs: ids, kind, springs."""
@@ -53,41 +83,45 @@ class Pairs:
         self.springs = rows[:, springs]
 
 
-def write_state(folder, frame, margin=50.0, properties=None):
-    """Writes `state.data` and `state.history`; ids of LAMMPS begin with 1."""
+def write_state(folder, frame, margin=50.0):
+    """Writes `state.data` and `state.history`; ids of LAMMPS begin with 1, spheres of walls have the type 2."""
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    x, ids = frame["pos"], frame["id"].astype(int) + 1
+    x, ids, wall = frame["pos"].copy(), frame["id"].astype(int) + 1, frame["wall"].astype(int)
     low, high = x.min(axis=0) - margin, x.max(axis=0) + margin
     for a in range(3):
         if frame.periodic[a]:
             low[a], high[a] = 0.0, frame.sides[a]
-    wall = frame["wall"].astype(int) if "wall" in frame.columns else np.zeros(frame.count, dtype=int)
-    number = lambda value: repr(float(value))
+    image = np.zeros((frame.count, 3), dtype=int)
+    for body in set(frame["body"]):
+        members = np.flatnonzero(frame["body"] == body)
+        if len(members) < 1000 and not wall[members].any():
+            for a in range(3):
+                if frame.periodic[a]:
+                    image[members, a] = np.round((frame.together(members) - x[members])[:, a] / frame.sides[a])
     density = frame["mass"] / (4.0 / 3.0 * np.pi * frame["radius"] ** 3)
+    bodies, moments = frame["body"].astype(int), frame.moments()
+
+    def rows(out, title, values):
+        out.write(f"\n{title}\n\n")
+        out.writelines(f"{ids[k]} {' '.join(map(number, values(k)))}\n" for k in range(frame.count))
+
     with open(folder / "state.data", "w") as out:
         out.write(f"state at {frame.time} ns\n\n{frame.count} atoms\n2 atom types\n\n")
-        for a, name in enumerate("xyz"):
-            out.write(f"{number(low[a])} {number(high[a])} {name}lo {name}hi\n")
-        out.write("\nAtoms # sphere\n\n")
-        for k in range(frame.count):
-            kind = 2 if wall[k] else 1
-            numbers = [2.0 * frame["radius"][k], density[k], *x[k]]
-            out.write(f"{ids[k]} {kind} {' '.join(map(number, numbers))}\n")
-        out.write("\nVelocities\n\n")
-        for k in range(frame.count):
-            numbers = [*frame["velo"][k], *frame["angular_velocity"][k]]
-            out.write(f"{ids[k]} {' '.join(map(number, numbers))}\n")
-        for title, values in (properties or {}).items():
-            out.write(f"\n{title}\n\n")
-            for k in range(frame.count):
-                out.write(f"{ids[k]} {values[k]}\n")
-    pairs = frame.pairs
+        out.writelines(f"{number(low[a])} {number(high[a])} {name}lo {name}hi\n" for a, name in enumerate("xyz"))
+        rows(out, "Atoms # sphere", lambda k: [2 if wall[k] else 1, 2.0 * frame["radius"][k], density[k], *x[k], *image[k]])
+        rows(out, "Velocities", lambda k: [*frame["velo"][k], *frame["angular_velocity"][k]])
+        rows(out, "Members", lambda k: [bodies[k], moments[k]])
     with open(folder / "state.history", "w") as out:
         out.write("# ids of both spheres, 1 for a neck, springs\n")
-        for (i, j), kind, springs in zip(pairs.ids, pairs.kind, pairs.springs):
+        for (i, j), kind, springs in zip(frame.pairs.ids, frame.pairs.kind, frame.pairs.springs):
             if kind == 2 or springs.any():
                 out.write(f"{i + 1} {j + 1} {int(kind == 2)} {' '.join(map(number, springs))}\n")
+
+
+def number(value):
+    """A number with all its digits."""
+    return str(value) if isinstance(value, (int, np.integer)) else repr(float(value))
 
 
 def read_dump(path):

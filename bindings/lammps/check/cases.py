@@ -1,0 +1,59 @@
+"""Small cases of the three papers, and the same laws as pair styles."""
+
+SILICA = """wear: {young_modulus: 73 GPa, poisson_ratio: 0.17, tensile_strength: 16 GPa, shear_strength: 9 GPa,
+         surface_energy: 1.5 J/m^2, restitution: 0.9, density: 2.2 g/cm^3, scaling: 0.5}"""
+SAMPLE = "amorphous: {diameter: 3 nm, largest: 4.5 nm, size: [24 nm, 24 nm, 18 nm], relaxation: {repulsion_steps: 200, residual_stress: 1e-3 E}}"
+WEAR = (
+    "veridem/wear young_modulus 73000 poisson_ratio 0.17 tensile_strength 16000 shear_strength 9000 surface_energy 1500 "
+    "restitution 0.9 scaling 0.5"
+)
+SOOT = (
+    "veridem/soot neck_springs 1e9 1e10 1e10 1e10 1.25e6 2.5e5 6.25e4 6.25e4 contact 1e7 1e7 1e7 1e7 5e3 1e3 250 250 "
+    "capillary_force 1000"
+)
+TITANIA = "veridem/titania damping_constant 5.0"
+
+JUNCTION = f"""title: A small junction
+model:
+  {SILICA}
+sample:
+  {SAMPLE}
+experiment:
+  junction: {{diameter: 9 nm, walls: 3 nm, shear_velocity: 100 m/s, normal_stress: 100 MPa, duration: 600 steps}}
+output: {{digits: all, columns: [torque], frames: 300 steps}}
+"""
+
+PATCH = f"""title: A patch in shear
+model:
+  {SILICA}
+sample:
+  {SAMPLE}
+experiment:
+  patch: {{walls: 3 nm, shear: {{strain_per_step: 1e-5, strain: 0.03, damping: 5e-13 kg/s}}}}
+output: {{digits: all, columns: [torque], frames: 1000 steps}}
+"""
+
+AGGREGATE = """title: A collapsing aggregate, half of whose contacts are necks
+model: {soot: {}}
+sample: {aggregate: {spheres: 60, growth: spheres, fractal_dimension: 2.2, neck_fraction: 0.5}}
+experiment: {restructuring: {dt: 5 fs, duration: 0.505 ns}}
+output: {digits: all, columns: [torque], frames: [0.5, 0.505 ns]}
+"""
+
+FILM = """title: A small film under a small tip
+seed: 5
+model: {titania: {damping_constant: 5e6 N s/m^3}}
+sample:
+  film: {particles: 260, sides: [140 nm, 140 nm], aggregates: {median: 12, largest: 24}}
+experiment:
+  spectroscopy:
+    relaxation: 2 ns
+    tip: {radius: 10 nm, side: 60 nm}
+    speed: 5 m/s
+    setpoint: 40 pN
+    reversal: 4 ns
+    depth: 60 nm
+    retraction: 160 nm
+    dt: 0.5 ps
+output: {digits: all, columns: [torque], frames: 10 ns}
+"""

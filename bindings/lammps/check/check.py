@@ -1,0 +1,171 @@
+"""Checks the plugin against the engine: python check.py VERIDEM [--full]. Run it with the Python of the environment of the plugin.
+
+Forces of one step, trajectories, numbers of processes, restarts, the history over rebuilds and migration, refusals."""
+
+import argparse
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+
+import cases
+from frames import Frame, read_dump, write_state
+from lammps_runs import DUMP, HEAD, ROOT, run, script
+
+WORK = ROOT / "target/lammps/check"
+RIGID = "neigh_modify exclude molecule/intra all"
+failed = []
+
+
+def say(what, value, limit):
+    """Reports a number that must not exceed a limit."""
+    good = value <= limit
+    print(f"{'ok' if good else 'FAILED':7}{what}: {value:.1e}, at most {limit:.0e}", flush=True)
+    if not good:
+        failed.append(what)
+
+
+def engine(veridem, name, case):
+    """Runs a case with the engine; returns its frames by stage."""
+    folder = WORK / name
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "case.yaml").write_text(case)
+    subprocess.run([veridem, "--quiet", "run", "case.yaml", "--out", "run", "--force"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
+    frames = {}
+    for path in sorted((folder / "run/case/frames").glob("*.xyz")):
+        frames.setdefault(path.name.split(".")[0], []).append(Frame(path))
+    return folder, frames
+
+
+def columns(table, *names):
+    return np.stack([table[name] for name in names], axis=1)
+
+
+def difference(table, frame, of=None):
+    """Largest differences of position, nm, and of velocity, m/s."""
+    order = frame.reorder()
+    way = columns(table, "x", "y", "z") - frame["pos"][order]
+    for a in range(3):
+        if frame.periodic[a]:
+            way[:, a] -= frame.sides[a] * np.round(way[:, a] / frame.sides[a])
+    return abs(way).max(), abs(columns(table, "vx", "vy", "vz") - frame["velo"][order]).max()
+
+
+def forces(folder, frame, style, dt, what, after=""):
+    """Forces and torques of one step are the engine's."""
+    write_state(folder, frame)
+    run(folder, script(frame, style, dt, after=after) + DUMP.format(every=1, file="one.dump") + "run 1\n")
+    table, order = read_dump(folder / "one.dump"), frame.reorder()
+    free = frame["wall"][order] == 0
+    for kind, names in (("force", ("fx", "fy", "fz")), ("torque", ("tqx", "tqy", "tqz"))):
+        theirs = frame[kind][order]
+        error = abs(columns(table, *names) - theirs)[free].max() / abs(theirs).max()
+        say(f"{what}: {kind}s of one step, of the largest", error, 1e-12)
+
+
+def trajectory(folder, begin, end, style, dt, what, limits, ranks=(1,), **options):
+    """The state after some steps is the engine's, on any number of processes."""
+    write_state(folder, begin)
+    steps = end.step - begin.step
+    tables = {}
+    for count in ranks:
+        file = f"end-{count}.dump"
+        text = script(begin, style, dt, **options) + DUMP.format(every=steps, file=file) + f"run {steps}\n"
+        out = run(folder, text, ranks=count)
+        rebuilds = int(re.search(r"Neighbor list builds = (\d+)", out)[1])
+        tables[count] = read_dump(folder / file)
+        x, v = difference(tables[count], end)
+        say(f"{what}: positions after {steps} steps on {count} processes, {rebuilds} rebuilds, nm", x, limits[0])
+        say(f"{what}: velocities, m/s", v, limits[1])
+    return tables
+
+
+def step_of(frames):
+    """The time step of a stage, ns."""
+    a, b = frames[0], frames[-1]
+    return (b.time - a.time) / (b.step - a.step)
+
+
+def wear(veridem):
+    folder, frames = engine(veridem, "junction", cases.JUNCTION)
+    for frame in frames["shearing"][1:]:
+        forces(folder, frame, cases.WEAR, step_of(frames["shearing"]), f"junction at step {frame.step}")
+    folder, frames = engine(veridem, "patch", cases.PATCH)
+    shear, dt = frames["shear"], step_of(frames["shear"])
+    # The wall of a shear test keeps its velocity.
+    damped = "fix step all veridem/step wall wall damping 0.5"
+    trajectory(folder, shear[0], shear[1], cases.WEAR, dt, "patch in shear", (1e-9, 1e-6), ranks=(1, 2, 4), step=damped)
+    many_rebuilds(folder, shear[0], dt, damped)
+    restart(folder, shear[0], cases.WEAR, dt, "patch", 1e-10, step=damped)
+
+
+def many_rebuilds(folder, frame, dt, step):
+    """History goes with spheres that change processes at every rebuild: a stream through the box, with a skin that is soon used up."""
+    tables = {}
+    stream = "velocity all set 300 NULL -300 sum yes units box\n"
+    for count, skin in ((1, 1.0), (4, 0.2)):
+        text = script(frame, cases.WEAR, dt, skin=skin, step=step.replace(" damping 0.5", ""), after=stream)
+        out = run(folder, text + DUMP.format(every=1000, file="stream.dump") + "run 1000\n", ranks=count)
+        tables[count] = read_dump(folder / "stream.dump")
+        rebuilds = int(re.search(r"Neighbor list builds = (\d+)", out)[1])
+    say("stream: 30 over rebuilds on 4 processes", 30 / max(rebuilds, 1), 1)
+    way = columns(tables[1], "x", "y", "z") - columns(tables[4], "x", "y", "z")
+    for a in range(3):
+        if frame.periodic[a]:
+            way[:, a] -= frame.sides[a] * np.round(way[:, a] / frame.sides[a])
+    say(f"stream: positions after {rebuilds} rebuilds with migration, nm", abs(way).max(), 1e-9)
+
+
+def restart(folder, frame, style, dt, what, limit, **options):
+    """A run that is continued from a restart file, on another number of processes, ends where the whole run ends."""
+    write_state(folder, frame)
+    whole = script(frame, style, dt, **options)
+    run(folder, whole + DUMP.format(every=400, file="whole.dump") + "run 200\nwrite_restart half.restart\nrun 200\n", ranks=2)
+    begin = whole.index("fix bodies")
+    rest = whole[begin:].replace("read_data state.data fix bodies NULL Members", "read_restart half.restart")
+    rest = rest.replace("pair_coeff * * history state.history", "pair_coeff * *").replace("group wall type 2\n", "")
+    lines = rest.splitlines()
+    bodies = lines.pop(0)
+    lines.insert([line.startswith("read_restart") for line in lines].index(True) + 1, bodies)
+    text = HEAD + "\n".join(lines) + "\n" + DUMP.format(every=400, file="rest.dump") + "run 200\n"
+    run(folder, text, ranks=4)
+    one, two = read_dump(folder / "whole.dump"), read_dump(folder / "rest.dump")
+    way = columns(one, "x", "y", "z") - columns(two, "x", "y", "z")
+    for a in range(3):
+        if frame.periodic[a]:
+            way[:, a] -= frame.sides[a] * np.round(way[:, a] / frame.sides[a])
+    say(f"{what}: positions after a restart on 4 processes, nm", abs(way).max(), limit)
+
+
+def soot(veridem):
+    folder, frames = engine(veridem, "aggregate", cases.AGGREGATE)
+    begin, end = frames["restructuring"][-2:]
+    for frame in (begin, end):
+        forces(folder, frame, cases.SOOT, 5e-6, f"aggregate at step {frame.step}")
+    trajectory(folder, begin, end, cases.SOOT, 5e-6, "aggregate", (1e-9, 1e-6), ranks=(1, 2, 4))
+    restart(folder, begin, cases.SOOT, 5e-6, "aggregate", 1e-10)
+
+
+def titania(veridem):
+    folder, frames = engine(veridem, "film", cases.FILM)
+    for frame in frames["retraction"]:
+        if abs(frame["force"]).max() > 100.0:
+            forces(folder, frame, cases.TITANIA, 5e-4, f"film at step {frame.step}", after=RIGID)
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("veridem")
+    parser.add_argument("--only", choices=["wear", "soot", "titania"])
+    arguments = parser.parse_args()
+    veridem = str(Path(arguments.veridem).resolve())
+    for check in (wear, soot, titania):
+        if arguments.only in (None, check.__name__):
+            check(veridem)
+    if failed:
+        sys.exit(f"{len(failed)} checks failed")
+
+
+main()
