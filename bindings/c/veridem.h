@@ -126,6 +126,10 @@ int veridem_plane_step(const veridem_law *law, veridem_spheres *spheres, size_t 
 int veridem_advance(size_t count, double *x, double *v, double *omega, const double *radius, const double *mass,
                     const double *force, const double *torque, const int32_t *moves, double damping, double dt, double *drag);
 
+/* The velocity of a rigid wall of this mass after a step, under the force of the spheres on it and a load: along an axis whose load is
+ * NAN it stays as it is. */
+int veridem_push_wall(double velocity[3], const double force[3], const double load[3], double mass, double dt);
+
 /* ---- Equations ---- */
 
 /* Numbers of the arguments and of the results of an equation, such as "wear-3": vectors count three, tensors nine.

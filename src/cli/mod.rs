@@ -3,6 +3,7 @@
 mod check;
 mod completions;
 mod eq;
+mod export;
 #[cfg(feature = "verify")]
 mod golden;
 mod import;
@@ -66,6 +67,8 @@ enum Command {
     Reproduce(reproduce::Arguments),
     /// Read an aggregate from another program's file and describe it
     Import(import::Arguments),
+    /// Write the state of a case or a run for another program
+    Export(export::Arguments),
     /// Summarise a run, or compare two
     Inspect(inspect::Arguments),
     /// Write the report of a run again
@@ -152,6 +155,7 @@ fn execute(papers: Papers) -> ExitCode {
         Command::Reproduce(arguments) => reproduce::run(&arguments, papers, manner),
         Command::Sweep(arguments) => sweep::run(&arguments, papers, command_line.yes, manner),
         Command::Import(arguments) => import::run(&arguments, papers, manner),
+        Command::Export(arguments) => export::run(&arguments, papers, manner),
         Command::Inspect(arguments) => inspect::run(&arguments, papers, manner),
         Command::Report(arguments) => report::run(&arguments, papers, manner),
         Command::Movie(arguments) => movie::run(&arguments, manner),

@@ -9,6 +9,7 @@ mod files;
 mod finding;
 mod folder;
 pub mod frames;
+pub mod lammps;
 mod lock;
 mod manifest;
 mod read_frame;

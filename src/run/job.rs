@@ -1,5 +1,6 @@
 //! A job: a checked case, ready to be run into its run folder.
 
+use super::export;
 use super::paths::{CasePath, Files};
 use super::places::{free, is_there, outside, savable, unchanged};
 use super::plan::{affordable, moderate, plan, stages, work};
@@ -61,6 +62,17 @@ pub trait Runnable {
     fn plan(&self, job: &Job, interrupt: &Interrupt) -> Result<Mapping, Error>;
     /// About how much work a job is, as steps times spheres, to compare it with others. Finds out in a moment.
     fn work(&self, job: &Job, interrupt: &Interrupt) -> f64;
+    /// Files for LAMMPS with the plugin of `bindings/lammps`, by name: of the latest checkpoint of a run, or of the start of a job.
+    ///
+    /// # Errors
+    ///
+    /// If there is no such state, or the plugin has no counterpart of something in it.
+    fn for_lammps(
+        &self,
+        job: &Job,
+        folder: Option<&RunFolder>,
+        interrupt: &Interrupt,
+    ) -> Result<Vec<(&'static str, String)>, Error>;
     /// Runs a job in a new folder at `root`, replacing it if requested; `tell` receives its messages.
     ///
     /// # Errors
@@ -96,6 +108,15 @@ impl<S: Study> Runnable for S {
 
     fn work(&self, job: &Job, interrupt: &Interrupt) -> f64 {
         work(self, job, interrupt)
+    }
+
+    fn for_lammps(
+        &self,
+        job: &Job,
+        folder: Option<&RunFolder>,
+        interrupt: &Interrupt,
+    ) -> Result<Vec<(&'static str, String)>, Error> {
+        export::for_lammps(self, job, folder, interrupt)
     }
 
     fn start(

@@ -1,6 +1,7 @@
 //! A run: the stages of a study in succession, advanced step by step, observed, recorded, and checkpointed so that a resumed run has the same bits.
 
 mod driver;
+mod export;
 mod job;
 mod paths;
 mod places;

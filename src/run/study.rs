@@ -74,6 +74,14 @@ pub trait Study {
     }
     /// The model of a stage, for the spheres of this system.
     fn model(&self, stage: usize, system: &System) -> Self::Model;
+    /// The model of a stage as a pair style of LAMMPS with the plugin of `bindings/lammps`.
+    ///
+    /// # Errors
+    ///
+    /// Why there is none, in words.
+    fn pair_style(&self, _stage: usize) -> Result<String, String> {
+        Err("has a contact model that the plugin for LAMMPS does not have".into())
+    }
     /// The settings of the simulation of a stage.
     fn settings(&self, stage: usize, system: &System) -> Settings;
     /// The largest number of steps of a stage.

@@ -3,7 +3,7 @@
 use std::ffi::c_int;
 use veridem_spec::Vec3;
 use veridem_spec::mechanics::drag::global_damping;
-use veridem_spec::mechanics::kick_and_drift::drift;
+use veridem_spec::mechanics::kick_and_drift::{drift, kick};
 use veridem_spec::mechanics::sphere::moment_of_inertia;
 use veridem_spec::mechanics::symplectic_euler::symplectic_euler;
 use veridem_spec::mechanics::work::drag_loss;
@@ -19,6 +19,12 @@ pub(crate) struct Moving<'a> {
     pub torque: &'a [[f64; 3]],
     /// 1 for a sphere that moves under its forces, 2 for one that keeps its velocity, 0 for one that stays.
     pub moves: &'a [c_int],
+}
+
+/// Velocity of a wall under a load along each axis; one whose load is not a number keeps its velocity there.
+pub(crate) fn push(velocity: Vec3<f64>, force: Vec3<f64>, load: Vec3<f64>, mass: f64, dt: f64) -> Vec3<f64> {
+    let total = Vec3(std::array::from_fn(|a| if load.0[a].is_nan() { 0.0 } else { force.0[a] + load.0[a] }));
+    kick(velocity, total, mass, dt)
 }
 
 /// Moves spheres by one step; returns the energy lost to the damping.

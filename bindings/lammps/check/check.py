@@ -12,7 +12,7 @@ import numpy as np
 
 import cases
 from frames import Frame, read_dump, write_state
-from lammps_runs import DUMP, HEAD, ROOT, run, script
+from lammps_runs import DUMP, HEAD, PLUGIN, ROOT, run, script
 
 WORK = ROOT / "target/lammps/check"
 RIGID = "neigh_modify exclude molecule/intra all"
@@ -95,10 +95,10 @@ def wear(veridem):
     folder, frames = engine(veridem, "patch", cases.PATCH)
     shear, dt = frames["shear"], step_of(frames["shear"])
     # The wall of a shear test keeps its velocity.
-    damped = "fix step all veridem/step wall wall damping 0.5"
-    trajectory(folder, shear[0], shear[1], cases.WEAR, dt, "patch in shear", (1e-9, 1e-6), ranks=(1, 2, 4), step=damped)
-    many_rebuilds(folder, shear[0], dt, damped)
-    restart(folder, shear[0], cases.WEAR, dt, "patch", 1e-10, step=damped)
+    damped = "fix step all veridem/step damping 0.5 wall wall 1 NULL NULL NULL"
+    trajectory(folder, shear[1], shear[2], cases.WEAR, dt, "patch in shear", (1e-9, 1e-6), ranks=(1, 2, 4), step=damped)
+    many_rebuilds(folder, shear[1], dt, damped)
+    restart(folder, shear[1], cases.WEAR, dt, "patch", 1e-10, step=damped)
 
 
 def many_rebuilds(folder, frame, dt, step):
@@ -155,13 +155,58 @@ def titania(veridem):
             forces(folder, frame, cases.TITANIA, 5e-4, f"film at step {frame.step}", after=RIGID)
 
 
+def refusals(veridem):
+    """Wrong input ends LAMMPS with an error that names it, on every process."""
+    folder = WORK / "refusals"
+    frame = engine(veridem, "patch", cases.PATCH)[1]["shear"][1]
+    write_state(folder, frame)
+    good = script(frame, cases.WEAR, 6e-5) + "run 2\n"
+    history = (folder / "state.history").read_text().splitlines()
+    (folder / "short.history").write_text("\n".join([history[0], history[1].rsplit(" ", 1)[0]]) + "\n")
+    (folder / "stray.history").write_text("1 99999 0 0.1 0.1 0.1\n")
+    (folder / "neck.history").write_text("1 400 1 0.1 0.1 0.1\n")
+    wrong = [
+        ("newton off", "newton on", "newton on"),
+        ("comm_modify vel yes", "comm_modify vel no", "comm_modify vel yes"),
+        ("units nano", "units si", "units nano"),
+        ("check yes", "check no", "neigh_modify check"),
+        ("neighbor 1.0", "neighbor 0.0", "skin"),
+        ("young_modulus 73000", "young_modulos 73000", "young_modulos"),
+        ("poisson_ratio 0.17", "poisson_ratio 0.4", "0.4"),
+        ("scaling 0.5", "", "`scaling` is missing"),
+        ("history state.history", "history none.history", "none.history"),
+        ("history state.history", "history short.history", "line 2"),
+        ("history state.history", "history stray.history", "do not exist"),
+        ("history state.history", "history neck.history", "necks"),
+        ("run 2", "velocity all set 9000 0 0 sum yes units box\nrun 100", "skin"),
+        ("run 2", "set atom 5 x NAN\nrun 2", ""),
+        ("run 2", "compute s all stress/atom NULL\nthermo_style custom step c_t\ncompute t all reduce sum c_s[1]\nrun 2", ""),
+        ("pair_style veridem/wear", "pair_style veridem/rubber", "veridem/rubber"),
+    ]
+    for find, replace, expected in wrong:
+        assert find in good, find
+        out = run(folder, good.replace(find, replace, 1), ranks=2, fails=True)
+        named = "ERROR" in out and expected in out and "panicked" not in out
+        say(f"refused: {replace.replace(chr(10), '; ') or f'without {find}'}", 0 if named else 1, 0)
+        if not named:
+            print(out[-1500:])
+    # A plugin for another version of LAMMPS.
+    other = folder / "otherplugin.so"
+    library = PLUGIN.read_bytes()
+    version = 20250722
+    assert library.count(version.to_bytes(4, "little")) > 0
+    other.write_bytes(library.replace(version.to_bytes(4, "little"), (20240829).to_bytes(4, "little")))
+    out = run(folder, good.replace(str(PLUGIN), str(other)), fails=True)
+    say("refused: a plugin for another LAMMPS", 0 if "ERROR" in out and "the plugin was built for LAMMPS" in out else 1, 0)
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("veridem")
-    parser.add_argument("--only", choices=["wear", "soot", "titania"])
+    parser.add_argument("--only", choices=["wear", "soot", "titania", "refusals"])
     arguments = parser.parse_args()
     veridem = str(Path(arguments.veridem).resolve())
-    for check in (wear, soot, titania):
+    for check in (wear, soot, titania, refusals):
         if arguments.only in (None, check.__name__):
             check(veridem)
     if failed:

@@ -19,7 +19,7 @@ dump_modify last format float %.17g first no
 """
 
 
-def script(frame, style, dt, *, skin=1.0, before="", after="", step="fix step all veridem/step wall wall"):
+def script(frame, style, dt, *, skin=1.0, before="", after="", step="fix step all veridem/step wall wall 1 NULL NULL NULL"):
     """The script of a state, up to its runs."""
     boundary = " ".join("p" if periodic else "s" for periodic in frame.periodic)
     return f"""{HEAD}boundary {boundary}

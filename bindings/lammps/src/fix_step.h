@@ -20,8 +20,15 @@ class FixVeridemStep : public Fix {
 
  private:
   double damping = 0.0, drag = 0.0;
-  int wall = 0;    /* bit of the group that keeps its velocity */
+  /* A rigid wall: its spheres move as one, at a constant velocity or along some axes under a load. */
+  struct Wall {
+    int bit;
+    double mass = 1.0, load[3];
+  };
+  std::vector<Wall> walls;
   std::vector<int> moves;
+
+  void push(Wall &);
 };
 
 }    // namespace LAMMPS_NS

@@ -39,11 +39,11 @@ extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void *l
     std::string reason = "veridem: the plugin was built for LAMMPS " + std::to_string(VERIDEM_LAMMPS_VERSION) +
         " with ids of 4 bytes, found LAMMPS " + std::to_string(lammps_version(lmp)) + " with ids of " +
         std::to_string(lammps_extract_setting(lmp, "tagint")) + " bytes: build it again with bindings/lammps/build";
-    lammps_error(lmp, 0, reason.c_str());
+    lammps_error(lmp, LMP_ERROR_ALL, reason.c_str());
     return;
   }
   if (veridem_abi() != VERIDEM_ABI) {
-    lammps_error(lmp, 0, "veridem: the plugin was built with the header of another version of the C library");
+    lammps_error(lmp, LMP_ERROR_ALL, "veridem: the plugin was built with the header of another version of the C library");
     return;
   }
   auto add = reinterpret_cast<void (*)(Style *, void *)>(registered);

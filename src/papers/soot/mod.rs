@@ -6,6 +6,7 @@ pub mod check;
 pub mod claims;
 pub mod columns;
 mod energy;
+mod lammps;
 mod place;
 mod sample;
 mod stage;

@@ -3,6 +3,7 @@
 use super::case::{Aggregate, Case, Deposition, Soot, SootStage, key, parts};
 use super::columns::columns_of;
 use super::energy::initial_springs;
+use super::lammps;
 use super::place::{middle, reach};
 use super::stage::{self, Ground};
 use super::watch::Watch;
@@ -144,6 +145,10 @@ impl<S: Reading> Study for Plan<S> {
 
     fn model(&self, stage: usize, _: &System) -> soot::Soot<S> {
         self.law(stage)
+    }
+
+    fn pair_style(&self, stage: usize) -> Result<String, String> {
+        lammps::pair_style(&self.soot, &self.law(stage))
     }
 
     fn settings(&self, stage: usize, system: &System) -> Settings {

@@ -8,6 +8,7 @@ pub mod claims;
 mod columns;
 pub mod film;
 mod imported;
+mod lammps;
 mod law;
 pub mod pair;
 mod pull;

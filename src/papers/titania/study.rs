@@ -7,7 +7,7 @@ use super::law::{Law, radii};
 use super::pair::pair;
 use super::stage::{Stage, StageAct, ends};
 use super::watch::Watch;
-use super::{check, imported};
+use super::{check, imported, lammps};
 use crate::error::Error;
 use crate::initial::aggregate::import::{Extras, Import};
 use crate::interrupt::Interrupt;
@@ -172,6 +172,10 @@ impl<M: Law> Study for Plan<M> {
 
     fn model(&self, _: usize, system: &System) -> M {
         M::new(&self.titania, &radii(system))
+    }
+
+    fn pair_style(&self, _: usize) -> Result<String, String> {
+        lammps::pair_style(&self.titania)
     }
 
     fn settings(&self, stage: usize, _: &System) -> Settings {

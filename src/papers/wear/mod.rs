@@ -8,6 +8,7 @@ mod columns;
 mod derived;
 pub mod fate;
 pub mod junction;
+mod lammps;
 pub mod protocol;
 pub mod stages;
 mod study;

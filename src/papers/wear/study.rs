@@ -3,6 +3,7 @@
 use super::case::{Amorphous, Case, Experiment, Sample};
 use super::columns::{self, columns_of};
 use super::derived::{Scales, material, spheres};
+use super::lammps;
 use super::protocol::{Drive, Setup, Stage};
 use super::stages;
 use super::watch::Watch;
@@ -124,6 +125,10 @@ impl<M: PairModel + From<Wear>> Study for Plan<M> {
 
     fn model(&self, stage: usize, _: &System) -> M {
         material(&self.case).law(self.stages[stage].interaction).into()
+    }
+
+    fn pair_style(&self, stage: usize) -> Result<String, String> {
+        lammps::pair_style(&material(&self.case).law(self.stages[stage].interaction))
     }
 
     fn settings(&self, stage: usize, system: &System) -> Settings {

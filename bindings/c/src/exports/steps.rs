@@ -95,3 +95,24 @@ unsafe extern "C" fn veridem_advance(
         }
     })
 }
+
+/// # Safety
+///
+/// Pointers as the header says.
+#[unsafe(no_mangle)]
+unsafe extern "C" fn veridem_push_wall(
+    velocity: *mut f64,
+    force: *const f64,
+    load: *const f64,
+    mass: f64,
+    dt: f64,
+) -> c_int {
+    border(|| {
+        // SAFETY: vectors of the caller.
+        unsafe {
+            let pushed = motion::push(vector(velocity)?, vector(force)?, vector(load)?, mass, dt);
+            *held_mut(velocity.cast::<[f64; 3]>(), "velocity")? = pushed.0;
+            Ok(())
+        }
+    })
+}

@@ -10,6 +10,7 @@ mod watch;
 pub use spectrum::Spectrum;
 
 use super::case::{self, Case, Spectroscopy, TitaniaTest, checked};
+use super::lammps;
 use super::law::{Law, radii};
 use crate::error::{Error, Halt};
 use crate::initial::aggregate::import::Import;
@@ -194,6 +195,10 @@ impl<M: Law> Study for Plan<M> {
 
     fn model(&self, _: usize, system: &System) -> M {
         M::new(&self.titania, &radii(system))
+    }
+
+    fn pair_style(&self, _: usize) -> Result<String, String> {
+        lammps::pair_style(&self.titania)
     }
 
     fn settings(&self, stage: usize, _: &System) -> Settings {

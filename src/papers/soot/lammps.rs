@@ -1,0 +1,35 @@
+//! The contact law as a pair style of LAMMPS with the plugin of `bindings/lammps`.
+
+use super::case::{self, SpringsAct, Torsion};
+use crate::spec::mechanics::four_springs::{Friction, Springs};
+use crate::spec::{Flat, soot};
+
+/// The style: its name and its keys with their values in nm, ns and ag.
+pub(super) fn pair_style<S>(case: &case::Soot, law: &soot::Soot<S>) -> Result<String, String> {
+    if case.break_energy.is_some() || case.break_stress.is_some() {
+        return Err("found necks that break, which the plugin for LAMMPS does not have".into());
+    }
+    let numbers = |numbers: &[f64]| numbers.iter().map(f64::to_string).collect::<Vec<_>>().join(" ");
+    let springs = |springs: &Springs<f64>| numbers(&(0..8).map(|k| *springs.at(k)).collect::<Vec<_>>());
+    let Friction { static_t, static_r, static_o, dynamic_t, dynamic_r, dynamic_o } = law.friction;
+    let soot::Attraction { a, delta_0, psi, kappa, d_cutoff, cutoff } = law.attraction;
+    let torsion = match case.torsion {
+        Torsion::Spring => "spring",
+        Torsion::AsPrinted => "as-printed",
+        Torsion::AsPublished => "as-published",
+    };
+    let order = match case.springs_act {
+        SpringsAct::AfterStretching => "after-stretching",
+        SpringsAct::BeforeStretching => "before-stretching",
+    };
+    let [substrate, tip] = law.walls.map(|wall| wall.hamaker);
+    Ok(format!(
+        "soot neck_springs {} contact {} friction_at_rest {} friction_in_motion {} hamaker_constant {a} \
+         substrate_hamaker_constant {substrate} tip_hamaker_constant {tip} saturation {delta_0} capillary_force {psi} \
+         capillary_sharpness {kappa} capillary_reach {d_cutoff} cutoff {cutoff} torsion {torsion} springs_act {order}",
+        springs(&law.neck),
+        springs(&law.contact),
+        numbers(&[static_t, static_r, static_o]),
+        numbers(&[dynamic_t, dynamic_r, dynamic_o]),
+    ))
+}
