@@ -149,7 +149,7 @@ fn input<M: PairModel>(simulation: &Simulation<M>, script: &Script) -> Result<St
     let mut text = format!(
         "# {}\n# lmp -in in.lammps -var plugin PATH\n\
          variable plugin index veridemplugin.so\n\
-         units nano\natom_style sphere\nnewton off\nboundary {boundary}\ncomm_modify vel yes\nplugin load ${{plugin}}\n\
+         units nano\natom_style sphere\natom_modify map yes\nnewton off\nboundary {boundary}\ncomm_modify vel yes\nplugin load ${{plugin}}\n\
          fix members all property/atom mol d_moment ghost yes\nread_data state.data fix members NULL Members\n\
          pair_style veridem/{}\npair_coeff * * history state.history\n",
         script.title, script.style
@@ -171,7 +171,12 @@ fn input<M: PairModel>(simulation: &Simulation<M>, script: &Script) -> Result<St
         );
     }
     if !system.bodies.is_empty() {
-        line(&mut text, format_args!("neigh_modify exclude molecule/intra all"));
+        // The process of a sphere of a body has copies of all others.
+        let extent = system.bodies.iter().map(|body| body.extent).fold(0.0, f64::max);
+        line(
+            &mut text,
+            format_args!("neigh_modify exclude molecule/intra all\ncomm_modify cutoff {}", 2.0 * extent + skin),
+        );
     }
     line(&mut text, format_args!("timestep {}", settings.dt));
     for surface in &system.surfaces {
@@ -187,7 +192,8 @@ fn input<M: PairModel>(simulation: &Simulation<M>, script: &Script) -> Result<St
     line(
         &mut text,
         format_args!(
-            "compute energies all pair veridem/{style}\nthermo {series}\nthermo_style custom step time pe ke c_energies[*]\n\
+            "compute energies all pair veridem/{style}\ncompute moving all ke\ncompute turning all erotate/sphere\n\
+             thermo {series}\nthermo_style custom step time pe c_moving c_turning c_energies[*]\n\
              thermo_modify norm no format float %.10g\n\
              dump frames all custom {frames} frames.*.dump {columns}\ndump_modify frames format float %.17g sort id pad 9\n\
              run {steps}\nwrite_data end.data nofix"

@@ -20,7 +20,7 @@ sample:
   {SAMPLE}
 experiment:
   junction: {{diameter: 9 nm, walls: 3 nm, shear_velocity: 100 m/s, normal_stress: 100 MPa, duration: 600 steps}}
-output: {{digits: all, columns: [torque], frames: 300 steps}}
+output: {{digits: all, columns: [torque], frames: 300 steps, checkpoints: 300 steps}}
 """
 
 PATCH = f"""title: A patch in shear
@@ -56,4 +56,18 @@ experiment:
     retraction: 160 nm
     dt: 0.5 ps
 output: {digits: all, columns: [torque], frames: 10 ns}
+"""
+
+DEPOSITION = """title: An aggregate hits a plane
+model: {soot: {necks: S, cutoff: 42 nm}}
+sample: {aggregate: {spheres: 20, neck_fraction: 1}}
+experiment: {deposition: {velocity: 5 m/s, gap: 0.1 r, duration: 0.6 ns, dt: 50 fs}}
+output: {digits: all, columns: [torque], frames: 0.6 ns}
+"""
+
+COLLISION = """title: Two rigid bodies collide
+model: {{titania: {{}}}}
+sample: {{agglomerate: {{import: {{file: {file}, unit: 1 nm, disconnected: true}}}}}}
+experiment: {{release: {{duration: 0.3 ns, dt: {dt} ps}}}}
+output: {{digits: all, columns: [torque], frames: 0.3 ns}}
 """
