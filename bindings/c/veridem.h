@@ -1,7 +1,8 @@
 /* veridem: the equations and contact laws of three models for the discrete element method, as C functions.
  *
  * Units. An equation is coherent in any system of units. The laws `wear` and `soot` are, too; `titania` computes with nm, ns and ag
- * (1e-21 kg), hence pN, zJ, MPa and mN/m, and the defaults of all laws are in these units.
+ * (1e-21 kg), hence pN, zJ, MPa and mN/m, and the defaults of all laws, those of case files but for
+ * the capillary force of soot, which is 0, are in these units.
  *
  * Errors. A function that can fail returns an int: 0 when it is done, 65 for a wrong argument, 5 for a pair that left the domain of
  * the law, 70 for a defect of this library. veridem_message() then has the reason. Nothing unwinds into the caller and nothing is

@@ -2,6 +2,7 @@
 
 use crate::motion;
 use crate::simulation::{Integrator, Simulation};
+use crate::spec::mechanics::sphere::sphere_mass;
 use crate::spec::{Flat, PairModel, Vec3};
 use crate::system::{Motion, Particles, PrescribedMotion, Shape, System};
 use std::fmt::Write;
@@ -13,7 +14,7 @@ const FIXED: f64 = 1e300;
 
 /// What a script needs beside the state.
 #[derive(Clone, Debug)]
-pub struct Script<'a> {
+pub struct LammpsScript<'a> {
     /// Title of the case, and name of the stage.
     pub title: String,
     /// The contact model: the last part of the name of the style, then keys and values.
@@ -31,9 +32,9 @@ pub struct Script<'a> {
 /// # Errors
 ///
 /// What LAMMPS with the plugin cannot do, in words.
-pub fn export<M: PairModel>(
+pub fn for_lammps<M: PairModel>(
     simulation: &Simulation<M>,
-    script: &Script,
+    script: &LammpsScript,
 ) -> Result<Vec<(&'static str, String)>, String> {
     possible(simulation)?;
     let files = [
@@ -106,7 +107,7 @@ fn data<M: PairModel>(simulation: &Simulation<M>) -> String {
     };
     section("Atoms # sphere", &|p| {
         let (Vec3([x, y, z]), [nx, ny, nz]) = folded(system, system.particles.x[p]);
-        let density = mass[p] / (4.0 / 3.0 * std::f64::consts::PI * radius[p].powi(3));
+        let density = mass[p] / sphere_mass(1.0, radius[p]);
         format!("{} {} {density} {x} {y} {z} {nx} {ny} {nz}", 1 + wall[p], 2.0 * radius[p])
     });
     section("Velocities", &|p| {
@@ -143,7 +144,7 @@ fn history<M: PairModel>(simulation: &Simulation<M>) -> String {
     text
 }
 
-fn input<M: PairModel>(simulation: &Simulation<M>, script: &Script) -> Result<String, String> {
+fn input<M: PairModel>(simulation: &Simulation<M>, script: &LammpsScript) -> Result<String, String> {
     let (system, settings) = (simulation.system(), simulation.settings());
     let boundary = system.domain.periodic.map(|periodic| if periodic { "p" } else { "s" }).join(" ");
     let mut text = format!(
@@ -187,7 +188,7 @@ fn input<M: PairModel>(simulation: &Simulation<M>, script: &Script) -> Result<St
     }
     motion_of(&mut text, simulation)?;
     let style = script.style.split(' ').next().unwrap_or_default();
-    let Script { steps, series, frames, .. } = script;
+    let LammpsScript { steps, series, frames, .. } = script;
     let columns = "id type radius mass x y z vx vy vz omegax omegay omegaz fx fy fz tqx tqy tqz";
     line(
         &mut text,

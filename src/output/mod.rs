@@ -9,7 +9,7 @@ mod files;
 mod finding;
 mod folder;
 pub mod frames;
-pub mod lammps;
+mod lammps;
 mod lock;
 mod manifest;
 mod read_frame;
@@ -25,6 +25,7 @@ pub use files::{create_folder, sha256, sha256_file, sync_folder, with_suffix, wr
 pub use finding::{Finding, Found};
 pub use folder::{INPUTS, RunFolder};
 pub use frames::{Frame, FrameName, collections, is_of_frames};
+pub use lammps::{LammpsScript, for_lammps};
 pub use lock::Lock;
 pub use manifest::{Manifest, Status, command_line};
 pub use read_frame::{Mesh, Property, ReadFrame};

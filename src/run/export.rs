@@ -6,8 +6,8 @@ use super::{Driver, Job, RunningStage, Study};
 use crate::case::Moments;
 use crate::error::Error;
 use crate::interrupt::Interrupt;
-use crate::output::lammps::{self, Script};
-use crate::output::{Manifest, Origin, RunFolder};
+use crate::output;
+use crate::output::{LammpsScript, Manifest, Origin, RunFolder};
 use std::path::Path;
 
 /// Files for LAMMPS with the plugin, by name: of the latest checkpoint of a run, or of the start of a job.
@@ -35,6 +35,6 @@ pub(super) fn for_lammps<S: Study>(
         Moments::At(_) => steps.max(1),
     };
     let title = format!("{}: {}, from step {}", job.title.replace('\n', " "), stage.name, simulation.system().step);
-    let script = Script { title, style: &style, steps, series: Intervals::of(&job.output, dt).series, frames };
-    lammps::export(simulation, &script).map_err(refused)
+    let script = LammpsScript { title, style: &style, steps, series: Intervals::of(&job.output, dt).series, frames };
+    output::for_lammps(simulation, &script).map_err(refused)
 }

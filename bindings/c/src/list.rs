@@ -6,15 +6,20 @@ use crate::law::{constants, width};
 use crate::spheres::{Spheres, Totals};
 use std::ffi::c_int;
 use std::sync::Arc;
-use veridem_spec::columns::{PairKernel, in_rows};
+use veridem_spec::columns::PairKernel;
+use veridem_spec::equation::Kernel;
 use veridem_spec::mechanics::friction_share::inertia_share;
 use veridem_spec::mechanics::reduced_mass::effective_mass;
 use veridem_spec::mechanics::sphere::moment_of_inertia;
-use veridem_spec::numbers::Instructions;
+use veridem_spec::numbers::{Instructions, Work};
 use veridem_spec::{Contact, Flat, PairModel, Vec3};
 
-/// How many pairs are gathered before they are evaluated; their columns fit into the second cache.
-const CHUNK: usize = 256;
+/// How many pairs are evaluated together: several vectors side by side, which together stay in the first cache.
+const WIDTH: usize = 32;
+/// Largest number of arguments and of results of a law.
+const MOST: usize = 48;
+/// One number of so many pairs.
+type Row = [f64; WIDTH];
 
 /// Moment of inertia from which on a sphere cannot turn.
 const FIXED: f64 = 1e300;
@@ -38,7 +43,7 @@ pub(crate) trait List {
     /// Adds one to the number of contacts of each owned sphere for every pair that touches without a neck.
     fn count_contacts(&self, spheres: &Spheres, contacts: &mut [f64]) -> Done;
     /// Adds the forces of all pairs; advances their springs by `dt` if so wanted.
-    fn step(&mut self, spheres: &mut Spheres, totals: &mut Totals, dt: f64, advance: bool) -> Done;
+    fn step<'a>(&mut self, spheres: &mut Spheres<'a>, totals: &mut Totals<'a>, dt: f64, advance: bool) -> Done;
 }
 
 /// The pairs of a model.
@@ -49,24 +54,16 @@ pub(crate) struct Pairs<M: PairModel> {
     j: Vec<u32>,
     constants: Vec<M::Coefficients<f64>>,
     history: Vec<f64>,
-    columns: Buffers,
-}
-
-/// Columns of a chunk.
-struct Buffers {
-    arguments: Vec<Vec<f64>>,
-    results: Vec<Vec<f64>>,
 }
 
 impl<M: PairModel> Pairs<M> {
     /// No pairs yet.
     pub(crate) fn new(model: Arc<M>) -> Self {
-        let springs = M::Memory::<f64>::LEN;
-        let columns = |count| vec![vec![0.0; CHUNK]; count];
-        let arguments = columns(KINEMATICS + M::Coefficients::<f64>::LEN + springs);
-        let results = columns(9 + springs + M::Losses::<f64>::LEN);
+        let arguments = KINEMATICS + M::Coefficients::<f64>::LEN + M::Memory::<f64>::LEN;
+        let results = 9 + M::Memory::<f64>::LEN + M::Losses::<f64>::LEN;
+        assert!(arguments.max(results) <= MOST, "a law has {arguments} arguments and {results} results, at most {MOST} fit");
         let (i, j, constants, history) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        Self { model, count: 0, i, j, constants, history, columns: Buffers { arguments, results } }
+        Self { model, count: 0, i, j, constants, history }
     }
 
     /// The constants of pairs that were just listed and given their history.
@@ -104,21 +101,22 @@ impl<M: PairModel> Pairs<M> {
         self.model.turning(k, reduced)
     }
 
-    fn gather(&mut self, spheres: &Spheres, begin: usize, length: usize) {
+    #[inline(always)]
+    fn gather(&self, spheres: &Spheres, input: &mut [Row; MOST], begin: usize, length: usize) {
         for place in 0..length {
             let pair = begin + place;
             let k = self.constants_of(pair, spheres);
             let (i, j) = (self.i[pair] as usize, self.j[pair] as usize);
-            let columns = &mut self.columns.arguments;
             for a in 0..3 {
-                columns[a][place] = spheres.x[i][a] - spheres.x[j][a];
-                columns[3 + a][place] = spheres.v[i][a] - spheres.v[j][a];
-                columns[6 + a][place] = spheres.omega[i][a];
-                columns[9 + a][place] = spheres.omega[j][a];
+                input[a][place] = spheres.x[i][a] - spheres.x[j][a];
+                input[3 + a][place] = spheres.v[i][a] - spheres.v[j][a];
+                input[6 + a][place] = spheres.omega[i][a];
+                input[9 + a][place] = spheres.omega[j][a];
             }
-            columns[12][place] = spheres.radius[i];
-            columns[13][place] = spheres.radius[j];
-            let (kept, springs) = columns[KINEMATICS..].split_at_mut(M::Coefficients::<f64>::LEN);
+            input[12][place] = spheres.radius[i];
+            input[13][place] = spheres.radius[j];
+            let (kept, rest) = input[KINEMATICS..].split_at_mut(M::Coefficients::<f64>::LEN);
+            let springs = &mut rest[..M::Memory::<f64>::LEN];
             for (n, column) in kept.iter_mut().enumerate() {
                 column[place] = *k.at(n);
             }
@@ -129,15 +127,16 @@ impl<M: PairModel> Pairs<M> {
         }
     }
 
+    #[inline(always)]
     fn scatter(
         &mut self,
         spheres: &mut Spheres,
         totals: &mut Totals,
+        (arguments, results): (&[Row; MOST], &[Row; MOST]),
         (begin, length): (usize, usize),
         advance: bool,
     ) -> Done {
         let springs = M::Memory::<f64>::LEN;
-        let Buffers { arguments, results } = &self.columns;
         for place in 0..length {
             let pair = begin + place;
             let (i, j) = (self.i[pair] as usize, self.j[pair] as usize);
@@ -201,6 +200,46 @@ impl<M: PairModel> Pairs<M> {
     }
 }
 
+/// A step of all pairs of a list.
+struct Step<'a, 'b, M: PairModel> {
+    pairs: &'a mut Pairs<M>,
+    spheres: &'a mut Spheres<'b>,
+    totals: &'a mut Totals<'b>,
+    dt: f64,
+    advance: bool,
+}
+
+impl<M: PairModel> Work for Step<'_, '_, M> {
+    type Outcome = Done;
+
+    #[inline(always)]
+    fn run(self) -> Done {
+        let Self { pairs, spheres, totals, dt, advance } = self;
+        let model = pairs.model.clone();
+        let kernel = PairKernel { model: &*model, dt };
+        let (mut input, mut output) = ([[0.0; WIDTH]; MOST], [[0.0; WIDTH]; MOST]);
+        for begin in (0..pairs.i.len()).step_by(WIDTH) {
+            let length = WIDTH.min(pairs.i.len() - begin);
+            pairs.gather(spheres, &mut input, begin, length);
+            // Beyond the end of the list it evaluates what the row before has left there.
+            for lane in 0..WIDTH {
+                let (mut taken, mut given) = (0, 0);
+                let mut from = || {
+                    taken += 1;
+                    input[taken - 1][lane]
+                };
+                let mut to = |number| {
+                    given += 1;
+                    output[given - 1][lane] = number;
+                };
+                kernel.apply(&mut from, &mut to);
+            }
+            pairs.scatter(spheres, totals, (&input, &output), (begin, length), advance)?;
+        }
+        Ok(())
+    }
+}
+
 impl<M: PairModel> List for Pairs<M> {
     fn build(&mut self, (owned, id): (usize, &[c_int]), neighbours: &dyn Neighbours) -> Done {
         let count = id.len();
@@ -252,21 +291,12 @@ impl<M: PairModel> List for Pairs<M> {
         Ok(())
     }
 
-    fn step(&mut self, spheres: &mut Spheres, totals: &mut Totals, dt: f64, advance: bool) -> Done {
+    fn step<'a>(&mut self, spheres: &mut Spheres<'a>, totals: &mut Totals<'a>, dt: f64, advance: bool) -> Done {
         self.check(spheres)?;
         if self.constants.len() != self.i.len() {
             self.constants.clear();
             self.find_constants(spheres);
         }
-        let model = self.model.clone();
-        for begin in (0..self.i.len()).step_by(CHUNK) {
-            let length = CHUNK.min(self.i.len() - begin);
-            self.gather(spheres, begin, length);
-            let arguments: Vec<&[f64]> = self.columns.arguments.iter().map(|column| &column[..length]).collect();
-            let mut results: Vec<&mut [f64]> = self.columns.results.iter_mut().map(|column| &mut column[..]).collect();
-            in_rows(PairKernel { model: &*model, dt }, Instructions::best(), &arguments, &mut results);
-            self.scatter(spheres, totals, (begin, length), advance)?;
-        }
-        Ok(())
+        Instructions::best().run(Step { pairs: self, spheres, totals, dt, advance })
     }
 }

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Small cases of the three papers, and the same laws as pair styles."""
 
 SILICA = """wear: {young_modulus: 73 GPa, poisson_ratio: 0.17, tensile_strength: 16 GPa, shear_strength: 9 GPa,

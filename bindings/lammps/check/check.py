@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Checks the plugin against the engine: python check.py VERIDEM [--full]. Run it with the Python of the environment of the plugin.
 
 Forces of one step, trajectories, numbers of processes, restarts, the history over rebuilds and migration, refusals."""

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Cost of a step: python cost.py [--cells X Y Z] [--ranks N ...] [--steps N] [--turns N]. Run it with the Python of the environment of the plugin.
 
 A periodic HCP crystal of touching spheres, twelve neighbours each, listed once: the plugin's wear law beside LAMMPS's own

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Frames of veridem, and states of LAMMPS made from them."""
 
 import re

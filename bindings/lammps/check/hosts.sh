@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
 # Runs LAMMPS with the plugin on two hosts, network namespaces of this machine that reach each other over a virtual cable, with MPI over
 # sockets: bindings/lammps/check/hosts.sh FOLDER SCRIPT. Needs root and iproute2.
 set -euo pipefail

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Runs of LAMMPS with the plugin."""
 
 import subprocess
