@@ -15,8 +15,8 @@ from pathlib import Path
 import numpy as np
 
 import cases
-from frames import Frame, read_dump, write_state
-from lammps_runs import DUMP, HEAD, PLUGIN, ROOT, run, script
+from frames import Frame, ledger, read_dump, write_state
+from lammps_runs import DUMP, HEAD, PLUGIN, ROOT, run, script, thermo
 
 WORK = ROOT / "target/lammps/check"
 RIGID = "neigh_modify exclude molecule/intra all"
@@ -83,7 +83,18 @@ def trajectory(folder, begin, end, style, dt, what, limits, ranks=(1,), **option
         x, v = difference(tables[count], end)
         say(f"{what}: positions after {steps} steps on {count} processes, {rebuilds} rebuilds, nm", x, limits[0])
         say(f"{what}: velocities, m/s", v, limits[1])
+        accounts(folder, begin, end, thermo(out), f"{what}, {count} processes")
     return tables
+
+
+def accounts(folder, begin, end, rows, what):
+    """Energies by cause are the engine's: stored at the beginning, lost on the way."""
+    (stored, before), (_, after) = [ledger(folder / "run/case", begin.stage, frame.step) for frame in (begin, end)]
+    first, last = (np.array(row[1:]) for row in (rows[0], rows[-1]))
+    error = abs(first[: len(stored)] - stored).max() / abs(stored).max()
+    say(f"{what}: energies stored, {len(stored)} causes, of the largest", error, 1e-11)
+    error = abs(last[len(stored) :] - (after - before)).max() / abs(after - before).max()
+    say(f"{what}: energies lost, {len(before)} causes, of the largest", error, 1e-8)
 
 
 def step_of(frames):
@@ -110,7 +121,7 @@ def many_rebuilds(folder, frame, dt, step):
     tables = {}
     stream = "velocity all set 300 NULL -300 sum yes units box\n"
     for count, skin in ((1, 1.0), (4, 0.2)):
-        text = script(frame, cases.WEAR, dt, skin=skin, step=step.replace(" damping 0.5", ""), after=stream)
+        text = script(frame, cases.WEAR, dt, skin=skin, step=step.replace(" damping 0.5", ""), before="atom_modify sort 100 0.0", after=stream)
         out = run(folder, text + DUMP.format(every=1000, file="stream.dump") + "run 1000\n", ranks=count)
         tables[count] = read_dump(folder / "stream.dump")
         rebuilds = int(re.search(r"Neighbor list builds = (\d+)", out)[1])

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Frames of veridem, and states of LAMMPS made from them."""
 
+import csv
 import re
 from pathlib import Path
 
 import numpy as np
 
 SPRINGS = "spring_"
+OTHER_LOSSES = ["lost to drag [zJ]", "lost to breaking [zJ]"]
 
 
 class Frame:
@@ -23,6 +25,7 @@ class Frame:
         periodic = re.search(r'pbc="([^"]*)"', head)
         self.periodic = [letter == "T" for letter in periodic[1].split()] if periodic else [False] * 3
         self.step = int(re.search(r"step=(\d+)", head)[1])
+        self.stage = re.search(r'stage="?([^" ]+)', head)[1]
         self.time = float(re.search(r"Time=(\S+)", head)[1])
         self.columns, at = {}, 0
         for name, _, width in re.findall(r"(\w+):([IR]):(\d+)", head):
@@ -134,3 +137,14 @@ def read_dump(path):
     rows = np.array([line.split() for line in lines[head + 1 :]], dtype=float)
     rows = rows[np.argsort(rows[:, names.index("id")])]
     return {name: rows[:, k] for k, name in enumerate(names)}
+
+
+def ledger(folder, stage, step):
+    """Energies stored and energies lost by cause, from the row of a stage at a step."""
+    with open(Path(folder) / "series.csv") as file:
+        rows = list(csv.DictReader(file))
+    (row,) = [row for row in rows if row["stage"] == stage and row["step"] == str(step)]
+    cells = {name: float(value) for name, value in row.items() if name != "stage"}
+    stored = [cells[name] for name in cells if name.endswith(" energy [zJ]") and not name.startswith("kinetic")]
+    lost = [cells[name] for name in cells if name.startswith("lost to ") and name not in OTHER_LOSSES]
+    return np.array(stored), np.array(lost)

@@ -34,6 +34,10 @@ neighbor {skin} bin
 neigh_modify every 1 delay 0 check yes exclude group wall wall
 timestep {dt!r}
 {step}
+compute energies all pair {style.split()[0]}
+thermo 1000000
+thermo_style custom step c_energies[*]
+thermo_modify norm no format float %.15g
 {after}
 """
 
@@ -48,3 +52,16 @@ def run(folder, text, ranks=1, fails=False, name="in", wrap=()):
     if (done.returncode != 0) != fails:
         raise SystemExit(f"{' '.join(command)} in {folder} gave {done.returncode}\n{done.stdout[-3000:]}\n{done.stderr[-2000:]}")
     return done.stdout + done.stderr
+
+
+def thermo(out):
+    """The rows of the log, one for each time that it shows: step, energies stored, energies lost."""
+    lines = out.splitlines()
+    heads = [k for k, line in enumerate(lines) if line.split()[:1] == ["Step"]]
+    rows = []
+    for head in heads:
+        for line in lines[head + 1 :]:
+            if line.startswith("Loop time"):
+                break
+            rows.append([float(word) for word in line.split()])
+    return rows
