@@ -172,12 +172,9 @@ fn input<M: PairModel>(simulation: &Simulation<M>, script: &LammpsScript) -> Res
         );
     }
     if !system.bodies.is_empty() {
-        // The process of a sphere of a body has copies of all others.
-        let extent = system.bodies.iter().map(|body| body.extent).fold(0.0, f64::max);
-        line(
-            &mut text,
-            format_args!("neigh_modify exclude molecule/intra all\ncomm_modify cutoff {}", 2.0 * extent + skin),
-        );
+        // The process of the sphere next to the centre of a body has copies of all others.
+        let reach = reach(system) + skin;
+        line(&mut text, format_args!("neigh_modify exclude molecule/intra all\ncomm_modify cutoff {}", reach));
     }
     line(&mut text, format_args!("timestep {}", settings.dt));
     for surface in &system.surfaces {
@@ -201,6 +198,18 @@ fn input<M: PairModel>(simulation: &Simulation<M>, script: &LammpsScript) -> Res
         ),
     );
     Ok(text)
+}
+
+/// Largest distance between the sphere of a body next to its centre and any other of its spheres; of bodies that move freely.
+fn reach(system: &System) -> f64 {
+    let Particles { body, arm, .. } = &system.particles;
+    let mut nearest = vec![f64::INFINITY; system.bodies.len()];
+    for (&body, arm) in body.iter().zip(arm).filter(|(body, _)| **body > 0) {
+        let nearest = &mut nearest[body as usize - 1];
+        *nearest = nearest.min(arm.norm());
+    }
+    let free = system.bodies.iter().zip(&nearest).filter(|(body, _)| body.wall == 0);
+    free.map(|(body, nearest)| body.extent + nearest).fold(0.0, f64::max)
 }
 
 /// The fixes that move the spheres.
