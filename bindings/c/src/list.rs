@@ -61,7 +61,10 @@ impl<M: PairModel> Pairs<M> {
     pub(crate) fn new(model: Arc<M>) -> Self {
         let arguments = KINEMATICS + M::Coefficients::<f64>::LEN + M::Memory::<f64>::LEN;
         let results = 9 + M::Memory::<f64>::LEN + M::Losses::<f64>::LEN;
-        assert!(arguments.max(results) <= MOST, "a law has {arguments} arguments and {results} results, at most {MOST} fit");
+        assert!(
+            arguments.max(results) <= MOST,
+            "a law has {arguments} arguments and {results} results, at most {MOST} fit"
+        );
         let (i, j, constants, history) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         Self { model, count: 0, i, j, constants, history }
     }
