@@ -18,7 +18,7 @@ use veridem_spec::{Contact, Flat, PairModel, Vec3};
 const WIDTH: usize = 32;
 /// Largest number of arguments and of results of a law.
 const MOST: usize = 48;
-/// One number of so many pairs.
+/// One number for each of the pairs that are evaluated together.
 type Row = [f64; WIDTH];
 
 /// Moment of inertia from which on a sphere cannot turn.
