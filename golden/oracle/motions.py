@@ -2,10 +2,15 @@
 
 import json
 
-from frame import GOLDEN, TRAJECTORIES, Wrong, exact, mp, parts
+from frame import GOLDEN, TRAJECTORIES, Wrong, exact, mp, mpf, parts
 
 # Digits of a number that is written anew.
 WRITTEN = 25
+
+
+def meant(number):
+    """The decimal that a double of a file stands for."""
+    return mpf(repr(float(number)))
 
 
 def compact(value):
