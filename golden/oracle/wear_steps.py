@@ -236,7 +236,19 @@ def state_after(h, n, x_0, v_0):
     return dict(x=x, v=v)
 
 
-@equation("wear-A15")
+@equation(
+    "wear-A15",
+    [
+        dict(h=0.2, n=7.0),
+        dict(h=1.0, n=6.0),
+        dict(h=1.98, n=1000.0),
+        dict(h=2.0, n=1000.0),
+        dict(h=2.02, n=200.0),
+        dict(h=1.9, n=4095.0),
+        dict(h=0.1, n=0.0),
+        dict(h=0.5, n=2.75),
+    ],
+)
 def amplification_power(h, n):
     (a_xx, a_vx), (a_xv, a_vv) = after(h, n, mpf(1), mpf(0)), after(h, n, mpf(0), mpf(1))
     return dict(a_xx=a_xx, a_xv=a_xv, a_vx=a_vx, a_vv=a_vv)
