@@ -9,7 +9,9 @@ use rayon::prelude::*;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use trials::setting;
-use veridem::golden::{Trajectory, check, check_trajectories, documented, file_of, read};
+use veridem::golden::{
+    Trajectory, check, check_independent, check_trajectories, documented, file_of, read, regenerate,
+};
 use veridem::papers::PAPERS;
 
 fn golden() -> PathBuf {
@@ -50,6 +52,36 @@ fn a_wrong_digit_in_a_vector_is_noticed() {
     let changed = format!("{}{other}{}", &digits[..end - 1], &digits[end..]);
     std::fs::write(&path, text.replacen(&digits, &changed, 1)).unwrap();
     assert_eq!(check(folder.path(), &equation, &document).len(), 1);
+}
+
+#[test]
+fn every_equation_has_the_independent_vectors_of_the_list() {
+    let wrong = check_independent(&golden(), &documented().unwrap());
+    assert!(wrong.is_empty(), "\n{}", wrong.join("\n"));
+}
+
+#[test]
+fn independent_vectors_that_are_lost_with_their_file_are_missed() {
+    let one: Vec<_> = documented().unwrap().into_iter().filter(|(equation, _)| equation.id == "wear-7").collect();
+    let folder = tempfile::tempdir().unwrap();
+    let listed = folder.path().join("independent.json");
+    let told = |expected: &str| {
+        let wrong = check_independent(folder.path(), &one);
+        assert!(matches!(&wrong[..], [one] if one.contains(expected)), "{wrong:?}");
+    };
+    told("No such file");
+    let file = read(&golden(), &one[0].0).unwrap();
+    let count = file.vectors.iter().filter(|vector| vector.source.is_some()).count();
+    std::fs::write(&listed, json!({ "wear-7": count }).to_string()).unwrap();
+    regenerate(folder.path(), &one[0].0, &one[0].1).unwrap();
+    told(&format!("wear-7: found 0 independent vectors, expected {count}"));
+    std::fs::write(&listed, json!({ "wear-7": 0 }).to_string()).unwrap();
+    told("wear-7: no independent vector");
+    std::fs::write(&listed, json!({ "wear-7": count }).to_string()).unwrap();
+    std::fs::copy(file_of(&golden(), &one[0].0), file_of(folder.path(), &one[0].0)).unwrap();
+    assert_eq!(check_independent(folder.path(), &one), Vec::<String>::new());
+    std::fs::write(&listed, json!({ "wear-7": count, "wear-0": 1 }).to_string()).unwrap();
+    told("there is no equation `wear-0`");
 }
 
 #[test]

@@ -2,7 +2,9 @@
 
 use super::{OutputMode, print};
 use crate::error::{AtPath, Error};
-use crate::golden::{INDEX, check, check_trajectories, documented, index, measure, regenerate, samples};
+use crate::golden::{
+    INDEX, check, check_independent, check_trajectories, documented, index, measure, regenerate, samples,
+};
 use crate::papers::Papers;
 use serde_json::json;
 use std::path::PathBuf;
@@ -40,6 +42,7 @@ pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> 
         Action::Check => {
             let mut wrong: Vec<String> =
                 equations.iter().flat_map(|(e, document)| check(&golden, e, document)).collect();
+            wrong.extend(check_independent(&golden, &equations));
             let trajectories = papers.trajectories();
             wrong.extend(check_trajectories(&golden, &trajectories));
             if std::fs::read_to_string(&index_file).at(&index_file)? != index(root, &equations).at(root)? {

@@ -3,12 +3,14 @@
 //! The vectors are generated with 256-bit numbers and never edited by hand; those computed independently of this code keep
 //! their values and state their source. `golden/README.md` is the format.
 
+mod independent;
 mod index;
 mod rounding;
 mod sample;
 mod trajectories;
 mod vectors;
 
+pub use independent::check_independent;
 pub use index::{INDEX, index};
 pub use rounding::{Rounding, error, measure};
 pub use sample::{Sample, samples};
