@@ -1,5 +1,6 @@
 //! Rigid bodies: sums of the loads on their spheres, one time step, and the update of the spheres that have partners in range.
 
+use super::members::Members;
 use super::push::Push;
 use super::{MotionTotals, Step};
 use crate::forces::{Block, LANES, places, vectorised};
@@ -129,20 +130,21 @@ impl BodyGroup<'_> {
             push.put(lane, body, &self.listed[k], force, torque);
         }
         let [kinetic, scheme, away] = vectorised(step.instructions, &mut push);
-        for (lane, k) in group.enumerate() {
+        let mut omegas = [Vec3::zero(); LANES];
+        for (lane, k) in group.clone().enumerate() {
             let (body, before) = (&mut self.bodies[k], &self.listed[k]);
-            let (omega, turned) = match (body.wall as usize).checked_sub(1) {
+            let turned = match (body.wall as usize).checked_sub(1) {
                 None => {
-                    let omega = push.take(lane, body);
+                    omegas[lane] = push.take(lane, body);
                     moved.kinetic += kinetic.0[lane];
                     moved.scheme += scheme.0[lane];
                     moved.add_momentum_flux(body.mass, body.v);
-                    (omega, away.0[lane])
+                    away.0[lane]
                 }
                 Some(wall) => {
                     body.v = step.walls[wall].velocity;
                     body.pose.x = drift(body.pose.x, body.v, step.dt);
-                    (Vec3::zero(), 0.0)
+                    0.0
                 }
             };
             for a in 0..3 {
@@ -151,12 +153,11 @@ impl BodyGroup<'_> {
                 moved.least[a] = moved.least[a].min(displacement - turned);
                 moved.most[a] = moved.most[a].max(displacement + turned);
             }
-            for p in load_table.members[first + k]..load_table.members[first + k + 1] {
-                let place = p - begin;
-                (self.x[place], self.v[place]) = body.member(omega, arms[p]);
-                self.w[place] = omega;
-            }
         }
+        let ends = &load_table.members[first + group.start..=first + group.end];
+        let (arms, own) = (&arms[ends[0]..ends[group.len()]], ends[0] - begin..ends[group.len()] - begin);
+        let (x, v, w) = (&mut self.x[own.clone()], &mut self.v[own.clone()], &mut self.w[own]);
+        vectorised(step.instructions, Members { bodies: &self.bodies[group], omegas: &omegas, ends, arms, x, v, w });
     }
 }
 

@@ -1,5 +1,6 @@
 //! The spheres of rigid bodies: their positions and velocities.
 
+use crate::forces::{LANES, Square, Vectorised};
 use crate::spec::Vec3;
 use crate::spec::mechanics::body::{member_velocity, spin};
 use crate::spec::mechanics::kinetic_energy::translational_energy;
@@ -21,10 +22,58 @@ impl Body {
         translational_energy(self.mass, self.v) + spin(self.pose.q_0, self.pose.q, self.l, self.moments).1
     }
 
-    /// Centre, velocity and angular velocity of a sphere that is at `arm` in its frame.
+    /// Centre and velocity of a sphere that is at `arm` in its frame.
+    #[inline(always)]
     pub fn member(&self, omega: Vec3<f64>, arm: Vec3<f64>) -> (Vec3<f64>, Vec3<f64>) {
         let r = to_space(self.pose.q_0, self.pose.q, arm);
         (self.pose.x + r, member_velocity(self.v, omega, r))
+    }
+}
+
+/// The members of some bodies, which follow them.
+pub(super) struct Members<'a> {
+    /// The bodies.
+    pub bodies: &'a [Body],
+    /// Their angular velocities.
+    pub omegas: &'a [Vec3<f64>],
+    /// Where the members of each body begin and end; the first number is that of the first member.
+    pub ends: &'a [usize],
+    /// Places of the members in the frames of their bodies.
+    pub arms: &'a [Vec3<f64>],
+    /// Centres of the members.
+    pub x: &'a mut [Vec3<f64>],
+    /// Their velocities.
+    pub v: &'a mut [Vec3<f64>],
+    /// Their angular velocities.
+    pub w: &'a mut [Vec3<f64>],
+}
+
+impl Vectorised for Members<'_> {
+    type Outcome = ();
+
+    #[inline(always)]
+    fn run(self, _: impl Fn(Square) -> Square) {
+        let Self { bodies, omegas, ends, mut arms, mut x, mut v, w } = self;
+        for ((body, &omega), range) in bodies.iter().zip(omegas).zip(ends.windows(2)) {
+            w[range[0] - ends[0]..range[1] - ends[0]].fill(omega);
+            let count = range[1] - range[0];
+            let (own_arms, own_x, own_v);
+            ((own_arms, arms), (own_x, x), (own_v, v)) =
+                (arms.split_at(count), x.split_at_mut(count), v.split_at_mut(count));
+            let (side_by_side, rest) = own_arms.as_chunks::<LANES>();
+            for (chunk, arms) in side_by_side.iter().enumerate() {
+                let (mut places, mut velocities) = ([Vec3::zero(); LANES], [Vec3::zero(); LANES]);
+                for lane in 0..LANES {
+                    (places[lane], velocities[lane]) = body.member(omega, arms[lane]);
+                }
+                own_x[chunk * LANES..][..LANES].copy_from_slice(&places);
+                own_v[chunk * LANES..][..LANES].copy_from_slice(&velocities);
+            }
+            let whole = count - rest.len();
+            for ((x, v), &arm) in own_x[whole..].iter_mut().zip(&mut own_v[whole..]).zip(rest) {
+                (*x, *v) = body.member(omega, arm);
+            }
+        }
     }
 }
 
