@@ -63,6 +63,10 @@ pub struct Evaluate {
     pub reference: fn(&[crate::numbers::Reference]) -> Vec<crate::numbers::Reference>,
     #[cfg(feature = "verify")]
     pub interval: fn(&[crate::numbers::Interval]) -> Vec<crate::numbers::Interval>,
+    #[cfg(feature = "verify")]
+    pub rounded: fn(&[crate::numbers::Rounded]) -> Vec<crate::numbers::Rounded>,
+    #[cfg(feature = "verify")]
+    pub slope: fn(&[crate::numbers::Slope]) -> Vec<crate::numbers::Slope>,
 }
 
 /// An argument or result: numbers laid end to end.
@@ -214,6 +218,10 @@ macro_rules! equation {
                 reference: flat,
                 #[cfg(feature = "verify")]
                 interval: flat,
+                #[cfg(feature = "verify")]
+                rounded: flat,
+                #[cfg(feature = "verify")]
+                slope: flat,
             },
             #[cfg(feature = "columns")]
             many: $crate::columns::Many {

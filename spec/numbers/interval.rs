@@ -79,7 +79,19 @@ impl Interval {
             .map(|value| if value.is_nan() { 0.0 } else { value });
         let (lo, hi) =
             values.into_iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), x| (lo.min(x), hi.max(x)));
-        Self::outwards(lo, hi, 1)
+        let not_negative = self.lo >= 0.0 && other.lo >= 0.0 || self.hi <= 0.0 && other.hi <= 0.0;
+        let not_positive = self.lo >= 0.0 && other.hi <= 0.0 || self.hi <= 0.0 && other.lo >= 0.0;
+        Self::outwards(lo, hi, 1).signed(not_negative, not_positive)
+    }
+    /// Of numbers that are known not to be negative, or not positive: rounding outwards does not pass zero.
+    fn signed(self, not_negative: bool, not_positive: bool) -> Self {
+        if self == Self::LINE {
+            return self;
+        }
+        Self {
+            lo: if not_negative { self.lo.max(0.0) } else { self.lo },
+            hi: if not_positive { self.hi.min(0.0) } else { self.hi },
+        }
     }
     /// Whether a point `offset + 2 pi k` may lie inside.
     fn may_contain_angle(self, offset: f64) -> bool {
@@ -196,7 +208,8 @@ impl One for Interval {
 impl Add for Interval {
     type Output = Self;
     fn add(self, other: Self) -> Self {
-        Self::outwards(self.lo + other.lo, self.hi + other.hi, 1)
+        let sum = Self::outwards(self.lo + other.lo, self.hi + other.hi, 1);
+        sum.signed(self.lo >= 0.0 && other.lo >= 0.0, self.hi <= 0.0 && other.hi <= 0.0)
     }
 }
 impl Sub for Interval {

@@ -12,6 +12,10 @@ mod dual;
 mod interval;
 #[cfg(feature = "verify")]
 mod reference;
+#[cfg(feature = "verify")]
+mod rounded;
+#[cfg(feature = "verify")]
+mod slope;
 
 pub use instructions::{Instructions, Set, Work};
 pub use lanes::{LaneMask, Lanes};
@@ -22,4 +26,6 @@ pub use {
     dual::Dual,
     interval::{Interval, Truth},
     reference::Reference,
+    rounded::{Rounded, Trouble, Ulps, Verdict},
+    slope::Slope,
 };
