@@ -57,6 +57,8 @@ pub mod motion;
 pub mod observe;
 pub mod output;
 pub mod papers;
+#[cfg(feature = "verify")]
+pub mod proofs;
 pub mod random;
 #[cfg(feature = "cli")]
 pub mod reproduce;

@@ -53,7 +53,7 @@ pub fn spin<R: Real>(q_0: R, q: Vec3<R>, l: Vec3<R>, i: Vec3<R>) -> (Vec3<R>, R)
 /// | `r` | $\mathbf{r}$ | m (3) | any | centre of the sphere from the centre of mass |
 /// | → `v_p` | $\mathbf{v}_p$ | m/s (3) | | velocity of the sphere |
 ///
-/// Rounding: at most 0.5 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///
@@ -88,7 +88,7 @@ pub fn member_velocity<R: Real>(v: Vec3<R>, omega: Vec3<R>, r: Vec3<R>) -> Vec3<
 /// | → `force` | $\mathbf{F}$ | N (3) | | force on the aggregate |
 /// | → `torque` | $\mathbf{M}$ | N m (3) | | torque about its centre of mass |
 ///
-/// Rounding: at most 0.5 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

@@ -24,7 +24,7 @@ use crate::{Real, Tensor, Vec3, equation};
 /// | `x` | $\mathbf{x}$ | m (3) | any | its centre, from the centre of mass of the aggregate |
 /// | → `inertia` | $\mathbf{I}$ | kg m^2 (9) | | inertia tensor about that centre of mass |
 ///
-/// Rounding: at most 0.5 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

@@ -77,7 +77,7 @@ pub fn box_strain_rate<R: Real>(rate: R, excess: R, modulus: R, volume: R, inert
 /// | `dt` | $\Delta t$ | s | > 0 | time step |
 /// | → `factor` | $g$ | 1 |  | factor |
 ///
-/// Rounding: at most 0.5 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

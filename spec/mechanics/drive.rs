@@ -55,7 +55,7 @@ pub fn tip<R: Real>(v_0: R, t_turn: R, t: R) -> (R, R) {
 /// | `t` | $t$ | s | >= 0 | time |
 /// | → `f` | $F$ | N | | force on the group |
 ///
-/// Rounding: at most 0.5 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

@@ -22,7 +22,7 @@ use crate::{Real, Vec3, equation};
 /// | `omega` | $\boldsymbol{\omega}$ | rad/s (3) | any | angular velocity |
 /// | → `energy` | $K$ | J |  | kinetic energy |
 ///
-/// Rounding: at most 0.5 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///
@@ -44,7 +44,7 @@ pub fn kinetic_energy<R: Real>(m: R, v: Vec3<R>, i: R, omega: Vec3<R>) -> R {
 /// | `v` | $\mathbf{v}$ | m/s (3) | any | velocity |
 /// | → `energy` | $K$ | J |  | kinetic energy |
 ///
-/// Rounding: at most 0.5 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///
@@ -97,7 +97,7 @@ pub fn axial_energy<R: Real>(m: R, v_a: R) -> R {
 /// | `dt` | $\Delta t$ | s | > 0 | time step |
 /// | → `excess` | $\Delta K$ | J |  | excess |
 ///
-/// Rounding: at most 0.5 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

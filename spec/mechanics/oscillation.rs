@@ -15,7 +15,7 @@ use crate::{Real, equation};
 /// | `k` | $k$ | N/m | > 0 | stiffness |
 /// | → `t` | $T$ | s |  | period |
 ///
-/// Rounding: at most 0.5 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

@@ -18,7 +18,7 @@ use crate::{Real, equation};
 /// | `r` | $r$ | m | > 0 | radius |
 /// | → `i` | $I$ | kg m^2 | | moment of inertia |
 ///
-/// Rounding: at most 0.5 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///
@@ -44,7 +44,7 @@ pub fn solid_inertia<R: Real>(m: R, r: R) -> R {
 /// | `r` | $r$ | m | > 0 | radius |
 /// | → `i` | $I$ | kg m^2 | | moment of inertia |
 ///
-/// Rounding: at most 0.5 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

@@ -50,7 +50,7 @@ pub fn stretched_spring<R: Real>(xi: Vec3<R>, n: Vec3<R>, v_t: Vec3<R>, dt: R) -
 /// | `xi` | $\boldsymbol{\xi}$ | m (3) | any | spring |
 /// | → `u_t` | $U_T$ | J | | energy |
 ///
-/// Rounding: at most 0.5 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

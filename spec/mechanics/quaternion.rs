@@ -22,7 +22,7 @@ use crate::{Real, Vec3, equation};
 /// | → `scalar` | $q_0$ | 1 |  | scalar part of the product |
 /// | → `vector` | $\mathbf{q}$ | 1 (3) |  | vector part of the product |
 ///
-/// Rounding: at most 0.5 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

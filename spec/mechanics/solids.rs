@@ -15,7 +15,7 @@ use crate::{Real, equation};
 /// | `r` | $r$ | m | >= 0 | radius |
 /// | → `volume` | $V$ | m^3 |  | volume |
 ///
-/// Rounding: at most 0.5 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///
@@ -61,7 +61,7 @@ pub fn cap_volume<R: Real>(r: R, h: R) -> R {
 /// | → `b` | $b$ | m |  | across it in the basal plane |
 /// | → `c` | $c$ | m |  | along the hexagonal axis |
 ///
-/// Rounding: at most 0.5 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

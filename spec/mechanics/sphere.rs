@@ -17,7 +17,7 @@ use crate::{Real, equation};
 /// | `r` | $r$ | m | > 0 | radius |
 /// | → `m` | $m$ | kg | | mass |
 ///
-/// Rounding: at most 0.5 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///
@@ -43,7 +43,7 @@ pub fn sphere_mass<R: Real>(rho: R, r: R) -> R {
 /// | `r` | $r$ | m | > 0 | radius |
 /// | → `i` | $I$ | kg m^2 | | moment of inertia |
 ///
-/// Rounding: at most 0.5 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///
@@ -69,7 +69,7 @@ pub fn moment_of_inertia<R: Real>(m: R, r: R) -> R {
 /// | `m_eff` | $m_{\mathrm{eff}}$ | kg | > 0 | effective mass |
 /// | → `m_t` | $m_T$ | kg | | mass that slides |
 ///
-/// Rounding: at most 0.5 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

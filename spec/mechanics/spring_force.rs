@@ -54,7 +54,7 @@ pub fn force<R: Real, S: Span<R>>(k: R, xi: S, eta: R, xi_dot: S) -> S {
 /// | `xi` | $\boldsymbol{\xi}$ | m (3) | any | spring |
 /// | → `u` | $U$ | J | | energy |
 ///
-/// Rounding: at most 0.5 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

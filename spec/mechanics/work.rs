@@ -18,7 +18,7 @@ use crate::{Real, Vec3, equation};
 /// | `dt` | $\Delta t$ | s | any | time step |
 /// | → `work` | $W$ | J |  | work |
 ///
-/// Rounding: at most 0.5 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///
@@ -68,7 +68,7 @@ pub fn axial_work<R: Real>(f_a: R, v_a: R, dt: R) -> R {
 /// | `dt` | $\Delta t$ | s | > 0 | time step |
 /// | → `loss` | $\Delta E$ | J |  | energy |
 ///
-/// Rounding: at most 0.5 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

@@ -87,7 +87,7 @@ pub fn overlap<R: Real>(r_i: R, r_j: R, h_n: R, d: R) -> R {
 /// | → `nominal` | $R_\text{nom}$ | m | | half the nominal diameter |
 /// | → `contact` | $r$ | m | | radius of the contact sphere |
 ///
-/// Rounding: at most 0.5 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

@@ -23,7 +23,7 @@ use crate::{Real, equation, piecewise};
 /// | → `suction` | $P_c$ | Pa | | pressure of the air minus pressure of the liquid |
 /// | → `r_k` | $r_K$ | m | | Kelvin radius |
 ///
-/// Rounding: at most 0.5 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

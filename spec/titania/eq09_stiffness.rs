@@ -64,7 +64,7 @@ pub fn stiffness<R: Real>(f_na_0: R, delta_n_0: R, r_i: R, r_j: R, h_n: R) -> R 
 /// | `k_j` | $k_j$ | Pa | > 0 | stiffness of two particles like j |
 /// | → `k_n` | $k_n$ | Pa | | contact stiffness |
 ///
-/// Rounding: at most 0.5 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

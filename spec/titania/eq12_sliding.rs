@@ -107,7 +107,7 @@ pub fn sliding_spring<R: Real>(tau_s: R, a: R, lambda_t: R, xi: Vec3<R>, slip: R
 /// | `xi` | $\boldsymbol{\xi}$ | m (3) | any | spring |
 /// | → `v_t` | $V_t$ | J | | energy |
 ///
-/// Rounding: at most 0.5 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

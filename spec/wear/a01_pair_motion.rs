@@ -29,7 +29,7 @@ use crate::{Real, equation};
 /// | → `a_i` | $\ddot x_i$ | m/s^2 | | acceleration of i |
 /// | → `a_j` | $\ddot x_j$ | m/s^2 | | acceleration of j |
 ///
-/// Rounding: at most 0.5 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

@@ -52,7 +52,7 @@ pub fn scaled_step<R: Real>(h: R, x: R, v: R) -> (R, R) {
 /// | → `a_vx` | $A_{21}$ | 1 | | velocity from position |
 /// | → `a_vv` | $A_{22}$ | 1 | | velocity from velocity |
 ///
-/// Rounding: at most 0.5 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

@@ -50,7 +50,7 @@ pub fn separation_x<R: Real>(r: R, epsilon_x: R, phi: R, theta: R) -> R {
 /// | `theta` | $\theta$ | rad | [-pi/2, pi/2] | latitude of the neighbour |
 /// | → `delta_z` | $\delta_z$ | m | | separation along z |
 ///
-/// Rounding: at most 0.5 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///
@@ -135,7 +135,7 @@ pub fn separation_meridional<R: Real>(delta_x: R, delta_z: R, phi: R, theta: R) 
 /// | `phi` | $\phi$ | rad | any | azimuth of the neighbour |
 /// | → `delta_phi` | $\delta_\phi$ | m | | separation along the parallel |
 ///
-/// Rounding: at most 0.5 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///
@@ -164,7 +164,7 @@ pub fn separation_zonal<R: Real>(delta_x: R, phi: R) -> R {
 /// | `delta_phi` | $\delta_\phi$ | m | any | separation along the parallel |
 /// | → `u_pair` | $U_{\text{pair}}$ | J | | energy of the pair |
 ///
-/// Rounding: at most 0.5 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

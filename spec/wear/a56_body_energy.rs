@@ -58,7 +58,7 @@ pub fn surrounded_energy<R: Real>(r: R, k_n: R, k_t: R, epsilon_x: R, epsilon_z:
 /// | `u` | $U$ | J | >= 0 | energy with neighbours in all directions |
 /// | → `u_prime` | $U'$ | J | | energy with twelve neighbours |
 ///
-/// Rounding: at most 0.5 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///
@@ -84,7 +84,7 @@ pub fn close_packed_energy<R: Real>(u: R) -> R {
 /// | `r` | $r$ | m | > 0 | radius |
 /// | → `v` | $V$ | m^3 | | volume of the body per particle |
 ///
-/// Rounding: at most 0.5 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

@@ -51,7 +51,7 @@ pub fn constant_11<R: Real>(r: R, k_n: R, k_t: R) -> R {
 /// | `k_t` | $k_T$ | N/m | >= 0 | tangential stiffness |
 /// | → `c_12` | $C_{12}$ | Pa | | elastic constant |
 ///
-/// Rounding: at most 0.5 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///
@@ -80,7 +80,7 @@ pub fn constant_12<R: Real>(r: R, k_n: R, k_t: R) -> R {
 /// | `nu` | $\nu$ | 1 | (-1, 1/2) | Poisson's ratio |
 /// | → `k_n` | $k_N$ | N/m | | normal stiffness |
 ///
-/// Rounding: at most 0.5 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

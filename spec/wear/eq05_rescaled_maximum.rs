@@ -21,7 +21,7 @@ use crate::{Real, equation};
 /// | `f_mt` | $F_{m,T}$ | N | >= 0 | largest tangential force in contact |
 /// | → `f_mt_rescaled` | $F'_{m,T}$ | N | | largest tangential force at this separation |
 ///
-/// Rounding: at most 0.5 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

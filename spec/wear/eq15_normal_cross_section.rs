@@ -19,7 +19,7 @@ use crate::{Real, equation};
 /// | `nu` | $\nu$ | 1 | (-1, 1/4] | Poisson's ratio |
 /// | → `a_n` | $A_N$ | m^2 | | normal cross section |
 ///
-/// Rounding: at most 0.5 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

@@ -47,7 +47,7 @@ pub fn critical_length<R: Real>(gamma: R, g: R, sigma_mt: R) -> R {
 /// | `nu` | $\nu$ | 1 | (-1, 1/2) | Poisson's ratio |
 /// | → `g` | $G$ | Pa | | shear modulus |
 ///
-/// Rounding: at most 0.5 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

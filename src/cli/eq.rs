@@ -1,6 +1,10 @@
 //! `veridem eq`: the equations of the specification, listed, shown, evaluated.
 
 mod batch;
+#[cfg(feature = "verify")]
+mod prove;
+#[cfg(feature = "verify")]
+mod ranges;
 mod show;
 
 use super::{OutputMode, print};
@@ -25,12 +29,24 @@ enum Action {
         /// Its id, such as mechanics-sphere-volume
         id: String,
     },
+    /// Prove what is claimed of an equation over a box of arguments: finite, signs, monotonicity, rounding. Each claim is stated with
+    /// the number of parts into which the box was divided, or with the part where the proof stops
+    #[cfg(feature = "verify")]
+    Prove {
+        /// Its id, such as mechanics-sphere-volume
+        #[arg(required_unless_present = "all")]
+        id: Option<String>,
+        /// Prove the claims of every equation and print docs/proofs.md
+        #[arg(long, conflicts_with = "id")]
+        all: bool,
+    },
     /// Evaluate an equation, such as: veridem eq eval mechanics-sphere-volume r="14 nm"
     Eval {
         /// Its id, such as mechanics-sphere-volume
         #[arg(required_unless_present = "batch")]
         id: Option<String>,
-        /// Arguments as name="value unit", vectors as n="1 0 0" or v="[1, 0, 0] m/s"; a value without unit is in SI
+        /// Arguments as name="value unit", vectors as n="1 0 0" or v="[1, 0, 0] m/s"; a value without unit is in SI. With a range such as
+        /// r="1 nm .. 10 nm" the results are intervals: they contain the results for all arguments in the ranges, exact and in f64
         arguments: Vec<String>,
         /// Read lines {"id": ..., "in": {name: number or array, ...}} in SI from stdin and answer each, blank and wrong ones too, with a
         /// line {"id": ..., "out": ...} or {"id": ..., "error": "..."}. `out` is a number or an array for an equation with one
@@ -52,6 +68,13 @@ pub(super) fn run(arguments: &Arguments, manner: OutputMode) -> Result<(), Error
             let entry = registry.find(id).map_err(Error::Usage)?;
             print(&if manner.json { format!("{:#}\n", show::as_json(entry)) } else { show::entry(entry) })
         }
+        #[cfg(feature = "verify")]
+        Action::Prove { all: true, .. } => print(&crate::proofs::page(&registry.0)),
+        #[cfg(feature = "verify")]
+        Action::Prove { id, .. } => {
+            let entry = registry.find(id.as_deref().unwrap_or_default()).map_err(Error::Usage)?;
+            print(&if manner.json { prove::json(entry) } else { prove::text(entry) })
+        }
         Action::Eval { batch: true, .. } => match batch::run(&registry, &mut std::io::stdin().lock(), print)? {
             Lines { failed: 0, .. } => Ok(()),
             Lines { read, failed } => Err(Error::input(
@@ -61,6 +84,12 @@ pub(super) fn run(arguments: &Arguments, manner: OutputMode) -> Result<(), Error
         },
         Action::Eval { id, arguments, .. } => {
             let id = id.as_deref().unwrap_or_default();
+            #[cfg(feature = "verify")]
+            if arguments.iter().any(|argument| argument.contains("..")) {
+                let entry = registry.find(id).map_err(Error::Usage)?;
+                let results = ranges::eval(entry, arguments).map_err(Error::Usage)?;
+                return print(&if manner.json { ranges::json(entry, &results) } else { ranges::text(entry, &results) });
+            }
             let results = registry.eval(id, arguments).map_err(Error::Usage)?;
             print(&if manner.json { batch::value(&results) + "\n" } else { show::results(&results) })
         }
