@@ -104,7 +104,8 @@ def lognormal(d_0, d_s, d_l):
     return dict(mu=mp.log(d_0) + variance, sigma=mp.sqrt(variance))
 
 
-@equation("wear-lognormal-truncated")
+# The smallest diameter thirteen deviations below the median.
+@equation("wear-lognormal-truncated", [dict(d_0=6.0e-9, d_s=0.65e-9, d_l=6.125e-9)])
 def truncated_moments(d_0, d_s, d_l):
     """By quadrature of the density over the logarithm of the diameter as a multiple of the mode."""
     variance = spread(d_0, d_s, d_l)
