@@ -65,14 +65,15 @@ class Vector:
         return mp.sqrt(self.dot(self))
 
 
-def equation(id, cases=()):
-    """Registers the oracle of an equation. `cases`: inputs of vectors to write, as f64 literals that are taken exactly."""
+def equation(id, cases=(), defined=lambda **_: True):
+    """Registers the oracle of an equation. `cases`: inputs of vectors to write, as f64 literals that are taken exactly.
+    `defined`: whether the oracle has a value for these arguments; the project has some for arguments without a meaning."""
 
     def register(function):
         if id in EQUATIONS:
             raise Wrong(f"{id} has two oracles")
         module = function.__module__.replace(".", "/")
-        EQUATIONS[id] = (function, list(cases), f"golden/oracle/{module}.py")
+        EQUATIONS[id] = (function, list(cases), f"golden/oracle/{module}.py", defined)
         return function
 
     return register
@@ -183,20 +184,24 @@ def written(id, inputs, names, source):
 
 
 def check_kept(id, vector):
-    """Compares a vector that somebody else computed with the oracle."""
+    """Compares a vector that somebody else computed with the oracle, but for what the oracle does not compute."""
     found = results(id, vector["in"])
     for name, value in vector["out"].items():
+        if found.get(name, ()) is None:
+            continue
         expected = [exact(text) for text in (value if isinstance(value, list) else [value])]
-        if len(found.get(name) or []) != len(expected):
+        if len(found.get(name, ())) != len(expected):
             raise Wrong(f"{id}: the oracle lacks `{name}`")
         if not all(agree(a, b, TOLERANCE) for a, b in zip(found[name], expected)):
             now = [decimal(number) for number in found[name]]
-            raise Wrong(f"{id}: `{name}` of {vector['in']}: the oracle computes {now}, {vector['source']} has {value}")
+            other = vector.get("source", "the project")
+            raise Wrong(f"{id}: `{name}` of {vector['in']}: the oracle computes {now}, {other} has {value}")
 
 
 def vectors(id):
-    """The file of an equation's vectors as it must be: the text, and the number of independent vectors."""
-    _, cases, source = EQUATIONS[id]
+    """The file of an equation's vectors as it must be: the text, and the number of independent vectors. The others, which the
+    project generated, are compared too."""
+    _, cases, source, defined = EQUATIONS[id]
     path = file_of(id)
     if not path.exists():
         raise Wrong(f"{id}: {path} is missing: run `veridem golden regenerate` first")
@@ -208,9 +213,9 @@ def vectors(id):
         if vector.get("source", "").startswith("golden/oracle/"):
             continue
         kept.append(text.rstrip(","))
-        if "source" in vector:
+        if "source" in vector or defined(**{name: argument(value) for name, value in vector["in"].items()}):
             check_kept(id, vector)
-            count += 1
+        count += "source" in vector
     first = json.loads(kept[0])
     names = list(first["in"]), list(first["out"])
     kept += [written(id, case, names, source) for case in cases]

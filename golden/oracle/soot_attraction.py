@@ -158,7 +158,7 @@ GROOVES = [
 ]
 
 
-@equation("soot-facet-share", cases=GROOVES)
+@equation("soot-facet-share", cases=GROOVES, defined=lambda d_0, **_: d_0.norm() > 0)
 def facet_share(d, d_0):
     return dict(s=1 - min(mp.mpf(1), max(mp.mpf(0), d.dot(d_0) / d_0.dot(d_0))))
 

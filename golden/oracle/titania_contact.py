@@ -143,6 +143,7 @@ SPRING = dict(tau_s=6.5e8, a=1.9e-18, lambda_t=5e-10)
             ([-7e-10, 1.1e-9, 2e-10], 0.0),
         ]
     ],
+    defined=lambda slip, **_: slip in (0, 1),
 )
 def sliding_spring(tau_s, a, lambda_t, xi, slip):
     length = xi.norm()
@@ -188,6 +189,7 @@ SPINS = [
         SPINS[3] | dict(m_r=1.1e-18, inertia=3e-39, dt=0.5),
         dict(omega_i=[1e8, 2e8, 3e8], omega_j=[1e8, 2e8, 3e8], n=[0.6, 0.0, 0.8], m_r=1.1e-18, inertia=3e-39, dt=5e-13),
     ],
+    defined=lambda dt, **_: dt > 0,
 )
 def rolling_torque(m_r, omega_i, omega_j, n, inertia, dt):
     rolling = _across(omega_i - omega_j, n)
