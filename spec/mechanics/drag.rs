@@ -13,7 +13,7 @@ use crate::{Real, Vec3, equation};
 ///
 /// # Reading
 ///
-/// As printed.
+/// Not printed: the paper states the coefficient $c$ of a "global damping", in units of Eq. 21. It acts on velocities, not on spins.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

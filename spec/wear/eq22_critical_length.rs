@@ -39,7 +39,7 @@ pub fn critical_length<R: Real>(gamma: R, g: R, sigma_mt: R) -> R {
 ///
 /// # Reading
 ///
-/// As printed.
+/// Not printed: Eq. 22 uses $G$, Table 5 states $E$ and $\nu$.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
