@@ -15,7 +15,7 @@ use std::path::PathBuf;
 /// The arguments.
 #[derive(clap::Args)]
 pub(super) struct Arguments {
-    /// CSV, FLAGE XML, MSTM, FracVAL, PyFracVAL, VTK, LAMMPS data or XYZ; identified by its content, CSV without a header by its name
+    /// CSV, FLAGE XML, MSTM, FracVAL, PyFracVAL, VTK, LAMMPS data or dump, or XYZ; identified by its content, CSV without a header by its name
     file: PathBuf,
     /// Unit of length of the file, such as `1 nm`, if the format does not define one
     #[arg(long, value_name = "LENGTH")]
@@ -23,7 +23,7 @@ pub(super) struct Arguments {
     /// Radius of all spheres, such as `14 nm`, if the file gives none
     #[arg(long, value_name = "LENGTH")]
     radius: Option<String>,
-    /// Format, if the content does not identify it: flage, mstm, fracval, pyfracval, vtk, lammps, xyz or csv
+    /// Format, if the content does not identify it: flage, mstm, fracval, pyfracval, vtk, lammps, lammps-dump, xyz or csv
     #[arg(long)]
     format: Option<String>,
     /// Largest gap or overlap of a neck, such as `0.1 nm`; the key `neck_distance` of a case

@@ -5,7 +5,7 @@ use super::{OutputMode, print};
 use crate::error::Error;
 use crate::initial::aggregate::import::{self, Options};
 use crate::observe::aggregate::AggregateShape;
-use crate::output::{Finding, Manifest, ReadTable, RunFolder, Series, read};
+use crate::output::{Apart, Finding, Manifest, ReadFrame, ReadTable, RunFolder, Series, read};
 use crate::papers::Papers;
 use serde_json::json;
 use std::collections::BTreeSet;
@@ -17,14 +17,18 @@ pub(super) struct Arguments {
     /// The run folder, or one of its frames (`.xyz`), of which the shape of the aggregate is measured
     #[arg(required_unless_present = "diff")]
     run: Option<PathBuf>,
-    /// Compare two run folders; the exit status is 4 if they differ
+    /// Compare two run folders, or two frames (`.xyz`) number by number; the exit status is 4 if they differ
     #[arg(long, num_args = 2, value_names = ["A", "B"], conflicts_with = "run")]
     diff: Option<Vec<PathBuf>>,
+    /// Of two frames: differences up to this fraction of the largest number of a column are none
+    #[arg(long, value_name = "FRACTION", default_value_t = 0.0, requires = "diff")]
+    within: f64,
 }
 
 /// Summarises or compares.
 pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
     match (&arguments.run, &arguments.diff) {
+        (_, Some(pair)) if pair.iter().all(|path| path.is_file()) => measure_apart(pair, arguments.within, manner),
         (_, Some(pair)) => compare(&pair[0], &pair[1], manner),
         (Some(frame), None) if frame.is_file() => measure(frame, manner),
         (Some(run), None) => summarise(run, papers, manner),
@@ -70,6 +74,26 @@ fn summarise(root: &Path, papers: Papers, manner: OutputMode) -> Result<(), Erro
         text.push_str(&format!("{column:36}  {cell}\n"));
     }
     print(&format!("{text}\n{}", table(&findings)))
+}
+
+/// How far two frames are apart.
+fn measure_apart(pair: &[PathBuf], within: f64, manner: OutputMode) -> Result<(), Error> {
+    let [one, two] = [ReadFrame::read(&pair[0])?, ReadFrame::read(&pair[1])?];
+    let found = one.apart(&two).map_err(|what| Error::input(&pair[1], what))?;
+    let differ = found.iter().any(|apart| apart.is_beyond(within));
+    if manner.json {
+        print(&format!("{:#}\n", json!({ "identical": !differ, "columns": found })))?;
+    } else {
+        let row = |Apart { column, difference, largest, sphere }: &Apart| {
+            format!("{column:20} {difference:.1e} of {largest:.3e}, sphere {sphere}\n")
+        };
+        print(&format!(
+            "largest difference of each column, of its largest number\n\n{}",
+            found.iter().map(row).collect::<String>()
+        ))?;
+    }
+    let [a, b] = [&pair[0], &pair[1]].map(|path| path.display());
+    if differ { Err(Error::Verification(format!("{a} and {b} differ"))) } else { Ok(()) }
 }
 
 /// A difference between two runs.

@@ -23,8 +23,8 @@ pub(crate) fn recognised(bytes: &[u8]) -> Option<&'static str> {
         _ if holds(b"number_spheres") => {
             "an MSTM input file, which is not supported: take the file of its spheres, or the rows below `sphere_data` alone"
         }
-        _ if begins(b"ITEM:") => {
-            "a LAMMPS dump file, which is not supported: use `write_data`, or export it as extended XYZ"
+        _ if begins(b"ITEM:") && !holds(b"ITEM: ATOMS") => {
+            "a LAMMPS dump of something other than atoms, which is not supported: use `dump atom` or `dump custom`"
         }
         _ if begins(b"<") && holds(b"<VTKFile") => {
             "an XML VTK file (VTP, VTU), which is not supported: export it as extended XYZ or STL"

@@ -1,6 +1,7 @@
 //! The run folder: the output of a run, written so that an incomplete file is never mistaken for a result.
 
 pub mod aggregate;
+mod apart;
 mod appending;
 mod checkpoint;
 mod claim;
@@ -17,6 +18,7 @@ mod reading;
 mod series;
 
 pub use crate::error::read_file as read;
+pub use apart::Apart;
 pub use appending::{Appending, Fingerprint};
 pub use checkpoint::{Checkpoints, Origin, encoded_size, load_sample, save_sample, state_hash};
 pub use claim::{Claim, Place};

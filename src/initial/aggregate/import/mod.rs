@@ -2,6 +2,7 @@
 
 mod columns;
 mod csv;
+mod dump;
 mod extras;
 mod flage;
 mod lammps;
@@ -43,6 +44,8 @@ words! {
         Vtk = "vtk",
         /// A data file with a section `Atoms # sphere`.
         Lammps = "lammps",
+        /// A dump in text with the columns `id x y z`, and perhaps `radius` or `diameter`, `mol`, velocities.
+        Dump = "lammps-dump",
         /// A number, a comment, rows `species x y z`, perhaps with a radius.
         Xyz = "xyz",
         /// Rows `x,y,z,r`, or comma-separated columns that a header names.
@@ -170,6 +173,7 @@ fn raw(source: &Source, options: &Options) -> Result<(Format, Raw), Error> {
         Format::Flage => flage::read(source)?,
         Format::Vtk => vtk::read(source)?,
         Format::Lammps => lammps::read(source)?,
+        Format::Dump => dump::read(source)?,
         Format::Xyz => columns::xyz(source)?,
         Format::Csv => csv::read(source)?,
         Format::Mstm => columns::rows(source, true)?,
@@ -201,6 +205,9 @@ fn detect(source: &Source) -> Result<Format, Error> {
     }
     if text.starts_with("# vtk DataFile") {
         return Ok(Format::Vtk);
+    }
+    if dump::is_dump(source) {
+        return Ok(Format::Dump);
     }
     if csv::has_header(source) || source.file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv")) {
         return Ok(Format::Csv);

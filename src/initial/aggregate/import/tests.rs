@@ -247,7 +247,7 @@ fn dialects_of_xyz_and_lammps_are_read() {
 fn formats_that_are_known_and_not_supported_are_named() {
     let folder = tempfile::tempdir().unwrap();
     for (bytes, expected) in [
-        (&b"ITEM: TIMESTEP\n0\n"[..], "a LAMMPS dump file"),
+        (&b"ITEM: TIMESTEP\n0\n"[..], "a LAMMPS dump of something other than atoms"),
         (b"<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\">", "an XML VTK file (VTP, VTU)"),
         (b"\xff\xfe3\0", "text in UTF-16"),
         (b"\x1f\x8b\x08", "a gzip archive"),
