@@ -24,6 +24,10 @@ const MANY_STEPS: u64 = 1_000_000_000_000;
 const MANY_ROWS: u64 = 100_000_000;
 const MANY_FRAMES: u64 = 1_000_000;
 const MANY_SPHERES: f64 = 1e8;
+/// Cores on which LAMMPS with the plugin is faster than the engine on one (docs/scale.md).
+const LAMMPS_OVER_ENGINE: usize = 3;
+/// Spheres of a core of LAMMPS from which on three quarters of its time are spent on its own spheres.
+const SPHERES_PER_CORE: usize = 10_000;
 /// Memory of a sphere with its neighbours, in bytes.
 const BYTES: f64 = 1000.0;
 
@@ -213,7 +217,17 @@ pub(super) fn plan<S: Study>(study: &S, job: &Job, interrupt: &Interrupt) -> Res
         if threads == 1 { "" } else { "s" },
     );
     enter("estimated time", text.into());
+    if let Some(place) = beyond(stage.simulation.system().particles.len(), threads) {
+        enter("beyond this machine", place.into());
+    }
     Ok(plan)
+}
+
+/// Where a system is better computed, if it is larger than suits this number of threads.
+fn beyond(spheres: usize, threads: usize) -> Option<String> {
+    let cores = LAMMPS_OVER_ENGINE * threads;
+    let words = format!("LAMMPS is faster on more than {cores} cores: `veridem export --lammps`, docs/scale.md");
+    (spheres >= cores * SPHERES_PER_CORE).then_some(words)
 }
 
 /// Size of the output without figures, in bytes.
@@ -285,6 +299,12 @@ mod tests {
         let listed = moments("[1, 10, 100 steps]");
         assert_eq!([1, 50, 100, 101].map(|steps| frames(&listed, 0.5, steps)), [2, 4, 4, 5]);
         assert_eq!((0..200).filter(|&step| frame_due(&listed, 0.5, step)).collect::<Vec<_>>(), [1, 10, 100]);
+    }
+
+    #[test]
+    fn a_system_that_fills_three_times_the_cores_is_better_off_in_lammps() {
+        assert_eq!(beyond(119_999, 4), None);
+        assert!(beyond(120_000, 4).is_some_and(|words| words.contains("more than 12 cores")));
     }
 
     #[test]
