@@ -1,4 +1,4 @@
-//! Does `veridem export` write what LAMMPS needs? Whether LAMMPS computes the same with it is checked in `bindings/lammps/check`.
+//! Does `veridem export` write what LAMMPS needs? Whether LAMMPS computes the same with it is checked in `bindings/lammps/tests`.
 
 #[path = "common/program.rs"]
 mod program;
@@ -37,11 +37,61 @@ fn an_aggregate_is_exported_with_its_necks_and_its_law() {
 }
 
 #[test]
+fn necks_are_exported_with_their_strength_and_a_box_with_what_moves_its_sides() {
+    let place = tempfile::tempdir().unwrap();
+    let [_, _, input] = exported(place.path(), &case("soot"), "necks");
+    assert!(input.contains(" break_stress 5000 5000 5\n"), "{input}");
+    let sample = "{amorphous: {diameter: 3 nm, size: [24 nm, 24 nm, 18 nm], relaxation: {repulsion_steps: 100}}}";
+    let experiment = "{patch: {walls: 3 nm, shear: {strain: 0.01}}}";
+    let silica = std::fs::read_to_string(case("junction")).unwrap();
+    let model = silica.split("sample:").next().unwrap();
+    std::fs::write(place.path().join("relaxes.yaml"), format!("{model}sample: {sample}\nexperiment: {experiment}\n"))
+        .unwrap();
+    let done = veridem(place.path(), &["run", "relaxes.yaml", "--out", "run", "--stop-after-steps", "102"]);
+    assert_eq!(done.status.code(), Some(75), "{}", String::from_utf8_lossy(&done.stderr));
+    let [_, _, input] = exported(place.path(), "run/relaxes", "box");
+    let words: Vec<f64> = input
+        .split(" relax ")
+        .nth(1)
+        .unwrap()
+        .lines()
+        .next()
+        .unwrap()
+        .split(' ')
+        .map(|word| word.parse().unwrap())
+        .collect();
+    assert!(words.len() == 7 && words[0] > 0.0 && words[4..].iter().all(|flux| *flux > 0.0), "{input}");
+}
+
+#[test]
+fn what_comes_back_is_imported_and_compared() {
+    let place = tempfile::tempdir().unwrap();
+    let dump = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS pp pp pp\n0 9\n0 9\n0 9\n\
+                ITEM: ATOMS id radius x y z vx vy vz omegax omegay omegaz\n2 1 3 1 1 0 0 5 0 0 1\n1 1 1 1 1 0 0 4 0 0 1\n";
+    std::fs::write(place.path().join("a.dump"), dump).unwrap();
+    std::fs::write(place.path().join("b.dump"), dump.replace("2 1 3 1 1", "2 1 3.25 1 1")).unwrap();
+    for name in ["a", "b"] {
+        let words =
+            ["import", &format!("{name}.dump"), "--unit", "1 nm", "--disconnected", "--out", &format!("{name}.xyz")];
+        let done = veridem(place.path(), &words);
+        assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    }
+    let diff = |words: &[&str]| veridem(place.path(), &[&["inspect", "--diff", "a.xyz", "b.xyz"], words].concat());
+    let apart = diff(&[]);
+    let said = String::from_utf8_lossy(&apart.stdout).to_string();
+    assert!(apart.status.code() == Some(4) && said.contains("2.5e-1 of 3.250e0, sphere 1"), "{said}");
+    assert!(diff(&["--within", "0.1"]).status.success());
+}
+
+#[test]
 fn what_the_plugin_does_not_have_is_refused_by_name() {
     let place = tempfile::tempdir().unwrap();
-    let (code, said) = refused(place.path(), &case("soot"), "there");
+    let often =
+        std::fs::read_to_string(case("soot")).unwrap().replace("{dt: 50 fs", "{attraction_every: 10, dt: 50 fs");
+    std::fs::write(place.path().join("often.yaml"), often).unwrap();
+    let (code, said) = refused(place.path(), "often.yaml", "there");
     assert_eq!(code, Some(65), "{said}");
-    assert!(said.contains("necks that break"), "{said}");
+    assert!(said.contains("`attraction_every` other than 1"), "{said}");
     assert!(!place.path().join("there").exists());
 }
 

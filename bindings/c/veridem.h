@@ -27,7 +27,7 @@ extern "C" {
 #endif
 
 /* Version of this header. Compare it with veridem_abi() of the library that was loaded. */
-#define VERIDEM_ABI 1u
+#define VERIDEM_ABI 2u
 uint32_t veridem_abi(void);
 
 /* The reason why the last failed call of this thread failed; valid until the next one. */
@@ -61,6 +61,12 @@ int veridem_law_time_step(const veridem_law *law, double r, double m, double lar
 
 /* 1 if friction is limited by the inertia it may stop, which the contacts of a sphere share: see `moment` below. */
 int veridem_law_shares_inertia(const veridem_law *law, int *shares);
+
+/* 1 if pairs forget springs when they are listed anew, as wear with `forget_stretched_springs`. */
+int veridem_law_forgets(const veridem_law *law, int *forgets);
+
+/* Steps between two checks of the strength of necks, in the keys `break_energy` and `break_stress`; 0 if necks never break. */
+int veridem_law_neck_checks(const veridem_law *law, uint64_t *every);
 
 /* The law over arrays of pairs: one column for each number of the arguments, one for each of the results, all of `length` numbers.
  * Arguments: branch vector x_i - x_j (3), relative velocity v_i - v_j (3), angular velocities of i and of j (3 each), radii, masses (2
@@ -106,6 +112,16 @@ int veridem_list_pairs(veridem_list *list, size_t *count, const uint32_t **i, co
 
 /* Adds 1 to contacts[p] of each owned sphere for every pair that touches without a neck. */
 int veridem_list_contacts(veridem_list *list, veridem_spheres *spheres, double *contacts);
+
+/* Before the list is built anew: the pairs forget the springs that the law does not keep, whose energies are added to `losses`. */
+int veridem_list_forget(veridem_list *list, veridem_spheres *spheres, double *losses, size_t loss_count);
+
+/* Pairs whose necks are loaded beyond their strength: places in the list, to which the pointer is valid until the next call with it. */
+int veridem_list_overloaded(veridem_list *list, veridem_spheres *spheres, size_t *count, const uint32_t **pairs);
+
+/* Breaks the necks of these pairs, which may be those that veridem_list_overloaded shows in an array of the caller. To `lost` is added the
+ * energy that they held, less that of the contacts that take their place; of a pair with a ghost one half. */
+int veridem_list_break(veridem_list *list, veridem_spheres *spheres, size_t count, const uint32_t *pairs, double *lost);
 
 /* Adds the forces and torques of all pairs. With `advance` not 0 their springs advance by `dt`, and `losses` receives the energies lost;
  * otherwise the history stays as it is. `losses`, `stored` and `virial` (branch vector times force: xx, yy, zz, xy, xz, yz) are sums to

@@ -12,6 +12,9 @@ use super::contact_kinematics::ContactKinematics;
 use super::four_springs::{Friction, Memory, Springs};
 use crate::{Contact, Flat, Outcome, PairModel, Real, Vec3, Wrench, flat_struct};
 
+/// Number of steps between checks of the strength of necks: a small fraction of the period of their springs at any published time step.
+pub const EXAMINED: u64 = 5;
+
 flat_struct! {
     /// Energies of a neck, J, by spring: stored in the spring, or dissipated by its dashpot.
     pub struct OfNeck {
@@ -63,6 +66,13 @@ impl<M> Necked<M> {
 #[inline(always)]
 fn only<R: Real, A: Flat<R>>(mask: R::Mask, yes: &A) -> A {
     A::from_fn(|k| R::select(mask, *yes.at(k), R::zero()))
+}
+
+impl<M: PairModel> Necked<M> {
+    /// Whether a neck that holds these energies breaks at this one, J.
+    pub fn neck_breaks((_, held): &<Self as PairModel>::Stored<f64>, energy: f64) -> bool {
+        (0..OfNeck::<f64>::LEN).map(|spring| *held.at(spring)).sum::<f64>() > energy
+    }
 }
 
 impl<M: PairModel> PairModel for Necked<M> {

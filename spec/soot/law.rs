@@ -87,6 +87,15 @@ pub const SUBSTRATE: usize = 0;
 /// Which of the walls a surface is.
 pub const TIP: usize = 1;
 
+/// Strength of a neck; without either it never breaks.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Strength {
+    /// Energy in its four springs at which it breaks, J.
+    pub energy: Option<f64>,
+    /// Largest tensile and largest shear stress, Pa, and the radius of its cross-section, m.
+    pub stress: Option<[f64; 3]>,
+}
+
 /// Soot: necks, frictional contacts, van der Waals and capillary attraction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Soot<S = Along> {
@@ -237,6 +246,23 @@ impl<S: Reading> Soot<S> {
         let turning = turning_torque(at.n, at.a, memory.rolling * neck.k_r, at.r, memory.torsion * neck.k_o);
         let xi_n = memory.elongation(!never::<R>(), at.delta);
         neck_stress(neck.k_n * xi_n, memory.tangential * neck.k_t, turning, at.n, r_b)
+    }
+}
+
+impl<S: Reading> Soot<S> {
+    /// Whether a neck is loaded beyond its strength.
+    pub fn neck_breaks(
+        &self,
+        c: &Contact<f64>,
+        memory: &Memory<f64, S::Torsion<f64>>,
+        held: &Stored<f64>,
+        strength: &Strength,
+    ) -> bool {
+        strength.energy.is_some_and(|energy| held.necks > energy)
+            || strength.stress.is_some_and(|[tension, shear, radius]| {
+                let (sigma, tau) = self.neck_stress(c, memory, radius);
+                sigma > tension || tau > shear
+            })
     }
 }
 

@@ -45,7 +45,9 @@ pub use crate::mechanics::relative_velocity as eq04_relative_velocity;
 pub use crate::mechanics::spring_force as eq12_spring_force;
 
 pub use def_body_forces::Attraction;
-pub use law::{Along, Coefficients, Lagging, Printed, Programmed, Reading, SUBSTRATE, Soot, Stored, TIP, Wall};
+pub use law::{
+    Along, Coefficients, Lagging, Printed, Programmed, Reading, SUBSTRATE, Soot, Stored, Strength, TIP, Wall,
+};
 
 use crate::equation::{Equation, Paper};
 use crate::mechanics;

@@ -46,7 +46,8 @@ impl ReadFrame {
         }
         let boxed = if self.periodic == [false; 3] { other } else { self };
         let both = self.properties.iter().filter(|property| !property.whole);
-        let both = both.filter_map(|a| Some((a, other.property(&a.name).filter(|b| b.components == a.components)?)));
+        let both = both
+            .filter_map(|a| Some((a, other.property(&a.name).filter(|b| !b.whole && b.components == a.components)?)));
         let of_column = |(a, b): (&super::Property, &super::Property)| {
             let mut apart = Apart { column: a.name.clone(), difference: 0.0, largest: 0.0, sphere: 0 };
             for (&id, &place) in &ours {

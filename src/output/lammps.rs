@@ -4,7 +4,7 @@ use crate::motion;
 use crate::simulation::{Integrator, Simulation};
 use crate::spec::mechanics::sphere::sphere_mass;
 use crate::spec::{Flat, PairModel, Vec3};
-use crate::system::{Motion, Particles, PrescribedMotion, Shape, System};
+use crate::system::{Motion, Particles, PrescribedMotion, Shape, Steering, System, Wall};
 use std::fmt::Write;
 
 /// Distance between the spheres and the sides of a box that are not periodic, nm.
@@ -48,15 +48,10 @@ pub fn for_lammps<M: PairModel>(
 /// Refuses what has no counterpart.
 fn possible<M: PairModel>(simulation: &Simulation<M>) -> Result<(), String> {
     let (system, settings) = (simulation.system(), simulation.settings());
-    let timed = |motion: &Motion| matches!(motion, Motion::Return { .. });
-    let what = if settings.relax_box.is_some() {
-        "a box whose sides follow the stress"
-    } else if settings.far_every != 1 {
+    let what = if settings.far_every != 1 {
         "`attraction_every` other than 1"
-    } else if !system.steerings.is_empty() {
-        "bodies that are pulled by springs"
-    } else if system.walls.iter().any(|wall| wall.motion.iter().any(timed)) {
-        "a wall that approaches and returns"
+    } else if settings.relax_box.is_some_and(|relaxation| relaxation.target != [0.0; 3]) {
+        "a box under a stress"
     } else if system.walls.iter().any(|wall| wall.spin != Vec3::zero()) {
         "a wall whose spheres turn"
     } else if system
@@ -151,13 +146,15 @@ fn input<M: PairModel>(simulation: &Simulation<M>, script: &LammpsScript) -> Res
         "# {}\n# lmp -in in.lammps -var plugin PATH\n\
          variable plugin index veridemplugin.so\n\
          units nano\natom_style sphere\natom_modify map yes\nnewton off\nboundary {boundary}\ncomm_modify vel yes\nplugin load ${{plugin}}\n\
-         fix members all property/atom mol d_moment ghost yes\nread_data state.data fix members NULL Members\n\
+         fix members all property/atom mol d_moment ghost yes\nread_data state.data fix members NULL Members\nreset_timestep {}\n\
          pair_style veridem/{}\npair_coeff * * history state.history\n",
-        script.title, script.style
+        script.title, system.step, script.style
     );
     // The engine may list pairs without a skin; LAMMPS needs one.
     let largest = system.particles.radius.iter().copied().fold(0.0, f64::max);
     let skin = if settings.skin > 0.0 { settings.skin } else { 0.2 * largest };
+    // A side that grows moves spheres, which the engine does not count as a displacement.
+    let skin = if settings.relax_box.is_some() { 3.0 * skin } else { skin };
     line(&mut text, format_args!("neighbor {skin} bin\nneigh_modify every 1 delay 0 check yes"));
     for wall in 0..system.walls.len() {
         line(
@@ -171,10 +168,17 @@ fn input<M: PairModel>(simulation: &Simulation<M>, script: &LammpsScript) -> Res
             ),
         );
     }
-    if !system.bodies.is_empty() {
+    if has_free_bodies(system) {
+        line(
+            &mut text,
+            format_args!(
+                "variable single atom mol==0\ngroup single variable single\ngroup walls type > 1\n\
+                 group bodies subtract all single walls\ngroup free subtract single walls"
+            ),
+        );
         // The process of the sphere next to the centre of a body has copies of all others.
         let reach = reach(system) + skin;
-        line(&mut text, format_args!("neigh_modify exclude molecule/intra all\ncomm_modify cutoff {}", reach));
+        line(&mut text, format_args!("neigh_modify exclude molecule/intra bodies\ncomm_modify cutoff {reach}"));
     }
     line(&mut text, format_args!("timestep {}", settings.dt));
     for surface in &system.surfaces {
@@ -183,21 +187,27 @@ fn input<M: PairModel>(simulation: &Simulation<M>, script: &LammpsScript) -> Res
             line(&mut text, format_args!("fix {material} all veridem/plane {material} {x} {y} {z} {a} {b} {c}"));
         }
     }
-    motion_of(&mut text, simulation)?;
+    motion_of(&mut text, simulation);
     let style = script.style.split(' ').next().unwrap_or_default();
     let LammpsScript { steps, series, frames, .. } = script;
+    let planes: String = system.surfaces.iter().map(|surface| format!(" f_{}[*]", surface.name)).collect();
     let columns = "id type radius mass x y z vx vy vz omegax omegay omegaz fx fy fz tqx tqy tqz";
     line(
         &mut text,
         format_args!(
             "compute energies all pair veridem/{style}\ncompute moving all ke\ncompute turning all erotate/sphere\n\
-             thermo {series}\nthermo_style custom step time pe c_moving c_turning c_energies[*]\n\
-             thermo_modify norm no format float %.10g\n\
+             thermo {series}\nthermo_style custom step time pe c_moving c_turning c_energies[*]{planes}\n\
+             thermo_modify norm no format float %.15g\n\
              dump frames all custom {frames} frames.*.dump {columns}\ndump_modify frames format float %.17g sort id pad 9\n\
              run {steps}\nwrite_data end.data nofix"
         ),
     );
     Ok(text)
+}
+
+/// Whether bodies move by themselves, not as parts of walls.
+fn has_free_bodies(system: &System) -> bool {
+    system.bodies.iter().any(|body| body.wall == 0)
 }
 
 /// Largest distance between the sphere of a body next to its centre and any other of its spheres; of bodies that move freely.
@@ -213,38 +223,63 @@ fn reach(system: &System) -> f64 {
 }
 
 /// The fixes that move the spheres.
-fn motion_of<M: PairModel>(text: &mut String, simulation: &Simulation<M>) -> Result<(), String> {
+fn motion_of<M: PairModel>(text: &mut String, simulation: &Simulation<M>) {
     let (system, settings) = (simulation.system(), simulation.settings());
     let damping = settings.damping;
-    if system.bodies.is_empty() && settings.integrator == Integrator::HalfStep {
-        let mut fix = format!("fix step all veridem/step damping {damping}");
-        for (number, wall) in system.walls.iter().enumerate() {
-            let load = |axis| wall.load(axis).map_or("NULL".to_string(), |load| load.to_string());
-            write!(fix, " wall wall{} {} {} {} {}", number + 1, wall.mass, load(0), load(1), load(2)).ok();
-        }
-        line(text, format_args!("{fix}"));
-        return Ok(());
+    if !has_free_bodies(system) && settings.integrator == Integrator::HalfStep {
+        let relax = settings.relax_box.map_or(String::new(), |relaxation| {
+            let ([a, b, c], [x, y, z]) = (simulation.box_rate(), simulation.momentum_flux());
+            format!(" relax {} {a} {b} {c} {x} {y} {z}", relaxation.modulus)
+        });
+        line(text, format_args!("fix step all veridem/step damping {damping}{}{relax}", walls(system)));
+    } else {
+        synchronous_motion(text, system, damping);
     }
-    if system.walls.iter().any(|wall| (0..3).any(|axis| wall.load(axis).is_some())) {
-        return Err("found a wall under a load beside rigid bodies, which the plugin for LAMMPS does not have".into());
+    for (number, steering) in (1..).zip(&system.steerings) {
+        let Steering { spheres, stiffness, velocity, ramp, origin, age, .. } = steering;
+        let ids: String = spheres.iter().map(|id| format!(" {}", id + 1)).collect();
+        let three = |Vec3([x, y, z]): &Vec3<f64>| format!("{x} {y} {z}");
+        let (stiffness, velocity, origin) = (three(stiffness), three(velocity), three(origin));
+        line(text, format_args!("group pulled{number} id{ids}"));
+        line(
+            text,
+            format_args!("fix pull{number} pulled{number} veridem/pull {stiffness} {velocity} {ramp} {origin} {age}"),
+        );
     }
+}
+
+/// The walls as the fix that moves them wants them.
+fn walls(system: &System) -> String {
+    let drive = |wall: &Wall, motion: &Motion| match motion {
+        Motion::Velocity(_) => "NULL".to_string(),
+        Motion::Load(load) => load.to_string(),
+        Motion::Return { speed, turn } => format!("return {speed} {turn} {}", wall.age),
+    };
+    let mut words = String::new();
+    for (number, wall) in (1..).zip(&system.walls) {
+        let [x, y, z] = wall.motion.each_ref().map(|motion| drive(wall, motion));
+        write!(words, " wall wall{number} {} {x} {y} {z}", wall.mass).ok();
+    }
+    words
+}
+
+/// The fixes of LAMMPS's own, in which positions and velocities belong to the same time.
+fn synchronous_motion(text: &mut String, system: &System, damping: f64) {
     if damping != 0.0 {
         let scales: String = (2..=1 + system.walls.len()).map(|kind| format!(" scale {kind} 0")).collect();
         line(text, format_args!("fix damping all viscous {damping}{scales}"));
     }
-    if !system.bodies.is_empty() {
-        line(text, format_args!("variable single atom mol==0\ngroup single variable single\ngroup walls type > 1"));
-        line(text, format_args!("group bodies subtract all single walls\ngroup free subtract single walls"));
+    if has_free_bodies(system) {
         line(
             text,
             format_args!(
-                "fix rigid bodies rigid/small molecule\nfix free free nve/sphere\nfix walls walls nve/noforce"
+                "fix rigid bodies rigid/small molecule\nfix free free nve/sphere\nfix walls walls veridem/step first{}",
+                walls(system)
             ),
         );
     } else {
         line(text, format_args!("fix free all nve/sphere"));
     }
-    Ok(())
 }
 
 fn line(text: &mut String, words: std::fmt::Arguments) {

@@ -15,7 +15,7 @@ mod verlet;
 
 pub use crate::motion::Integrator;
 pub use ledger::{Ledger, SurfaceAccount};
-pub use necks::{EXAMINED, remove_necks};
+pub use necks::remove_necks;
 pub use pairs::Pair;
 pub use settings::Settings;
 pub use snapshot::Snapshot;
@@ -162,6 +162,16 @@ impl<M: PairModel> Simulation<M> {
     /// Diagonal of the stress of the whole box in the last step, MPa, positive in tension.
     pub fn stress(&self) -> [f64; 3] {
         self.stress
+    }
+
+    /// Rates of strain of the sides of the box, 1/ns.
+    pub fn box_rate(&self) -> [f64; 3] {
+        self.box_rate
+    }
+
+    /// Diagonal of the sum of `m v v` of the last step, zJ.
+    pub fn momentum_flux(&self) -> [f64; 3] {
+        self.momentum_flux
     }
 
     /// Largest stress, absolutely, MPa.

@@ -6,9 +6,6 @@ use crate::forces::bond;
 use crate::spec::{Contact, Flat, PairModel};
 use crate::system::Springs;
 
-/// Number of steps between checks of the strength of necks: a small fraction of the period of their springs at any published time step.
-pub const EXAMINED: u64 = 5;
-
 /// Removes some necks. The contacts that take their place begin with relaxed springs, and with what the model says is left of a neck.
 pub fn remove_necks<M: PairModel>(
     necks: &mut Vec<(u32, u32)>,

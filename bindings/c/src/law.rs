@@ -6,7 +6,7 @@ use crate::list::{List, Pairs};
 use crate::plane::{self, Plane};
 use crate::spheres::{Spheres, Totals};
 use std::sync::Arc;
-use veridem_spec::{Flat, Named, PairModel};
+use veridem_spec::{Contact, Flat, Named, PairModel};
 
 /// A contact law.
 pub(crate) trait Law: Send + Sync {
@@ -22,6 +22,10 @@ pub(crate) trait Law: Send + Sync {
     fn critical_time_step(&self, r: f64, m: f64, largest: f64) -> f64;
     /// Whether the law needs to know how many contacts share the inertia of a sphere.
     fn friction_stops(&self) -> bool;
+    /// Whether necks may break.
+    fn necks_break(&self) -> bool;
+    /// Whether pairs may forget springs when they are listed anew.
+    fn forgets(&self) -> bool;
     /// An empty list of pairs.
     fn list(&self) -> Box<dyn List>;
     /// The law over columns of pairs.
@@ -35,13 +39,30 @@ pub(crate) trait Law: Send + Sync {
 /// Joined by a neck or not: the first number of the history of every pair.
 const JOINED: &str = "joined";
 
+/// Whether a neck breaks, given the pair, its springs and what they hold.
+pub(crate) type Breaks<M> = Arc<
+    dyn Fn(&M, &Contact<f64>, &<M as PairModel>::Memory<f64>, &<M as PairModel>::Stored<f64>) -> bool + Send + Sync,
+>;
+
 /// A model as a law.
-pub(crate) struct Of<M>(Arc<M>);
+pub(crate) struct Of<M: PairModel> {
+    model: Arc<M>,
+    breaks: Option<Breaks<M>>,
+    forgets: bool,
+}
 
 impl<M: PairModel + Send + 'static> Of<M> {
     /// The model as a law.
     pub(crate) fn boxed(model: M) -> Box<dyn Law> {
-        Box::new(Self(Arc::new(model)))
+        Self::breaking(model, None)
+    }
+    /// The same, which may forget springs when neighbours are listed anew.
+    pub(crate) fn forgetting(model: M, forgets: bool) -> Box<dyn Law> {
+        Box::new(Self { model: Arc::new(model), breaks: None, forgets })
+    }
+    /// The same with necks that break, if they do.
+    pub(crate) fn breaking(model: M, breaks: Option<Breaks<M>>) -> Box<dyn Law> {
+        Box::new(Self { model: Arc::new(model), breaks, forgets: false })
     }
 }
 
@@ -56,25 +77,31 @@ impl<M: PairModel + Send + 'static> Law for Of<M> {
         M::Stored::<f64>::names()
     }
     fn range(&self, r_i: f64, r_j: f64) -> f64 {
-        self.0.range(r_i, r_j)
+        self.model.range(r_i, r_j)
     }
     fn critical_time_step(&self, r: f64, m: f64, largest: f64) -> f64 {
-        self.0.critical_time_step_among(r, m, largest)
+        self.model.critical_time_step_among(r, m, largest)
     }
     fn friction_stops(&self) -> bool {
         M::FRICTION_STOPS
     }
+    fn necks_break(&self) -> bool {
+        self.breaks.is_some()
+    }
+    fn forgets(&self) -> bool {
+        self.forgets
+    }
     fn list(&self) -> Box<dyn List> {
-        Box::new(Pairs::new(self.0.clone()))
+        Box::new(Pairs::new(self.model.clone(), self.breaks.clone()))
     }
     fn evaluate(&self, columns: &mut Columns, dt: f64) -> Done {
-        columns.evaluate(&*self.0, dt)
+        columns.evaluate(&*self.model, dt)
     }
     fn plane_range(&self, material: usize, r: f64) -> Option<f64> {
-        (material < M::SURFACES).then(|| self.0.surface_range(material, r))
+        (material < M::SURFACES).then(|| self.model.surface_range(material, r))
     }
     fn plane(&self, plane: &mut Plane, spheres: &mut Spheres, totals: &mut Totals) -> Done {
-        plane::act(&*self.0, plane, spheres, totals)
+        plane::act(&*self.model, plane, spheres, totals)
     }
 }
 

@@ -1,10 +1,11 @@
 //! The contact laws by name, with the keys of a case file. Numbers are in nm, ns and ag, hence pN, zJ, MPa and mN/m.
 
 use crate::error::{Done, wrong};
-use crate::law::{Law, Of};
+use crate::law::{Breaks, Law, Of};
 use crate::words::{Key, Values, Words};
+use std::sync::Arc;
 use veridem_spec::mechanics::four_springs::{Friction, Springs};
-use veridem_spec::soot::{self, Along, Lagging, Printed, Programmed, Soot};
+use veridem_spec::soot::{self, Along, Lagging, Printed, Programmed, Reading, Soot};
 use veridem_spec::titania::eq02_torque::Arms;
 use veridem_spec::titania::eq03_attraction::Solvation;
 use veridem_spec::titania::eq07_damping_coefficient::DampingRadius;
@@ -12,8 +13,8 @@ use veridem_spec::titania::eq09_stiffness::Stiffness;
 use veridem_spec::titania::eq12_sliding::Slip;
 use veridem_spec::titania::eq13_rolling::{Rolling, RollingOver};
 use veridem_spec::titania::{Liquid, Tabulated, Titania};
-use veridem_spec::wear::{Interaction, Material, Wear};
-use veridem_spec::{Flat, Necked};
+use veridem_spec::wear::{Interaction, Material, Published, Wear};
+use veridem_spec::{Flat, Necked, PairModel};
 
 /// The law of this name. For `titania`, `radii` are those of all spheres, in ascending order: the attraction of every two is tabulated.
 pub(crate) fn named(name: &str, words: &[&str], radii: &[f64]) -> Done<Box<dyn Law>> {
@@ -38,9 +39,12 @@ const WEAR: &[Key] = &[
     ("restitution", Values::Numbers(1, "[0, 1]")),
     ("scaling", NOT_BELOW),
     ("interaction", Values::OneOf(&["full", "normal", "repulsive"])),
+    ("readings", Values::OneOf(&["own", "as-published"])),
+    ("forget_stretched_springs", Values::OneOf(&["false", "true"])),
 ];
 
 fn wear(words: &Words) -> Done<Box<dyn Law>> {
+    let as_published = words.choice("readings")? == 1;
     let material = Material {
         young_modulus: words.required("young_modulus")?,
         poisson_ratio: words.required("poisson_ratio")?,
@@ -49,10 +53,12 @@ fn wear(words: &Words) -> Done<Box<dyn Law>> {
         surface_energy: words.required("surface_energy")?,
         restitution: words.required("restitution")?,
         scaling: words.required("scaling")?,
-        forget_stretched_springs: false,
+        forget_stretched_springs: as_published || words.choice("forget_stretched_springs")? == 1,
     };
     let interaction = [Interaction::Full, Interaction::Normal, Interaction::Repulsive][words.choice("interaction")?];
-    Ok(Of::boxed(Wear { material, interaction }))
+    let law = Wear { material, interaction };
+    let forgets = material.forget_stretched_springs;
+    Ok(if as_published { Of::forgetting(Published(law), forgets) } else { Of::forgetting(law, forgets) })
 }
 
 const SOOT: &[Key] = &[
@@ -68,6 +74,8 @@ const SOOT: &[Key] = &[
     ("capillary_reach", ABOVE),
     ("capillary_sharpness", ABOVE),
     ("cutoff", ABOVE),
+    ("break_energy", ABOVE),
+    ("break_stress", Values::Numbers(3, "> 0")),
     ("torsion", Values::OneOf(&["spring", "as-printed", "as-published"])),
     ("springs_act", Values::OneOf(&["after-stretching", "before-stretching"])),
 ];
@@ -104,11 +112,13 @@ fn soot(words: &Words) -> Done<Box<dyn Law>> {
             wall(words.number("tip_hamaker_constant", 1000.0)?),
         ],
     };
+    let energy = words.numbers("break_energy")?.map(|[energy]| energy);
+    let strength = soot::Strength { energy, stress: words.numbers("break_stress")? };
     Ok(match (words.choice("torsion")?, words.choice("springs_act")?) {
-        (0, 0) => Of::boxed(read(law, Along)),
-        (0, _) => Of::boxed(read(law, Lagging)),
-        (1, 0) => Of::boxed(read(law, Printed)),
-        _ => Of::boxed(read(law, Programmed)),
+        (0, 0) => breaking(read(law, Along), strength),
+        (0, _) => breaking(read(law, Lagging), strength),
+        (1, 0) => breaking(read(law, Printed), strength),
+        _ => breaking(read(law, Programmed), strength),
     })
 }
 
@@ -116,6 +126,13 @@ fn soot(words: &Words) -> Done<Box<dyn Law>> {
 fn read<S>(law: Soot<()>, reading: S) -> Soot<S> {
     let Soot { neck, contact, friction, attraction, walls, reading: () } = law;
     Soot { neck, contact, friction, attraction, walls, reading }
+}
+
+/// The law with necks of this strength.
+fn breaking<S: Reading + 'static>(law: Soot<S>, strength: soot::Strength) -> Box<dyn Law> {
+    let breaks =
+        move |law: &Soot<S>, contact: &_, memory: &_, held: &_| law.neck_breaks(contact, memory, held, &strength);
+    Of::breaking(law, (strength != soot::Strength::default()).then(|| Arc::new(breaks) as _))
 }
 
 const TITANIA: &[Key] = &[
@@ -141,6 +158,7 @@ const TITANIA: &[Key] = &[
     ("rolling", Values::OneOf(&["stopping", "unlimited"])),
     ("rolling_over", Values::OneOf(&["rolling", "spin"])),
     ("neck_springs", SPRINGS),
+    ("break_energy", ABOVE),
 ];
 
 /// Largest error of the tables of the attraction, pN.
@@ -186,16 +204,27 @@ fn titania(words: &Words, radii: &[f64]) -> Done<Box<dyn Law>> {
     if let Some(r) = radii.iter().find(|&&r| r <= law.h_n) {
         return wrong(format!("titania: found a sphere of radius {r}, expected more than the layer of {}", law.h_n));
     }
-    if radii.is_empty() {
-        return Ok(Of::boxed(law));
+    // The spheres of the contact law overlap at rest by the layers on both.
+    let (neck, layer) = (words.numbers("neck_springs")?, law.h_n - 0.5 * law.core_gap);
+    let energy = words.numbers("break_energy")?.map(|[energy]| energy);
+    if energy.is_some() && neck.is_none() {
+        return wrong("titania: found `break_energy`, expected `neck_springs` beside it");
     }
-    let tabulated = Tabulated::new(law, radii, TOLERANCE);
-    Ok(match words.numbers::<8>("neck_springs")? {
-        None => Of::boxed(tabulated),
-        Some(neck) => {
-            // The spheres of the contact law overlap at rest by the layers on both.
-            let layer = law.h_n - 0.5 * law.core_gap;
-            Of::boxed(Necked { law: tabulated, neck: Springs::from_fn(|k| neck[k]), layer })
-        }
+    Ok(match radii {
+        [] => necked(law, neck, layer, energy),
+        radii => necked(Tabulated::new(law, radii, TOLERANCE), neck, layer, energy),
     })
+}
+
+/// The law with necks of these springs, if there are any, that break at this energy, if they do.
+fn necked<M: PairModel + Send + 'static>(
+    law: M,
+    neck: Option<[f64; 8]>,
+    layer: f64,
+    energy: Option<f64>,
+) -> Box<dyn Law> {
+    let Some(neck) = neck else { return Of::boxed(law) };
+    let breaks =
+        |energy| Arc::new(move |_: &_, _: &_, _: &_, held: &_| Necked::<M>::neck_breaks(held, energy)) as Breaks<_>;
+    Of::breaking(Necked { law, neck: Springs::from_fn(|k| neck[k]), layer }, energy.map(breaks))
 }

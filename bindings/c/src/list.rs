@@ -1,25 +1,18 @@
 //! A list of pairs with their constants and their history, and one step of it.
 
 use crate::columns::KINEMATICS;
-use crate::error::{Done, Trouble, wrong};
-use crate::law::{constants, width};
+use crate::error::{Done, wrong};
+use crate::law::{Breaks, constants, width};
+use crate::necks;
 use crate::spheres::{Spheres, Totals};
+use crate::step::{MOST, Step};
 use std::ffi::c_int;
 use std::sync::Arc;
-use veridem_spec::columns::PairKernel;
-use veridem_spec::equation::Kernel;
 use veridem_spec::mechanics::friction_share::inertia_share;
 use veridem_spec::mechanics::reduced_mass::effective_mass;
 use veridem_spec::mechanics::sphere::moment_of_inertia;
-use veridem_spec::numbers::{Instructions, Work};
+use veridem_spec::numbers::Instructions;
 use veridem_spec::{Contact, Flat, PairModel, Vec3};
-
-/// How many pairs are evaluated together: several vectors side by side, which together stay in the first cache.
-const WIDTH: usize = 32;
-/// Largest number of arguments and of results of a law.
-const MOST: usize = 48;
-/// One number for each of the pairs that are evaluated together.
-type Row = [f64; WIDTH];
 
 /// Moment of inertia from which on a sphere cannot turn.
 const FIXED: f64 = 1e300;
@@ -42,23 +35,32 @@ pub(crate) trait List {
     fn history(&mut self) -> &mut [f64];
     /// Adds one to the number of contacts of each owned sphere for every pair that touches without a neck.
     fn count_contacts(&self, spheres: &Spheres, contacts: &mut [f64]) -> Done;
+    /// Lets the pairs forget the springs that the law does not keep when they are listed anew.
+    fn forget(&mut self, spheres: &Spheres, losses: &mut [f64]) -> Done;
+    /// The pairs whose necks are loaded beyond their strength.
+    fn overloaded(&mut self, spheres: &Spheres) -> Done<&[u32]>;
+    /// Breaks the necks of some pairs; returns the energy lost.
+    fn break_necks(&mut self, spheres: &Spheres, pairs: &[u32]) -> Done<f64>;
     /// Adds the forces of all pairs; advances their springs by `dt` if so wanted.
     fn step<'a>(&mut self, spheres: &mut Spheres<'a>, totals: &mut Totals<'a>, dt: f64, advance: bool) -> Done;
 }
 
 /// The pairs of a model.
 pub(crate) struct Pairs<M: PairModel> {
-    model: Arc<M>,
+    pub(crate) model: Arc<M>,
+    pub(crate) breaks: Option<Breaks<M>>,
     count: usize,
-    i: Vec<u32>,
-    j: Vec<u32>,
-    constants: Vec<M::Coefficients<f64>>,
-    history: Vec<f64>,
+    pub(crate) i: Vec<u32>,
+    pub(crate) j: Vec<u32>,
+    pub(crate) constants: Vec<M::Coefficients<f64>>,
+    pub(crate) history: Vec<f64>,
+    /// Pairs whose necks were overloaded when last examined.
+    pub(crate) overloaded: Vec<u32>,
 }
 
 impl<M: PairModel> Pairs<M> {
     /// No pairs yet.
-    pub(crate) fn new(model: Arc<M>) -> Self {
+    pub(crate) fn new(model: Arc<M>, breaks: Option<Breaks<M>>) -> Self {
         let arguments = KINEMATICS + M::Coefficients::<f64>::LEN + M::Memory::<f64>::LEN;
         let results = 9 + M::Memory::<f64>::LEN + M::Losses::<f64>::LEN;
         assert!(
@@ -66,7 +68,7 @@ impl<M: PairModel> Pairs<M> {
             "a law has {arguments} arguments and {results} results, at most {MOST} fit"
         );
         let (i, j, constants, history) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        Self { model, count: 0, i, j, constants, history }
+        Self { model, breaks, count: 0, i, j, constants, history, overloaded: Vec::new() }
     }
 
     /// The constants of pairs that were just listed and given their history.
@@ -86,7 +88,7 @@ impl<M: PairModel> Pairs<M> {
     }
 
     /// The constants of a pair now, with what its friction may stop.
-    fn constants_of(&self, pair: usize, spheres: &Spheres) -> M::Coefficients<f64> {
+    pub(crate) fn constants_of(&self, pair: usize, spheres: &Spheres) -> M::Coefficients<f64> {
         let k = self.constants[pair];
         if !M::FRICTION_STOPS || spheres.moment.is_empty() {
             return k;
@@ -104,92 +106,6 @@ impl<M: PairModel> Pairs<M> {
         self.model.turning(k, reduced)
     }
 
-    #[inline(always)]
-    fn gather(&self, spheres: &Spheres, input: &mut [Row; MOST], begin: usize, length: usize) {
-        for place in 0..length {
-            let pair = begin + place;
-            let k = self.constants_of(pair, spheres);
-            let (i, j) = (self.i[pair] as usize, self.j[pair] as usize);
-            for a in 0..3 {
-                input[a][place] = spheres.x[i][a] - spheres.x[j][a];
-                input[3 + a][place] = spheres.v[i][a] - spheres.v[j][a];
-                input[6 + a][place] = spheres.omega[i][a];
-                input[9 + a][place] = spheres.omega[j][a];
-            }
-            input[12][place] = spheres.radius[i];
-            input[13][place] = spheres.radius[j];
-            let (kept, rest) = input[KINEMATICS..].split_at_mut(M::Coefficients::<f64>::LEN);
-            let springs = &mut rest[..M::Memory::<f64>::LEN];
-            for (n, column) in kept.iter_mut().enumerate() {
-                column[place] = *k.at(n);
-            }
-            let memory = &self.history[pair * width::<M>() + 1..][..springs.len()];
-            for (column, &number) in springs.iter_mut().zip(memory) {
-                column[place] = number;
-            }
-        }
-    }
-
-    #[inline(always)]
-    fn scatter(
-        &mut self,
-        spheres: &mut Spheres,
-        totals: &mut Totals,
-        (arguments, results): (&[Row; MOST], &[Row; MOST]),
-        (begin, length): (usize, usize),
-        advance: bool,
-    ) -> Done {
-        let springs = M::Memory::<f64>::LEN;
-        for place in 0..length {
-            let pair = begin + place;
-            let (i, j) = (self.i[pair] as usize, self.j[pair] as usize);
-            let force: [f64; 3] = std::array::from_fn(|a| results[a][place]);
-            if !force.iter().all(|f| f.is_finite()) {
-                let ids = (spheres.id[i], spheres.id[j]);
-                return Err(Trouble::Domain(format!(
-                    "the force between spheres {} and {} is not finite",
-                    ids.0, ids.1
-                )));
-            }
-            // Ghosts get nothing: the pair is listed once more where the ghost is owned.
-            for (p, sign, torque) in [(i, 1.0, 3), (j, -1.0, 6)] {
-                if p < spheres.owned {
-                    for a in 0..3 {
-                        spheres.force[p][a] += sign * force[a];
-                        spheres.torque[p][a] += results[torque + a][place];
-                    }
-                }
-            }
-            let share = if i < spheres.owned && j < spheres.owned { 1.0 } else { 0.5 };
-            if !totals.virial.is_empty() {
-                let branch: [f64; 3] = std::array::from_fn(|a| arguments[a][place]);
-                for (sum, (a, b)) in totals.virial.iter_mut().zip([(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)]) {
-                    *sum += share * branch[a] * force[b];
-                }
-            }
-            if advance {
-                let memory = &mut self.history[pair * width::<M>() + 1..][..springs];
-                for (number, column) in memory.iter_mut().zip(&results[9..]) {
-                    *number = column[place];
-                }
-                for (sum, column) in totals.losses.iter_mut().zip(&results[9 + springs..]) {
-                    *sum += share * column[place];
-                }
-            }
-            if !totals.stored.is_empty() {
-                let vector = |first: usize| Vec3(std::array::from_fn(|a| arguments[first + a][place]));
-                let [x, v, omega_i, omega_j] = [vector(0), vector(3), vector(6), vector(9)];
-                let contact = Contact::new(x, v, omega_i, omega_j, spheres.radius[i], spheres.radius[j]);
-                let memory = Flat::from_fn(|k| self.history[pair * width::<M>() + 1 + k]);
-                let stored = self.model.stored(&contact, &self.constants[pair], &memory);
-                for (k, sum) in totals.stored.iter_mut().enumerate() {
-                    *sum += share * *stored.at(k);
-                }
-            }
-        }
-        Ok(())
-    }
-
     fn clear(&mut self) {
         self.i.clear();
         self.j.clear();
@@ -201,45 +117,46 @@ impl<M: PairModel> Pairs<M> {
         let found = spheres.x.len();
         if found == self.count { Ok(()) } else { wrong(format!("found {found} spheres, listed were {}", self.count)) }
     }
-}
 
-/// A step of all pairs of a list.
-struct Step<'a, 'b, M: PairModel> {
-    pairs: &'a mut Pairs<M>,
-    spheres: &'a mut Spheres<'b>,
-    totals: &'a mut Totals<'b>,
-    dt: f64,
-    advance: bool,
-}
-
-impl<M: PairModel> Work for Step<'_, '_, M> {
-    type Outcome = Done;
-
-    #[inline(always)]
-    fn run(self) -> Done {
-        let Self { pairs, spheres, totals, dt, advance } = self;
-        let model = pairs.model.clone();
-        let kernel = PairKernel { model: &*model, dt };
-        let (mut input, mut output) = ([[0.0; WIDTH]; MOST], [[0.0; WIDTH]; MOST]);
-        for begin in (0..pairs.i.len()).step_by(WIDTH) {
-            let length = WIDTH.min(pairs.i.len() - begin);
-            pairs.gather(spheres, &mut input, begin, length);
-            // Beyond the end of the list it evaluates what the row before has left there.
-            for lane in 0..WIDTH {
-                let (mut taken, mut given) = (0, 0);
-                let mut from = || {
-                    taken += 1;
-                    input[taken - 1][lane]
-                };
-                let mut to = |number| {
-                    given += 1;
-                    output[given - 1][lane] = number;
-                };
-                kernel.apply(&mut from, &mut to);
-            }
-            pairs.scatter(spheres, totals, (&input, &output), (begin, length), advance)?;
+    /// Checks the spheres, and finds the constants of pairs that were just listed.
+    pub(crate) fn prepare(&mut self, spheres: &Spheres) -> Done {
+        self.check(spheres)?;
+        if self.constants.len() != self.i.len() {
+            self.constants.clear();
+            self.find_constants(spheres);
         }
         Ok(())
+    }
+
+    /// What a pair stores with this history.
+    pub(crate) fn stored(&self, contact: &Contact<f64>, pair: usize, memory: &M::Memory<f64>) -> M::Stored<f64> {
+        self.model.stored(contact, &self.constants[pair], memory)
+    }
+
+    /// The pair as the law sees it.
+    pub(crate) fn contact(&self, spheres: &Spheres, pair: usize) -> Contact<f64> {
+        let (i, j) = (self.i[pair] as usize, self.j[pair] as usize);
+        let difference = |of: &[[f64; 3]]| Vec3(std::array::from_fn(|a| of[i][a] - of[j][a]));
+        let (omega_i, omega_j) = (Vec3(spheres.omega[i]), Vec3(spheres.omega[j]));
+        Contact::new(
+            difference(spheres.x),
+            difference(spheres.v),
+            omega_i,
+            omega_j,
+            spheres.radius[i],
+            spheres.radius[j],
+        )
+    }
+
+    /// The share of a pair that is entered here: a pair with a ghost is listed once more where the ghost is owned.
+    pub(crate) fn share(&self, spheres: &Spheres, pair: usize) -> f64 {
+        let owned = |p: u32| (p as usize) < spheres.owned;
+        if owned(self.i[pair]) && owned(self.j[pair]) { 1.0 } else { 0.5 }
+    }
+
+    /// The springs of a pair.
+    pub(crate) fn memory(&self, pair: usize) -> M::Memory<f64> {
+        Flat::from_fn(|k| self.history[pair * width::<M>() + 1 + k])
     }
 }
 
@@ -294,12 +211,29 @@ impl<M: PairModel> List for Pairs<M> {
         Ok(())
     }
 
-    fn step<'a>(&mut self, spheres: &mut Spheres<'a>, totals: &mut Totals<'a>, dt: f64, advance: bool) -> Done {
-        self.check(spheres)?;
-        if self.constants.len() != self.i.len() {
-            self.constants.clear();
-            self.find_constants(spheres);
+    fn forget(&mut self, spheres: &Spheres, losses: &mut [f64]) -> Done {
+        self.prepare(spheres)?;
+        for pair in 0..self.i.len() {
+            let (kept, lost) =
+                self.model.relisted(&self.contact(spheres, pair), &self.constants[pair], self.memory(pair));
+            let share = self.share(spheres, pair);
+            let memory = &mut self.history[pair * width::<M>() + 1..][..M::Memory::<f64>::LEN];
+            memory.iter_mut().enumerate().for_each(|(k, number)| *number = *kept.at(k));
+            losses.iter_mut().enumerate().for_each(|(k, sum)| *sum += share * lost.at(k));
         }
+        Ok(())
+    }
+
+    fn overloaded(&mut self, spheres: &Spheres) -> Done<&[u32]> {
+        necks::overloaded(self, spheres)
+    }
+
+    fn break_necks(&mut self, spheres: &Spheres, pairs: &[u32]) -> Done<f64> {
+        necks::break_necks(self, spheres, pairs)
+    }
+
+    fn step<'a>(&mut self, spheres: &mut Spheres<'a>, totals: &mut Totals<'a>, dt: f64, advance: bool) -> Done {
+        self.prepare(spheres)?;
         Instructions::best().run(Step { pairs: self, spheres, totals, dt, advance })
     }
 }

@@ -5,7 +5,7 @@ use crate::pointers::{lent, lent_mut};
 use std::ffi::c_int;
 
 /// The version of the structures and functions of the header.
-pub(crate) const ABI: u32 = 1;
+pub(crate) const ABI: u32 = 2;
 
 /// `veridem_spheres`.
 #[repr(C)]

@@ -16,8 +16,9 @@
 using namespace LAMMPS_NS;
 
 FixVeridemHistory::FixVeridemHistory(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg) {
-  if (narg != 4) error->all(FLERR, "fix veridem/history is made by pair_coeff of a pair_style veridem");
+  if (narg != 5) error->all(FLERR, "fix veridem/history is made by pair_coeff of a pair_style veridem");
   width = utils::inumeric(FLERR, arg[3], false, lmp);
+  nevery = utils::inumeric(FLERR, arg[4], false, lmp);
   restart_peratom = 1;
   restart_global = 1;
   create_attribute = 1;
@@ -36,7 +37,8 @@ FixVeridemHistory::~FixVeridemHistory() {
 
 int FixVeridemHistory::setmask() {
   using namespace FixConst;
-  return PRE_EXCHANGE | POST_NEIGHBOR | POST_RUN | MIN_PRE_EXCHANGE | MIN_POST_NEIGHBOR;
+  int necks_break = nevery > 0 ? END_OF_STEP : 0;
+  return PRE_EXCHANGE | POST_NEIGHBOR | POST_RUN | MIN_PRE_EXCHANGE | MIN_POST_NEIGHBOR | necks_break;
 }
 
 void FixVeridemHistory::init() {
@@ -111,6 +113,14 @@ void FixVeridemHistory::post_neighbor() {
                       "contact may have been missed; use a larger skin, or neigh_modify every 1 delay 0", update->ntimestep, neighbor->skin);
   scatter();
 }
+
+/* Neighbours are to be listed anew. */
+void FixVeridemHistory::pre_exchange() {
+  if (pair->stepped) pair->forget();
+  gather();
+}
+
+void FixVeridemHistory::end_of_step() { pair->break_necks(); }
 
 void FixVeridemHistory::grow_arrays(int nmax) { kept.resize(nmax); }
 

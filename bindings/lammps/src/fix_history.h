@@ -20,9 +20,10 @@ class FixVeridemHistory : public Fix {
   int setmask() override;
   void init() override;
   void setup_pre_exchange() override { gather(); }
-  void pre_exchange() override { gather(); }
+  void pre_exchange() override;
   void setup_post_neighbor() override { scatter(); }
   void post_neighbor() override;
+  void end_of_step() override;
   void post_run() override { gather(); }
   void min_pre_exchange() override { gather(); }
   void min_post_neighbor() override { post_neighbor(); }

@@ -2,7 +2,9 @@
 #include "fix_plane.h"
 
 #include "atom.h"
+#include "comm.h"
 #include "error.h"
+#include "fix_step.h"
 #include "force.h"
 #include "pair_veridem.h"
 #include "update.h"
@@ -32,12 +34,15 @@ FixVeridemPlane::FixVeridemPlane(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, n
   pair = dynamic_cast<PairVeridem *>(Pointers::force->pair);
   if (!pair) error->all(FLERR, "fix veridem/plane needs pair_style veridem/soot before it");
   width = static_cast<int>(pair->width) - 1;
+  stored.assign(pair->stored.size(), 0.0);
+  lost.assign(pair->lost.size() - 1, 0.0);
   begun = update->ntimestep * update->dt;
   vector_flag = 1;
-  size_vector = 3;
+  size_vector = static_cast<int>(3 + stored.size() + lost.size());
   extvector = 1;
   global_freq = 1;
   restart_peratom = 1;
+  restart_global = 1;
   create_attribute = 1;
   maxexchange = width;
   FixVeridemPlane::grow_arrays(atom->nmax);
@@ -56,6 +61,7 @@ int FixVeridemPlane::setmask() { return FixConst::POST_FORCE; }
 
 void FixVeridemPlane::init() {
   if (Pointers::force->pair != pair) error->all(FLERR, "fix veridem/plane: the pair style that it was made for is gone");
+  last = FixVeridemStep::moves_last(modify);
 }
 
 void FixVeridemPlane::setup(int vflag) { post_force(vflag); }
@@ -63,18 +69,34 @@ void FixVeridemPlane::setup(int vflag) { post_force(vflag); }
 void FixVeridemPlane::post_force(int) {
   veridem_spheres of = pair->spheres();
   int advance = update->setupflag == 0;
-  double time = update->ntimestep * update->dt - begun, at[3];
+  // Where spheres move last, the forces are those at the positions of the step before.
+  double time = (update->ntimestep - (advance && last)) * update->dt - begun, at[3];
   for (int a = 0; a < 3; a++) at[a] = point[a] + velocity[a] * time;
   force[0] = force[1] = force[2] = 0.0;
+  std::fill(stored.begin(), stored.end(), 0.0);
   pair->expect(veridem_plane_step(pair->law, &of, material, at, normal, velocity, history.data(), advance ? update->dt : 0.0,
-                                  advance, force, pair->lost.data(), pair->lost.size(), nullptr, 0));
+                                  advance, force, lost.data(), lost.size(), stored.data(), stored.size()));
 }
 
-/* Force of the spheres on the plane. */
-double FixVeridemPlane::compute_vector(int a) {
-  double all = 0.0;
-  MPI_Allreduce(&force[a], &all, 1, MPI_DOUBLE, MPI_SUM, world);
+/* Force of the spheres on the plane, energies stored at it, and those lost since the beginning. */
+double FixVeridemPlane::compute_vector(int place) {
+  auto k = static_cast<size_t>(place);
+  double here = k < 3 ? force[k] : k < 3 + stored.size() ? stored[k - 3] : lost[k - 3 - stored.size()], all = 0.0;
+  MPI_Allreduce(&here, &all, 1, MPI_DOUBLE, MPI_SUM, world);
   return all;
+}
+
+void FixVeridemPlane::write_restart(FILE *fp) {
+  std::vector<double> sum(lost.size());
+  MPI_Reduce(lost.data(), sum.data(), static_cast<int>(sum.size()), MPI_DOUBLE, MPI_SUM, 0, world);
+  if (comm->me != 0) return;
+  int bytes = static_cast<int>(sum.size() * sizeof(double));
+  fwrite(&bytes, sizeof(int), 1, fp);
+  fwrite(sum.data(), sizeof(double), sum.size(), fp);
+}
+
+void FixVeridemPlane::restart(char *buf) {
+  if (comm->me == 0) std::copy_n(reinterpret_cast<double *>(buf), lost.size(), lost.begin());
 }
 
 void FixVeridemPlane::grow_arrays(int nmax) { history.resize(static_cast<size_t>(nmax) * width, 0.0); }

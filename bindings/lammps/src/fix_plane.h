@@ -5,6 +5,7 @@
 
 #include "fix.h"
 
+#include <cstdio>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -18,6 +19,8 @@ class FixVeridemPlane : public Fix {
   void setup(int) override;
   void post_force(int) override;
   double compute_vector(int) override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
   void grow_arrays(int) override;
   void copy_arrays(int, int, int) override;
   void set_arrays(int) override;
@@ -34,7 +37,8 @@ class FixVeridemPlane : public Fix {
   double point[3], normal[3], velocity[3] = {0.0, 0.0, 0.0};
   double begun;    /* time at which the plane went through the point */
   double force[3] = {0.0, 0.0, 0.0};
-  std::vector<double> history;
+  bool last = false;    /* whether spheres move after the forces */
+  std::vector<double> history, stored, lost;
 };
 
 }    // namespace LAMMPS_NS

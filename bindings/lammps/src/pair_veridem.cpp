@@ -6,6 +6,7 @@
 #include "domain.h"
 #include "error.h"
 #include "fix_history.h"
+#include "fix_step.h"
 #include "force.h"
 #include "memory.h"
 #include "modify.h"
@@ -15,6 +16,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <set>
+#include <utility>
 
 using namespace LAMMPS_NS;
 
@@ -69,8 +72,8 @@ void PairVeridem::settings(int narg, char **arg) {
     error->all(FLERR, "pair_style veridem/{}: these keys change the history of pairs; use clear first", name);
   width = kept_width;
   stored.assign(energies, 0.0);
-  lost.assign(losses, 0.0);
-  nextra = static_cast<int>(energies + losses);
+  lost.assign(losses + 1, 0.0);
+  nextra = static_cast<int>(energies + lost.size());
   delete[] pvector;
   pvector = new double[nextra];
   if (comm->me == 0) {
@@ -81,9 +84,10 @@ void PairVeridem::settings(int narg, char **arg) {
       for (size_t place = 0; place < count; place++) {
         char text[64];
         veridem_law_name(law, what, place, text, sizeof text);
-        meaning += fmt::format(" {}{}", text, place + 1 < count ? "," : "");
+        meaning += fmt::format(" {}{}", text, what == VERIDEM_LOSSES || place + 1 < count ? "," : "");
       }
     }
+    meaning += " breaking";
     utils::logmesg(lmp, meaning + "\n");
   }
 }
@@ -102,7 +106,9 @@ void PairVeridem::coeff(int narg, char **arg) {
   for (int i = 1; i <= n; i++)
     for (int j = i; j <= n; j++) setflag[i][j] = 1;
   if (!kept) {
-    modify->add_fix(fmt::format("{} all veridem/history {}", FixVeridemHistory::ID, width));
+    uint64_t every = 0;
+    expect(veridem_law_neck_checks(law, &every));
+    modify->add_fix(fmt::format("{} all veridem/history {} {}", FixVeridemHistory::ID, width, every));
     kept = dynamic_cast<FixVeridemHistory *>(modify->get_fix_by_id(FixVeridemHistory::ID));
     kept->pair = this;
     kept->restore_losses();
@@ -125,6 +131,17 @@ void PairVeridem::refuse_what_cannot_work() {
   if (utils::strmatch(update->integrate_style, "^respa")) wants("run_style respa", "run_style verlet");
 }
 
+/* The numbers of all processes, one after the other. */
+template <class Number> std::vector<Number> PairVeridem::gathered(const std::vector<Number> &mine, MPI_Datatype type) {
+  int here = static_cast<int>(mine.size()), all = 0;
+  std::vector<int> counts(comm->nprocs), places(comm->nprocs);
+  MPI_Allgather(&here, 1, MPI_INT, counts.data(), 1, MPI_INT, world);
+  for (int p = 0; p < comm->nprocs; p++) places[p] = all, all += counts[p];
+  std::vector<Number> every(all);
+  MPI_Allgatherv(mine.data(), here, type, every.data(), counts.data(), places.data(), type, world);
+  return every;
+}
+
 void PairVeridem::init_style() {
   refuse_what_cannot_work();
 
@@ -135,12 +152,7 @@ void PairVeridem::init_style() {
     numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   };
   once(radii);
-  int here = static_cast<int>(radii.size()), all = 0;
-  std::vector<int> counts(comm->nprocs), places(comm->nprocs);
-  MPI_Allgather(&here, 1, MPI_INT, counts.data(), 1, MPI_INT, world);
-  for (int p = 0; p < comm->nprocs; p++) places[p] = all, all += counts[p];
-  std::vector<double> every(all);
-  MPI_Allgatherv(radii.data(), here, MPI_DOUBLE, every.data(), counts.data(), places.data(), MPI_DOUBLE, world);
+  auto every = gathered(radii, MPI_DOUBLE);
   once(every);
   // Only this law needs them, and they may be as many as the spheres.
   if (name == "titania") make_law(every);
@@ -239,13 +251,66 @@ void PairVeridem::compute(int eflag, int vflag) {
   double dt = advance ? update->dt : 0.0;
   stepped = stepped || advance;
   std::fill(stored.begin(), stored.end(), 0.0);
-  expect(veridem_list_step(pair_list, &of, dt, advance, lost.data(), lost.size(), eflag_either ? stored.data() : nullptr,
-                           eflag_either ? stored.size() : 0, vflag_either ? virial : nullptr));
+  std::fill(virial_of_step, virial_of_step + 6, 0.0);
+  expect(veridem_list_step(pair_list, &of, dt, advance, lost.data(), causes(), eflag_either ? stored.data() : nullptr,
+                           eflag_either ? stored.size() : 0, vflag_either || sums_virial ? virial_of_step : nullptr));
+  if (vflag_either) std::copy_n(virial_of_step, 6, virial);
   if (eflag_either) {
     for (double energy : stored) eng_vdwl += energy;
     std::copy(stored.begin(), stored.end(), pvector);
     std::copy(lost.begin(), lost.end(), pvector + stored.size());
   }
+}
+
+void PairVeridem::forget() {
+  int forgets = 0;
+  expect(veridem_law_forgets(law, &forgets));
+  if (!forgets || !listed) return;
+  comm->forward_comm();
+  veridem_spheres of = spheres();
+  expect(veridem_list_forget(pair_list, &of, lost.data(), causes()));
+}
+
+/* The owner of the sphere with the lower id decides about a neck, so that all processes that list it agree. */
+void PairVeridem::break_necks() {
+  // Spheres may have moved since the copies of those of other processes were sent.
+  comm->forward_comm();
+  veridem_spheres of = spheres();
+  size_t count, pairs_here;
+  const uint32_t *places, *i, *j;
+  double *history;
+  expect(veridem_list_overloaded(pair_list, &of, &count, &places));
+  expect(veridem_list_pairs(pair_list, &pairs_here, &i, &j, &history));
+  std::vector<tagint> mine;
+  for (size_t k = 0; k < count; k++)
+    if (i[places[k]] < static_cast<uint32_t>(atom->nlocal)) mine.insert(mine.end(), {atom->tag[i[places[k]]], atom->tag[j[places[k]]]});
+  auto all = gathered(mine, MPI_LMP_TAGINT);
+  if (all.empty()) return;
+  std::set<std::pair<tagint, tagint>> broken;
+  for (size_t k = 0; k < all.size(); k += 2) broken.insert({all[k], all[k + 1]});
+  std::vector<uint32_t> here;
+  for (size_t k = 0; k < pairs_here; k++)
+    if (history[k * width] > 0.5 && broken.count({atom->tag[i[k]], atom->tag[j[k]]})) here.push_back(static_cast<uint32_t>(k));
+  expect(veridem_list_break(pair_list, &of, here.size(), here.data(), &lost.back()));
+  stepped = true;
+  if (comm->me == 0)
+    for (const auto &neck : broken)
+      utils::logmesg(lmp, "veridem: step {}: the neck of {} and {} breaks\n", update->ntimestep, neck.first, neck.second);
+  // Velocity Verlet takes the forces at the end of a step for the next one.
+  if (!FixVeridemStep::moves_last(modify)) evaluate_again();
+}
+
+/* The forces at the end of a step without advancing any spring, as at the start of a run. */
+void PairVeridem::evaluate_again() {
+  if (atom->nlocal > 0) {
+    memset(atom->f[0], 0, 3 * sizeof(double) * atom->nlocal);
+    memset(atom->torque[0], 0, 3 * sizeof(double) * atom->nlocal);
+  }
+  update->setupflag = 1;
+  compute(update->eflag_global == update->ntimestep ? ENERGY_GLOBAL : 0, update->vflag_global == update->ntimestep ? VIRIAL_PAIR : 0);
+  for (auto *fix : modify->get_fix_list())
+    if (modify->get_fix_mask(fix) & FixConst::POST_FORCE) fix->post_force(0);
+  update->setupflag = 0;
 }
 
 double PairVeridem::memory_usage() {

@@ -32,13 +32,19 @@ class PairVeridem : public Pair {
   bool pairs(size_t &count, const uint32_t *&i, const uint32_t *&j, double *&history);
   /* The spheres of this process. */
   veridem_spheres spheres();
+  /* Lets the law forget what it does not keep when neighbours are listed anew. */
+  void forget();
+  /* Breaks the necks that are loaded beyond their strength at the end of a step. */
+  void break_necks();
   /* Ends LAMMPS with the reason of a failed call on any process. */
   void expect(int code);
 
   veridem_law *law = nullptr;
   size_t width = 0;             /* numbers of the history of a pair */
   std::vector<double> stored;   /* energies stored now, of this process */
-  std::vector<double> lost;     /* energies lost since the beginning, of this process */
+  std::vector<double> lost;     /* energies lost since the beginning, of this process; the last to the breaking of necks */
+  bool sums_virial = false;     /* whether the virial is summed in every step */
+  double virial_of_step[6];     /* of this process */
   bool stepped = false;         /* whether springs have advanced since they were gathered */
 
  private:
@@ -52,6 +58,9 @@ class PairVeridem : public Pair {
 
   void make_law(const std::vector<double> &radii);
   void share_inertia(veridem_spheres &);
+  void evaluate_again();
+  template <class Number> std::vector<Number> gathered(const std::vector<Number> &, MPI_Datatype);
+  size_t causes() const { return lost.size() - 1; }
   void refuse_what_cannot_work();
 };
 

@@ -2,6 +2,7 @@
  * What LAMMPS calls when it loads the plugin. */
 #include "fix_history.h"
 #include "fix_plane.h"
+#include "fix_pull.h"
 #include "fix_step.h"
 #include "library.h"
 #include "pair_veridem.h"
@@ -64,5 +65,6 @@ extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void *l
   pair("veridem/titania", "Water-covered nanoparticles, Laube et al. 2018", titania);
   of_fix("veridem/history", "History of the pairs of a pair_style veridem", fix<FixVeridemHistory>);
   of_fix("veridem/step", "The step of veridem's engine", fix<FixVeridemStep>);
+  of_fix("veridem/pull", "A spring that pulls the centre of mass of some spheres", fix<FixVeridemPull>);
   of_fix("veridem/plane", "A plane that acts on spheres of pair_style veridem/soot", fix<FixVeridemPlane>);
 }

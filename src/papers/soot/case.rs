@@ -192,6 +192,16 @@ impl Soot {
         }
     }
 
+    /// The strength of a neck.
+    pub fn strength(&self) -> soot::Strength {
+        let stress = self.break_stress.as_ref();
+        soot::Strength {
+            energy: self.break_energy.as_ref().map(|energy| energy.value),
+            stress: stress
+                .map(|NeckStrength { tension, shear, neck_radius }| [tension.value, shear.value, neck_radius.value]),
+        }
+    }
+
     /// The contact law of a stage: the coating acts only in a restructuring.
     pub fn law_of<S>(&self, reading: S, stage: &SootStage) -> soot::Soot<S> {
         let mut law = self.law(reading);

@@ -16,10 +16,11 @@ use crate::observe::PairKind;
 use crate::output::{Cell, Column, Finding, load_sample, save_sample, sha256_file};
 use crate::random::Stream;
 use crate::run::Study;
-use crate::simulation::{EXAMINED, Settings, Simulation};
+use crate::simulation::{Settings, Simulation};
 use crate::spec::mechanics::sphere::sphere_mass;
+use crate::spec::necked::EXAMINED;
 use crate::spec::soot::eq26_coordination::are_neighbours;
-use crate::spec::soot::{self, Reading};
+use crate::spec::soot::{self, Reading, Strength};
 use crate::spec::{Contact, Vec3};
 use crate::system::{Domain, Particles, System};
 use std::path::PathBuf;
@@ -148,7 +149,7 @@ impl<S: Reading> Study for Plan<S> {
     }
 
     fn pair_style(&self, stage: usize) -> Result<String, String> {
-        lammps::pair_style(&self.soot, &self.law(stage))
+        Ok(lammps::pair_style(&self.soot, &self.law(stage)))
     }
 
     fn settings(&self, stage: usize, system: &System) -> Settings {
@@ -199,18 +200,13 @@ impl<S: Reading> Study for Plan<S> {
     }
 
     fn intervene(&self, _: usize, simulation: &mut Simulation<soot::Soot<S>>) -> Result<Vec<String>, Halt> {
-        let Soot { break_energy, break_stress, .. } = &self.soot;
-        if break_energy.is_none() && break_stress.is_none() || !simulation.system().step.is_multiple_of(EXAMINED) {
+        let strength = self.soot.strength();
+        if strength == Strength::default() || !simulation.system().step.is_multiple_of(EXAMINED) {
             return Ok(Vec::new());
         }
         let law = *simulation.model();
-        let broken = simulation.break_necks(|contact, memory, held| {
-            break_energy.as_ref().is_some_and(|strength| held.necks > strength.value)
-                || break_stress.as_ref().is_some_and(|strength| {
-                    let (tension, shear) = law.neck_stress(contact, memory, strength.neck_radius.value);
-                    tension > strength.tension.value || shear > strength.shear.value
-                })
-        })?;
+        let broken =
+            simulation.break_necks(|contact, memory, held| law.neck_breaks(contact, memory, held, &strength))?;
         Ok(broken.iter().map(|(i, j)| format!("the neck of {i} and {j} breaks")).collect())
     }
 

@@ -11,10 +11,7 @@ use crate::spec::titania::eq13_rolling::{Rolling, RollingOver};
 use crate::spec::titania::{Liquid, Titania};
 
 /// The style: its name and its keys with their values in nm, ns and ag.
-pub(super) fn pair_style(case: &case::Titania) -> Result<String, String> {
-    if case.break_energy.is_some() {
-        return Err("found necks that break, which the plugin for LAMMPS does not have".into());
-    }
+pub(super) fn pair_style(case: &case::Titania) -> String {
     let law = case.law();
     let Titania { core_gap, h_n, humidity, contact_angle, f_00, f_01, sigma, gamma_0, tau_s, tau_r, lambda_t, .. } =
         law;
@@ -57,10 +54,11 @@ pub(super) fn pair_style(case: &case::Titania) -> Result<String, String> {
         let springs = springs.spec();
         format!(" neck_springs{}", (0..8).map(|k| format!(" {}", springs.at(k))).collect::<String>())
     });
-    Ok(format!(
+    let energy = case.break_energy.as_ref().map_or(String::new(), |energy| format!(" break_energy {}", energy.value));
+    format!(
         "titania {liquid} humidity {humidity} contact_angle {contact_angle} core_gap {core_gap} layer {h_n} solvation {solvation} \
          solvation_force {f_00} solvation_growth {f_01} solvation_period {sigma} damping_constant {gamma_0} \
          damping_radius {radius} sliding_strength {tau_s} rolling_strength {tau_r} slip_period {lambda_t} slip {slip} \
-         contact_stiffness {stiffness} moment_arms {arms} rolling {rolling} rolling_over {over}{necks}"
-    ))
+         contact_stiffness {stiffness} moment_arms {arms} rolling {rolling} rolling_over {over}{necks}{energy}"
+    )
 }

@@ -3,7 +3,7 @@
 use super::case;
 use crate::initial::film::Bonding;
 use crate::spec::titania::{Tabulated, Titania};
-use crate::spec::{Flat, Necked, PairModel, Vec3};
+use crate::spec::{Necked, PairModel, Vec3};
 use crate::system::System;
 
 /// Largest error of the tables of the attraction, pN.
@@ -20,8 +20,8 @@ pub trait Law: PairModel + Clone {
     fn law(&self) -> &Titania;
     /// The tangential spring of a contact.
     fn spring(memory: &Self::Memory<f64>) -> Vec3<f64>;
-    /// What the springs of a neck hold.
-    fn in_neck(held: &Self::Stored<f64>) -> f64;
+    /// Whether a neck that holds these energies breaks at this one, zJ.
+    fn neck_breaks(held: &Self::Stored<f64>, energy: f64) -> bool;
     /// Energy that slipping springs of a pair lose in a step, zJ.
     fn slipped(lost: &Self::Losses<f64>) -> f64;
 }
@@ -47,8 +47,8 @@ impl Law for Titania {
     fn spring(memory: &Vec3<f64>) -> Vec3<f64> {
         *memory
     }
-    fn in_neck(_: &Self::Stored<f64>) -> f64 {
-        0.0
+    fn neck_breaks(_: &Self::Stored<f64>, _: f64) -> bool {
+        false
     }
     fn slipped(lost: &Self::Losses<f64>) -> f64 {
         lost.sliding
@@ -68,8 +68,8 @@ impl Law for Tabulated {
     fn spring(memory: &Vec3<f64>) -> Vec3<f64> {
         *memory
     }
-    fn in_neck(_: &Self::Stored<f64>) -> f64 {
-        0.0
+    fn neck_breaks(_: &Self::Stored<f64>, _: f64) -> bool {
+        false
     }
     fn slipped(lost: &Self::Losses<f64>) -> f64 {
         lost.sliding
@@ -92,8 +92,8 @@ impl Law for Necked<Tabulated> {
     fn spring((memory, _): &Self::Memory<f64>) -> Vec3<f64> {
         *memory
     }
-    fn in_neck((_, held): &Self::Stored<f64>) -> f64 {
-        (0..4).map(|spring| *held.at(spring)).sum()
+    fn neck_breaks(held: &Self::Stored<f64>, energy: f64) -> bool {
+        Self::neck_breaks(held, energy)
     }
     fn slipped((lost, _): &Self::Losses<f64>) -> f64 {
         lost.sliding

@@ -175,7 +175,7 @@ impl<M: Law> Study for Plan<M> {
     }
 
     fn pair_style(&self, _: usize) -> Result<String, String> {
-        lammps::pair_style(&self.titania)
+        Ok(lammps::pair_style(&self.titania))
     }
 
     fn settings(&self, stage: usize, _: &System) -> Settings {

@@ -1,9 +1,10 @@
 //! The contact law as a pair style of LAMMPS with the plugin of `bindings/lammps`.
 
+use super::case::Readings;
 use crate::spec::wear::{Interaction, Material, Wear};
 
 /// The style: its name and its keys with their values in nm, ns and ag.
-pub(super) fn pair_style(Wear { material, interaction }: &Wear) -> Result<String, String> {
+pub(super) fn pair_style(Wear { material, interaction }: &Wear, readings: Readings) -> String {
     let Material {
         young_modulus,
         poisson_ratio,
@@ -14,17 +15,18 @@ pub(super) fn pair_style(Wear { material, interaction }: &Wear) -> Result<String
         scaling,
         forget_stretched_springs,
     } = material;
-    if *forget_stretched_springs {
-        return Err("found `forget_stretched_springs`, which the plugin for LAMMPS does not have".into());
-    }
     let interaction = match interaction {
         Interaction::Full => "full",
         Interaction::Normal => "normal",
         Interaction::Repulsive => "repulsive",
     };
-    Ok(format!(
+    let readings = match readings {
+        Readings::Own => "own",
+        Readings::AsPublished => "as-published",
+    };
+    format!(
         "wear young_modulus {young_modulus} poisson_ratio {poisson_ratio} tensile_strength {tensile_strength} \
          shear_strength {shear_strength} surface_energy {surface_energy} restitution {restitution} scaling {scaling} \
-         interaction {interaction}"
-    ))
+         interaction {interaction} readings {readings} forget_stretched_springs {forget_stretched_springs}"
+    )
 }

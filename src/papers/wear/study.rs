@@ -128,7 +128,8 @@ impl<M: PairModel + From<Wear>> Study for Plan<M> {
     }
 
     fn pair_style(&self, stage: usize) -> Result<String, String> {
-        lammps::pair_style(&material(&self.case).law(self.stages[stage].interaction))
+        let material = material(&self.case);
+        Ok(lammps::pair_style(&material.law(self.stages[stage].interaction), material.readings))
     }
 
     fn settings(&self, stage: usize, system: &System) -> Settings {

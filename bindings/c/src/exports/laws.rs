@@ -6,6 +6,7 @@ use crate::error::{Done, border, wrong};
 use crate::laws;
 use crate::pointers::{columns, held, held_mut, lent, lent_mut, text};
 use std::ffi::{c_char, c_int};
+use veridem_spec::necked::EXAMINED;
 
 /// # Safety
 ///
@@ -128,6 +129,30 @@ unsafe extern "C" fn veridem_law_shares_inertia(law: *const VeridemLaw, shares: 
     // SAFETY: a law, and a place for the result.
     border(|| unsafe {
         *held_mut(shares, "result")? = c_int::from(held(law, "law")?.0.friction_stops());
+        Ok(())
+    })
+}
+
+/// # Safety
+///
+/// Pointers as the header says.
+#[unsafe(no_mangle)]
+unsafe extern "C" fn veridem_law_forgets(law: *const VeridemLaw, forgets: *mut c_int) -> c_int {
+    // SAFETY: a law, and a place for the result.
+    border(|| unsafe {
+        *held_mut(forgets, "result")? = c_int::from(held(law, "law")?.0.forgets());
+        Ok(())
+    })
+}
+
+/// # Safety
+///
+/// Pointers as the header says.
+#[unsafe(no_mangle)]
+unsafe extern "C" fn veridem_law_neck_checks(law: *const VeridemLaw, every: *mut u64) -> c_int {
+    // SAFETY: a law, and a place for the result.
+    border(|| unsafe {
+        *held_mut(every, "result")? = if held(law, "law")?.0.necks_break() { EXAMINED } else { 0 };
         Ok(())
     })
 }

@@ -139,6 +139,63 @@ unsafe extern "C" fn veridem_list_contacts(list: *mut VeridemList, raw: *mut Raw
 ///
 /// Pointers as the header says.
 #[unsafe(no_mangle)]
+unsafe extern "C" fn veridem_list_forget(
+    list: *mut VeridemList,
+    raw: *mut RawSpheres,
+    losses: *mut f64,
+    loss_count: usize,
+) -> c_int {
+    border(|| {
+        // SAFETY: a list, spheres, and sums of this length or null.
+        unsafe { held_mut(list, "list")?.0.forget(&spheres(raw)?, lent_mut(losses, loss_count)) }
+    })
+}
+
+/// # Safety
+///
+/// Pointers as the header says.
+#[unsafe(no_mangle)]
+unsafe extern "C" fn veridem_list_overloaded(
+    list: *mut VeridemList,
+    raw: *mut RawSpheres,
+    count: *mut usize,
+    pairs: *mut *const u32,
+) -> c_int {
+    border(|| {
+        // SAFETY: a list, spheres, and places for the results.
+        unsafe {
+            let (count, pairs) = (held_mut(count, "result")?, held_mut(pairs, "result")?);
+            let found = held_mut(list, "list")?.0.overloaded(&spheres(raw)?)?;
+            (*count, *pairs) = (found.len(), found.as_ptr());
+            Ok(())
+        }
+    })
+}
+
+/// # Safety
+///
+/// Pointers as the header says.
+#[unsafe(no_mangle)]
+unsafe extern "C" fn veridem_list_break(
+    list: *mut VeridemList,
+    raw: *mut RawSpheres,
+    count: usize,
+    pairs: *const u32,
+    lost: *mut f64,
+) -> c_int {
+    border(|| {
+        // SAFETY: a list, spheres, places of pairs, and a place for the result.
+        unsafe {
+            *held_mut(lost, "result")? += held_mut(list, "list")?.0.break_necks(&spheres(raw)?, lent(pairs, count))?;
+            Ok(())
+        }
+    })
+}
+
+/// # Safety
+///
+/// Pointers as the header says.
+#[unsafe(no_mangle)]
 unsafe extern "C" fn veridem_list_step(
     list: *mut VeridemList,
     raw: *mut RawSpheres,

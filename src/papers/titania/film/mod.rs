@@ -20,7 +20,8 @@ use crate::observe::PairKind;
 use crate::observe::film::Structure;
 use crate::output::{Cell, Column, Finding, load_sample, save_sample, sha256_file};
 use crate::run::{Progress, Study};
-use crate::simulation::{EXAMINED, Settings, Simulation};
+use crate::simulation::{Settings, Simulation};
+use crate::spec::necked::EXAMINED;
 use crate::spec::{Contact, Vec3};
 use crate::system::{Motion, System};
 use columns::results;
@@ -198,7 +199,7 @@ impl<M: Law> Study for Plan<M> {
     }
 
     fn pair_style(&self, _: usize) -> Result<String, String> {
-        lammps::pair_style(&self.titania)
+        Ok(lammps::pair_style(&self.titania))
     }
 
     fn settings(&self, stage: usize, _: &System) -> Settings {
@@ -268,7 +269,7 @@ impl<M: Law> Study for Plan<M> {
         if !simulation.system().step.is_multiple_of(EXAMINED) {
             return Ok(Vec::new());
         }
-        let broken = simulation.break_necks(|_, _, held| M::in_neck(held) > strength.value)?;
+        let broken = simulation.break_necks(|_, _, held| M::neck_breaks(held, strength.value))?;
         Ok(broken.iter().map(|(i, j)| format!("the neck of {i} and {j} breaks")).collect())
     }
 

@@ -92,6 +92,61 @@ static void list_and_pairs_agree(const char *name, const char *const *words, siz
     veridem_list_free(list);
 }
 
+/* A law of these words and more, and a list of its pairs. */
+static veridem_list *listed(const char *name, const char *const *words, size_t count, const char *const *more, size_t others, veridem_law **law) {
+    const char *all[MOST];
+    veridem_list *list = NULL;
+    memcpy(all, words, count * sizeof *all);
+    memcpy(all + count, more, others * sizeof *all);
+    EXPECT(veridem_law_new(name, all, count + others, NULL, 0, law) == 0);
+    EXPECT(veridem_list_new(*law, &list) == 0);
+    build(list);
+    return list;
+}
+
+static void a_neck_breaks(void) {
+    veridem_law *law = NULL;
+    const char *const weak[] = {"break_energy", "0.001"};
+    veridem_list *list = listed("soot", SOOT, COUNT(SOOT), weak, 2, &law);
+    size_t pairs, count, width;
+    const uint32_t *i, *j, *found;
+    double *history, lost = 0;
+    uint64_t every = 0;
+    EXPECT(veridem_law_neck_checks(law, &every) == 0 && every > 0);
+    EXPECT(veridem_law_count(law, VERIDEM_HISTORY, &width) == 0);
+    EXPECT(veridem_list_pairs(list, &pairs, &i, &j, &history) == 0);
+    history[width] = 1, history[width + 1] = 0.1;
+    veridem_spheres s = spheres();
+    EXPECT(veridem_list_overloaded(list, &s, &count, &found) == 0 && count == 1 && found[0] == 1);
+    const uint32_t broken[] = {1}, none[] = {0};
+    EXPECT(veridem_list_break(list, &s, 1, broken, &lost) == 0 && lost > 0.001 && history[width] == 0 && history[width + 1] == 0);
+    EXPECT(veridem_list_overloaded(list, &s, &count, &found) == 0 && count == 0);
+    EXPECT(veridem_list_break(list, &s, 1, none, &lost) == 65);
+    veridem_list_free(list);
+    veridem_law_free(law);
+}
+
+static void stretched_springs_are_forgotten_where_the_law_says_so(void) {
+    veridem_law *law = NULL;
+    const char *const forget[] = {"forget_stretched_springs", "true"}, *const keep[] = {"forget_stretched_springs", "false"};
+    for (int forgets = 0; forgets < 2; forgets++) {
+        veridem_list *list = listed("wear", SILICA, COUNT(SILICA), forgets ? forget : keep, 2, &law);
+        size_t pairs, touching = 0;
+        const uint32_t *i, *j;
+        double *history, losses[3] = {0};
+        int says = -1;
+        EXPECT(veridem_law_forgets(law, &says) == 0 && says == forgets);
+        EXPECT(veridem_list_pairs(list, &pairs, &i, &j, &history) == 0);
+        for (size_t k = 0; k < pairs; k++) history[4 * k + 1] = 0.01;
+        veridem_spheres s = spheres();
+        EXPECT(veridem_list_forget(list, &s, losses, 3) == 0 && (losses[2] > 0) == forgets);
+        for (size_t k = 0; k < pairs; k++) touching += history[4 * k + 1] != 0;
+        EXPECT(forgets ? touching < pairs : touching == pairs);
+        veridem_list_free(list);
+        veridem_law_free(law);
+    }
+}
+
 static void a_plane_holds_a_sphere(void) {
     veridem_law *law = NULL;
     const double point[3] = {0, 0, -1.4}, normal[3] = {0, 0, 1}, still[3] = {0, 0, 0};
@@ -158,6 +213,8 @@ int main(void) {
     list_and_pairs_agree("wear", SILICA, COUNT(SILICA), 0);
     list_and_pairs_agree("soot", SOOT, COUNT(SOOT), 1);
     list_and_pairs_agree("titania", NULL, 0, 0);
+    a_neck_breaks();
+    stretched_springs_are_forgotten_where_the_law_says_so();
     a_plane_holds_a_sphere();
     equations_are_found_by_id();
     a_sphere_falls();

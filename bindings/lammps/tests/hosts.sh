@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Runs LAMMPS with the plugin on two hosts, network namespaces of this machine that reach each other over a virtual cable, with MPI over
-# sockets: bindings/lammps/check/hosts.sh FOLDER SCRIPT. Needs root and iproute2.
+# sockets: bindings/lammps/tests/hosts.sh FOLDER SCRIPT. Needs root and iproute2.
 set -euo pipefail
 folder=$1 script=$2
 environment=$(cd "$(dirname "$0")/../../.." && pwd)/target/lammps/environment

@@ -15,7 +15,8 @@ from pathlib import Path
 import numpy as np
 
 import cases
-from frames import Frame, ledger, read_dump, write_state
+from exports import Continued
+from frames import Frame, cells, ledger, read_dump, write_state
 from lammps_runs import DUMP, HEAD, PLUGIN, ROOT, run, script, thermo
 
 WORK = ROOT / "target/lammps/check"
@@ -205,6 +206,98 @@ def exports(veridem):
     say("exported rigid bodies: error at half the time step, of that at the whole", errors[1] / errors[0], 0.7)
 
 
+def continued(veridem, name, case, stage, begin, steps, what, limits, ranks=1, before=0):
+    """A stage from a step on, exported and continued by both programs: `before` steps of other stages come first. The results come back through
+    `veridem import` and are compared by `veridem inspect --diff`."""
+    both = Continued(veridem, WORK / "continued" / name, case, before + begin, steps, ranks)
+    if f": {stage}, from step {begin}" not in both.title:
+        raise SystemExit(f"{what}: expected {stage} from step {begin}, found {both.title}")
+    for column, limit in zip(("pos", "velo", "angular_velocity"), limits):
+        say(f"{what}: {column} after {steps} steps on {ranks} processes", both.apart[column], limit)
+    say(f"{what}: positions in the dump beside those in the data file", abs(both.dump_apart["pos"] - both.apart["pos"]), 1e-12)
+    return both
+
+
+def balance(both, stage, begin, what, lost=1e-8):
+    """Energies by cause are the engine's, as its series and the log of LAMMPS have them: stored at the beginning, lost on the way."""
+    rows, shown = thermo(both.out), 5
+    (stored, before), (_, after) = [ledger(both.run_folder, stage, step) for step in (begin, begin + both.steps)]
+    first, last = (np.array(row[shown:]) for row in (rows[0], rows[-1]))
+    count, end = len(stored), len(stored) + len(before)
+    say(f"{what}: energies stored, {count} causes, of the largest", abs(first[:count] - stored).max() / abs(stored).max(), 1e-9)
+    gone = after - before
+    say(f"{what}: energies lost, {len(gone)} causes, of the largest", abs(last[count:end] - gone).max() / abs(gone).max(), lost)
+    return last[end:]
+
+
+def breaking(veridem):
+    """Necks that break in both programs at the same step, and the energy that they lose."""
+    stress = "break_stress: {tension: 5 GPa, shear: 5 GPa, neck_radius: 5 nm}"
+    energy = "break_energy: 1e-18 J"
+    for name, strength, integrator, ranks in (
+        ("stress", stress, "half-step", 1),
+        ("energy", energy, "half-step", 4),
+        ("stress-verlet", stress, "velocity-verlet", 2),
+    ):
+        case, what = cases.BREAKING.format(strength=strength, integrator=integrator), f"necks that break by {name}"
+        both = continued(veridem, f"breaking-{name}", case, "restructuring", 0, 3000, what, (1e-6, 1e-3, 1e-3), ranks)
+        agree(*both.breaks(), what)
+        balance(both, "restructuring", 0, what)
+    what = "necks that break in a film"
+    both = continued(veridem, "breaking-film", cases.NECKS, "relaxation", 0, 600, what, (1e-6, 1e-3, 1e-3), 2)
+    agree(*both.breaks(), what)
+    balance(both, "relaxation", 0, what)
+
+
+def agree(here, there, what):
+    """The same necks break at the same steps."""
+    say(f"{what}: one over {len(here)} necks", 1 / max(len(here), 1e-9), 1)
+    say(f"{what}: necks that break at another step or not at all", len(set(here) ^ set(there)), 0)
+
+
+def relaxation(veridem):
+    """A box whose sides follow the stress, and the reading of the authors' program."""
+    what = "box that relaxes"
+    for begin, steps in ((1, 100), (100, 80)):
+        both = continued(veridem, f"relaxation-{begin}", cases.RELAXATION, "cohesion", begin, steps, what, (1e-10, 1e-6, 1e-6), 2, before=100)
+        say(f"{what}: sides of the box, nm", both.sides(), 1e-10)
+    balance(both, "cohesion", begin, what)
+    # Before neighbours are listed anew, after which both programs forget other springs.
+    what = "law of the published program"
+    both = continued(veridem, "published", cases.PUBLISHED, "shear", 0, 40, what, (1e-10, 1e-6, 1e-6), 2)
+    balance(both, "shear", 0, what)
+
+
+def pulling(veridem):
+    """Springs that pull an agglomerate."""
+    for hold, along in (("springs", "all"), ("frozen", "x")):
+        case, what = cases.CHAIN.format(hold=hold, along=along), f"agglomerate that a spring pulls along {along}, held: {hold}"
+        both = continued(veridem, f"pulling-{hold}", case, "pulling", 100, 400, what, (1e-8, 1e-4, 1e-4), 2, before=200)
+        balance(both, "pulling", 100, what)
+
+
+def planes(veridem):
+    """Energies stored and lost at a plane."""
+    what = "deposition"
+    both = continued(veridem, "deposition", cases.DEPOSITION, "deposition", 0, 11900, what, (1e-9, 1e-6, 1e-6), 2)
+    stored, lost = np.split(balance(both, "deposition", 0, what, 1e-6)[3:], [7])
+    here = cells(both.run_folder, "deposition", 11900)["lost at surfaces [zJ]"]
+    say(f"{what}: energy lost at the plane, of {here:.1f} zJ", abs(lost.sum() - here) / here, 1e-6)
+
+
+def tip(veridem):
+    """A tip that approaches a film of rigid aggregates, reverses and returns."""
+    folder, frames = engine(veridem, "film", cases.FILM)
+    events = [json.loads(line) for line in (folder / "run/case/events.jsonl").read_text().splitlines()]
+    before = sum(event["step"] for event in events if event["event"] == "end" and event["stage"] != "retraction")
+    what, begin, steps = "tip that returns", 2000, 8000
+    both = continued(veridem, "tip", cases.FILM, "retraction", begin, steps, what, (1.0, 30.0, 30.0), 2, before=before)
+    height = [np.loadtxt(both.folder / file, skiprows=2, usecols=3) for file in ("here.xyz", "there.xyz")]
+    types = dict(re.findall(r"^(\d+) ([123]) ", both.atoms(), flags=re.MULTILINE))
+    is_tip = [types[str(k + 1)] == "3" for k in range(len(types))]
+    say(f"{what}: height of the tip after {steps} steps", abs(height[0] - height[1])[is_tip].max(), 1e-9)
+
+
 def hosts(veridem):
     """Two hosts that reach each other over sockets give what one process gives."""
     if os.geteuid() != 0 or not shutil.which("ip"):
@@ -272,13 +365,16 @@ def refusals(veridem):
     say("refused: a plugin for another LAMMPS", 0 if "ERROR" in out and "the plugin was built for LAMMPS" in out else 1, 0)
 
 
+CHECKS = (wear, soot, titania, exports, breaking, relaxation, pulling, planes, tip, hosts, refusals)
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("veridem")
-    parser.add_argument("--only", choices=["wear", "soot", "titania", "exports", "hosts", "refusals"])
+    parser.add_argument("--only", choices=[check.__name__ for check in CHECKS])
     arguments = parser.parse_args()
     veridem = str(Path(arguments.veridem).resolve())
-    for check in (wear, soot, titania, exports, hosts, refusals):
+    for check in CHECKS:
         if arguments.only in (None, check.__name__):
             check(veridem)
     if failed:

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 SPRINGS = "spring_"
-OTHER_LOSSES = ["lost to drag [zJ]", "lost to breaking [zJ]"]
+LOST_TO_DRAG = "lost to drag [zJ]"
 
 
 class Frame:
@@ -139,12 +139,17 @@ def read_dump(path):
     return {name: rows[:, k] for k, name in enumerate(names)}
 
 
-def ledger(folder, stage, step):
-    """Energies stored and energies lost by cause, from the row of a stage at a step."""
+def cells(folder, stage, step):
+    """The numbers in the row of a stage at a step."""
     with open(Path(folder) / "series.csv") as file:
         rows = list(csv.DictReader(file))
     (row,) = [row for row in rows if row["stage"] == stage and row["step"] == str(step)]
-    cells = {name: float(value) for name, value in row.items() if name != "stage"}
-    stored = [cells[name] for name in cells if name.endswith(" energy [zJ]") and not name.startswith("kinetic")]
-    lost = [cells[name] for name in cells if name.startswith("lost to ") and name not in OTHER_LOSSES]
+    return {name: float(value) for name, value in row.items() if name != "stage" and value}
+
+
+def ledger(folder, stage, step):
+    """Energies stored and energies lost by pairs and in breaking by cause, from the row of a stage at a step."""
+    row = cells(folder, stage, step)
+    stored = [row[name] for name in row if name.endswith(" energy [zJ]") and not name.startswith("kinetic")]
+    lost = [row[name] for name in row if name.startswith("lost to ") and name != LOST_TO_DRAG]
     return np.array(stored), np.array(lost)

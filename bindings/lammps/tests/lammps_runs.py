@@ -63,5 +63,7 @@ def thermo(out):
         for line in lines[head + 1 :]:
             if line.startswith("Loop time"):
                 break
+            if line.startswith("veridem:"):
+                continue
             rows.append([float(word) for word in line.split()])
     return rows
