@@ -297,3 +297,68 @@ pub trait PairModel: Sync {
         (0.0, Vec3::zero())
     }
 }
+
+#[cfg(test)]
+mod laws {
+    use super::*;
+    use crate::mechanics::samples::vector;
+    use proptest::prelude::*;
+
+    flat_struct! {
+        /// Three numbers.
+        pub struct Three {
+            /// First.
+            pub first,
+            /// Second.
+            pub next_one,
+            /// Third.
+            pub last,
+        }
+    }
+
+    /// Numbers that are laid end to end stay in order, and a change of one changes no other.
+    fn lies_in_order<F: Flat<f64>>(len: usize) {
+        assert_eq!(F::LEN, len);
+        let mut flat = F::from_fn(|k| k as f64);
+        for changed in 0..len {
+            *flat.at_mut(changed) += 100.0;
+            for k in 0..len {
+                let expected = if k <= changed { 100.0 } else { 0.0 } + k as f64;
+                assert_eq!(*flat.at(k), expected, "place {k} after a change of place {changed}");
+            }
+        }
+    }
+
+    #[test]
+    fn every_place_is_written_where_it_is_read() {
+        lies_in_order::<f64>(1);
+        lies_in_order::<Vec3<f64>>(3);
+        lies_in_order::<[f64; 4]>(4);
+        lies_in_order::<Three<f64>>(3);
+        lies_in_order::<(f64, f64)>(2);
+        lies_in_order::<(Vec3<f64>, Three<f64>)>(6);
+        lies_in_order::<((f64, [f64; 2]), Vec3<f64>)>(6);
+    }
+
+    #[test]
+    fn every_place_has_its_name() {
+        assert_eq!(Three::<f64>::names(), ["first", "next one", "last"]);
+        assert_eq!(<([f64; 2], Vec3<f64>)>::names(), ["1", "2", "x", "y", "z"]);
+        assert_eq!(f64::names(), [""]);
+    }
+
+    proptest! {
+        /// The force on i and its reaction on j, whose velocities differ by `v`.
+        #[test]
+        fn the_power_of_a_pair_is_that_of_its_forces_and_torques(
+            v_i in vector(), v_j in vector(), omega_i in vector(), omega_j in vector(),
+            force in vector(), torque_i in vector(), torque_j in vector(),
+        ) {
+            let c = Contact::new(Vec3::new(1.0, 0.0, 0.0), v_i - v_j, omega_i, omega_j, 0.5, 0.5);
+            let of_i = force.dot(v_i) + torque_i.dot(omega_i);
+            let of_j = (-force).dot(v_j) + torque_j.dot(omega_j);
+            let wrench = Wrench { force, torque_i, torque_j };
+            prop_assert!((wrench.power(&c) - of_i - of_j).abs() < 1e-13);
+        }
+    }
+}

@@ -194,11 +194,76 @@ native!(f64, double);
 native!(f32, single);
 
 #[cfg(test)]
-mod tests {
-    use super::Real;
+mod laws {
+    use super::*;
+    use crate::numbers::{Lanes, Reference};
     use proptest::prelude::*;
 
+    #[test]
+    fn the_first_case_that_holds_decides() {
+        let value = |x: f64| piecewise([(x.lt(1.0), 10.0), (x.lt(2.0), 20.0)], 30.0);
+        assert_eq!([0.5, 1.0, 1.5, 2.0].map(value), [10.0, 20.0, 20.0, 30.0]);
+    }
+
+    #[test]
+    fn no_comparison_holds_for_a_nan_and_equals_are_neither_less_nor_greater() {
+        for (a, b) in [(f64::NAN, 1.0), (1.0, f64::NAN)] {
+            assert!(!(a.lt(b) | Real::le(a, b) | a.gt(b) | Real::ge(a, b)));
+        }
+        assert_eq!((1.0.lt(1.0), Real::le(1.0, 1.0), 1.0.gt(1.0), Real::ge(1.0, 1.0)), (false, true, false, true));
+        assert_eq!((<f64 as Real>::always(true), <f64 as Real>::always(false)), (true, false));
+    }
+
+    #[test]
+    fn the_entry_of_a_list_is_at_its_place() {
+        let list = [3.0, 1.0, 4.0, 1.5];
+        assert_eq!([0.0, 1.0, 2.0, 3.0].map(|place| <f64 as Real>::entry(&list, place)), list);
+    }
+
+    /// Every function of `Real` once, as lists of numbers.
+    fn all<R: Real>(x: R, y: R) -> [R; 20] {
+        let size = x.abs();
+        let list = [2.0, 7.0, 1.0, 8.0];
+        [
+            [x + y, x - y, x * y, x / y, -x],
+            [size.sqrt(), x.exp(), size.ln(), x.sin(), x.cos()],
+            [x.tanh().acos(), x.tanh(), x.floor(), x.min(y), x.max(y)],
+            [x.squared(), size, R::pi(), R::entry(&list, size.min(R::lit(3.0)).floor()), {
+                let mask = x.lt(y) & !y.le(R::zero()) | x.ge(R::one()) & x.gt(R::lit(2.0));
+                R::select(mask, R::one(), R::zero())
+            }],
+        ]
+        .concat()
+        .try_into()
+        .expect("twenty numbers")
+    }
+
     proptest! {
+        #[test]
+        fn every_lane_has_the_bits_of_a_double(x in prop::array::uniform4(-9.0..9.0f64), y in prop::array::uniform4(-9.0..9.0f64)) {
+            let lanes = all(Lanes(x), Lanes(y));
+            for k in 0..4 {
+                let double = all(x[k], y[k]);
+                for (lane, double) in lanes.iter().zip(double) {
+                    prop_assert_eq!(lane.0[k].to_bits(), double.to_bits());
+                }
+            }
+        }
+
+        #[test]
+        fn the_smaller_and_the_larger_are_the_two(x in -9.0..9.0f64, y in -9.0..9.0f64) {
+            let (least, most) = (Real::min(x, y), Real::max(x, y));
+            prop_assert!(least <= most && [(x, y), (y, x)].contains(&(least, most)));
+            prop_assert_eq!((Real::abs(x), x.squared()), (Real::max(x, -x), x * x));
+        }
+
+        #[test]
+        fn the_logarithm_of_one_plus_a_number_loses_nothing(exponent in -60.0..4.0f64) {
+            let x = exponent.exp2();
+            let exact = (Reference::one() + Reference::exact(x)).ln().to_f64();
+            prop_assert!((ln_one_plus(x) / exact - 1.0).abs() < 1e-15);
+        }
+
         #[test]
         fn floor_has_the_bits_of_the_standard_library(x in prop::num::f64::ANY) {
             let (ours, standard) = (Real::floor(x), x.floor());

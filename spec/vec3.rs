@@ -90,3 +90,58 @@ impl<R: Real> Mul<R> for Vec3<R> {
         Self([a * factor, b * factor, c * factor])
     }
 }
+
+#[cfg(test)]
+mod laws {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// Whole components, so that every result is exact.
+    fn whole() -> impl Strategy<Value = Vec3<f64>> {
+        prop::array::uniform3(-99..100i32).prop_map(|v| Vec3(v.map(f64::from)))
+    }
+
+    proptest! {
+        #[test]
+        fn products_of_vectors_obey_the_identity_of_lagrange(a in whole(), b in whole()) {
+            let (dot, cross) = (a.dot(b), a.cross(b));
+            prop_assert_eq!(cross.dot(cross) + dot * dot, a.dot(a) * b.dot(b));
+            prop_assert_eq!((cross.dot(a), cross.dot(b), b.cross(a)), (0.0, 0.0, -cross));
+        }
+
+        #[test]
+        fn a_double_product_is_resolved_by_scalar_products(a in whole(), b in whole(), c in whole()) {
+            prop_assert_eq!(a.cross(b.cross(c)), b * a.dot(c) - c * a.dot(b));
+        }
+
+        #[test]
+        fn a_tensor_product_maps_a_vector_to_the_first_factor(a in whole(), b in whole(), c in whole()) {
+            let image = Vec3(a.outer(b).map(|row| row.dot(c)));
+            prop_assert_eq!(image, a * b.dot(c));
+        }
+
+        #[test]
+        fn sums_and_multiples_are_linear(a in whole(), b in whole(), c in whole(), factor in -9..10i32) {
+            let factor = f64::from(factor);
+            prop_assert_eq!((a + b * factor).dot(c), a.dot(c) + factor * b.dot(c));
+            prop_assert_eq!((a - b).dot(c) - a.dot(c), (-b).dot(c));
+            prop_assert_eq!(a - a, Vec3::zero());
+        }
+
+        #[test]
+        fn a_vector_is_its_parts_along_and_normal_to_a_direction(a in whole(), b in whole()) {
+            prop_assume!(b.norm() > 0.0);
+            let n = b * (1.0 / b.norm());
+            let across = a.perpendicular_to(n);
+            prop_assert!(across.dot(n).abs() < 1e-12 && (across + n * a.dot(n) - a).norm() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn axes_are_right_handed_and_lengths_euclidean() {
+        let (x, y, z) = (Vec3::new(1.0, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0), Vec3::new(0.0, 0.0, 1.0));
+        assert_eq!((x.cross(y), y.cross(z), z.cross(x)), (z, x, y));
+        assert_eq!(Vec3::new(3.0, 4.0, 12.0).norm(), 13.0);
+        assert_eq!((Vec3::select(true, x, y), Vec3::select(false, x, y)), (x, y));
+    }
+}

@@ -102,6 +102,61 @@ fn laws_are_exactly_the_tests_that_run() {
     }
 }
 
+/// The text of each function in the module `laws` of a file, by its name, without comments.
+fn bodies(source: &str) -> BTreeMap<String, String> {
+    let Some((_, module)) = source.split_once("\n#[cfg(test)]\n") else { return BTreeMap::new() };
+    let (mut out, mut current): (BTreeMap<String, String>, Option<(String, String)>) = (BTreeMap::new(), None);
+    for line in module.lines() {
+        let text = line.split("//").next().unwrap_or_default();
+        let indent = &line[..line.len() - line.trim_start().len()];
+        if let Some((name, end)) = &current {
+            out.get_mut(name).expect("begun").push_str(text);
+            if line == end {
+                current = None;
+            }
+        } else if let Some(signature) = text.trim_start().strip_prefix("fn ") {
+            let name = signature.split(['(', '<']).next().unwrap_or_default().to_string();
+            out.insert(name.clone(), signature[name.len()..].to_string());
+            current = Some((name, format!("{indent}}}")));
+        }
+    }
+    out
+}
+
+/// Whether a text contains a name, whole.
+fn names(text: &str, name: &str) -> bool {
+    text.split(|c: char| !c.is_alphanumeric() && c != '_').any(|word| word == name)
+}
+
+/// Whether a law calls a function, itself or through another function beside it.
+fn calls(bodies: &BTreeMap<String, String>, law: &str, function: &str) -> bool {
+    let (mut seen, mut next) = (BTreeSet::new(), vec![law]);
+    while let Some(name) = next.pop() {
+        let Some(body) = bodies.get(name).filter(|_| seen.insert(name)) else { continue };
+        if names(body, function) {
+            return true;
+        }
+        next.extend(bodies.keys().map(String::as_str).filter(|other| names(body, other)));
+    }
+    false
+}
+
+#[test]
+fn every_equation_is_called_by_one_of_its_laws() {
+    for (equation, document) in documented().unwrap() {
+        let bodies = bodies(equation.source);
+        let called = document.laws.iter().any(|law| calls(&bodies, law, equation.function));
+        assert!(called, "{}: no law in spec/{} calls `{}`", equation.id, equation.file, equation.function);
+    }
+}
+
+#[test]
+fn a_law_that_calls_something_else_is_noticed() {
+    let source = "\n#[cfg(test)]\nmod laws {\n    fn help(x: f64) -> f64 {\n        double(x)\n    }\n    #[test]\n    fn through() {\n        help(1.0);\n    }\n    #[test]\n    fn beside() {\n        doubled(1.0); // double(1.0)\n    }\n}\n";
+    let bodies = bodies(source);
+    assert!(calls(&bodies, "through", "double") && !calls(&bodies, "beside", "double"));
+}
+
 #[test]
 fn a_law_that_would_not_run_is_noticed() {
     let source = "\n#[cfg(test)]\nmod laws {\n    proptest! {\n        #[test]\n        fn runs(x in 0.0..1.0) {}\n\n        fn never(x in 0.0..1.0) {}\n    }\n    #[test]\n    #[ignore]\n    fn ignored() {}\n";

@@ -13,6 +13,11 @@ def attraction(f_cap, f_solv, n):
     return dict(f_na=Vector(0, 0, 0) - n * f_cap - n * f_solv)
 
 
+@equation("titania-03-normal")
+def attraction_along_normal(f_cap, f_solv):
+    return dict(f_na=-f_cap - f_solv)
+
+
 @equation("titania-4")
 def solvation_force(f_0, d, r_i, r_j, sigma):
     return dict(f_solv=f_0 * mp.re(mp.exp(-_wave(sigma) * (d - r_i - r_j))))

@@ -168,9 +168,13 @@ def range_of(gamma, sigma_mn):
 
 
 @equation("wear-19")
-@equation("wear-A34")
 def minimum_diameter(gamma, sigma_mn):
     return dict(d_min=range_of(gamma, sigma_mn))
+
+
+@equation("wear-A34")
+def separation_of_surface_energy(gamma, sigma_mn):
+    return dict(delta_f=range_of(gamma, sigma_mn))
 
 
 @equation("wear-parameters")

@@ -30,6 +30,7 @@ use crate::{Real, Vec3, equation};
 /// # Laws
 ///
 /// * `the_energy_is_half_the_product_of_angular_velocity_and_momentum`
+/// * `moments_of_inertia_times_angular_velocity_are_the_angular_momentum`
 #[inline(always)]
 pub fn spin<R: Real>(q_0: R, q: Vec3<R>, l: Vec3<R>, i: Vec3<R>) -> (Vec3<R>, R) {
     let omega = Vec3(std::array::from_fn(|k| l.0[k] / i.0[k]));
@@ -133,6 +134,14 @@ mod laws {
             let (q_0, q) = (q_0 / length, q * (1.0 / length));
             let (omega, energy) = spin(q_0, q, l, Vec3([1.0, 2.0, 3.5]));
             prop_assert!((energy - 0.5 * omega.dot(to_space(q_0, q, l))).abs() < 1e-14);
+        }
+
+        #[test]
+        fn moments_of_inertia_times_angular_velocity_are_the_angular_momentum(q_0 in 0.1f64..1.0, q in vector(), l in vector(), i in prop::array::uniform3(0.1..4.0)) {
+            let length: f64 = (q_0 * q_0 + q.dot(q)).sqrt();
+            let (q_0, q) = (q_0 / length, q * (1.0 / length));
+            let in_body = to_space(q_0, -q, spin(q_0, q, l, Vec3(i)).0);
+            prop_assert!((0..3).all(|k| (i[k] * in_body.0[k] - l.0[k]).abs() < 1e-13));
         }
 
         #[test]

@@ -26,6 +26,7 @@ use crate::{Real, equation};
 /// # Laws
 ///
 /// * `twice_the_friction_is_half_the_diffusion`
+/// * `the_walk_of_a_settling_cloud_balances_its_fall`
 #[inline]
 pub fn diffusion<R: Real>(kt: R, f: R) -> R {
     kt / f
@@ -91,6 +92,14 @@ mod laws {
         #[test]
         fn twice_the_friction_is_half_the_diffusion(kt in 0.1..10.0, f in 0.1..10.0) {
             prop_assert_eq!(diffusion(kt, 2.0 * f), 0.5 * diffusion(kt, f));
+        }
+
+        /// A barometric density, of Boltzmann's factor, has no net flux: what diffuses up is what falls with the force over the friction.
+        #[test]
+        fn the_walk_of_a_settling_cloud_balances_its_fall(kt in 0.1..10.0f64, f in 0.1..10.0f64, weight in 0.1..10.0f64, height in 0.0..1.0f64) {
+            let density = (-(Dual::constant(weight / kt) * Dual::variable(height))).exp();
+            let (diffused, fallen) = (-diffusion(kt, f) * density.slope, weight / f * density.value);
+            prop_assert!((diffused / fallen - 1.0).abs() < 1e-13);
         }
 
         #[test]

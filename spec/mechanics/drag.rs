@@ -44,7 +44,8 @@ mod laws {
         #[test]
         fn a_drag_takes_power(c in 0.1..10.0, v in -3.0..3.0f64) {
             let v = Vec3::new(v, 1.0, -0.5 * v);
-            prop_assert!(global_damping(c, v).dot(v) < 0.0);
+            prop_assert!((global_damping(c, v).dot(v) + c * v.dot(v)).abs() < 1e-13);
+            prop_assert!(global_damping(c, v).cross(v).norm() < 1e-13);
         }
     }
 }

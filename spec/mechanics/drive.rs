@@ -60,6 +60,7 @@ pub fn tip<R: Real>(v_0: R, t_turn: R, t: R) -> (R, R) {
 /// # Laws
 ///
 /// * `a_group_that_moves_with_the_constraint_feels_nothing`
+/// * `the_constraint_has_its_stiffness`
 #[inline(always)]
 pub fn steering<R: Real>(k: R, z: R, z_0: R, v: R, t: R) -> R {
     -(k * (z - z_0 - v * t))
@@ -143,6 +144,12 @@ mod laws {
         }
 
         #[test]
+        fn the_constraint_has_its_stiffness(k in 0.1..200.0, z in -1.0..1.0, v in -1.0..1.0, t in 0.0..9.0) {
+            let [k_, z_0, v, t] = [k, 0.3, v, t].map(Dual::constant);
+            prop_assert_eq!(steering(k_, Dual::variable(z), z_0, v, t).slope, -k);
+        }
+
+        #[test]
         fn the_velocity_grows_to_its_full_value(ramp in 0.5..2.0f64, t in 0.0..4.0f64) {
             let tau = ramped_time(Dual::variable(t), Dual::constant(ramp));
             prop_assert!((tau.slope - (t / ramp).min(1.0)).abs() < 1e-12);
@@ -153,7 +160,8 @@ mod laws {
         #[test]
         fn drag_takes_power(x in -1.0..1.0, y in -1.0..1.0, eta in 0.1..1.0) {
             let v = Vec3::new(x, y, 0.5);
-            prop_assert!(drag(eta, v).dot(v) < 0.0);
+            prop_assert!((drag(eta, v).dot(v) + eta * v.dot(v)).abs() < 1e-15);
+            prop_assert!(drag(eta, v).cross(v).norm() < 1e-15);
         }
     }
 

@@ -105,7 +105,7 @@ mod laws {
     proptest! {
         #[test]
         fn a_neck_at_rest_exerts_no_force_and_stores_no_energy(rest in gap()) {
-            prop_assert_eq!(pull(true, rest, rest), (0.0, 0.0));
+            prop_assert_eq!((elongation(rest, rest), pull(true, rest, rest)), (0.0, (0.0, 0.0)));
             prop_assert!(pull(true, rest + 0.1, rest).0 < 0.0 && pull(true, rest - 0.1, rest).0 > 0.0);
         }
 
@@ -151,6 +151,7 @@ mod laws {
         fn what_a_broken_neck_leaves_repels_only_below_its_gap_at_rest(delta in -0.7..0.0f64, rest in -0.7..0.0f64) {
             let (force, energy) = pull(false, delta, rest);
             prop_assert_eq!(force > 0.0, delta < rest);
+            prop_assert_eq!((contact_rest(delta, rest), contact_rest(delta, -rest), contact_rest(-delta, rest)), (rest, 0.0, 0.0));
             prop_assert_eq!((force, energy), if delta < rest { pull(true, delta, rest) } else { (0.0, 0.0) });
             prop_assert_eq!(act(false, delta, rest).0.memory.rest, rest);
             // A neck across a gap leaves nothing.

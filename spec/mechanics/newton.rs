@@ -26,6 +26,7 @@ use crate::{Real, Vec3, equation};
 /// # Laws
 ///
 /// * `a_force_and_its_reaction_keep_the_momentum`
+/// * `the_power_of_a_force_is_the_rate_of_the_kinetic_energy`
 #[inline(always)]
 pub fn acceleration<R: Real>(force: Vec3<R>, m: R) -> Vec3<R> {
     force * (R::one() / m)
@@ -54,6 +55,7 @@ pub fn acceleration<R: Real>(force: Vec3<R>, m: R) -> Vec3<R> {
 /// # Laws
 ///
 /// * `a_torque_turns_a_hollow_sphere_more_slowly`
+/// * `the_power_of_a_torque_is_the_rate_of_the_kinetic_energy`
 #[inline(always)]
 pub fn angular_acceleration<R: Real>(torque: Vec3<R>, i: R) -> Vec3<R> {
     torque * (R::one() / i)
@@ -69,14 +71,32 @@ pub(crate) fn equations() -> Vec<Equation> {
 #[cfg(test)]
 mod laws {
     use super::*;
+    use crate::mechanics::kinetic_energy::translational_energy;
     use crate::mechanics::primary_particle::{hollow_inertia, solid_inertia};
     use crate::mechanics::samples::vector;
+    use crate::numbers::Dual;
     use proptest::prelude::*;
 
     proptest! {
         #[test]
         fn a_force_and_its_reaction_keep_the_momentum(f in vector(), m_i in 0.1..10.0, m_j in 0.1..10.0) {
             prop_assert!((acceleration(f, m_i) * m_i + acceleration(-f, m_j) * m_j).norm() < 1e-15);
+        }
+
+        #[test]
+        fn the_power_of_a_force_is_the_rate_of_the_kinetic_energy(f in vector(), v in vector(), m in 0.1..10.0) {
+            let motion = |f: [f64; 3], v: [f64; 3]| Vec3([0, 1, 2].map(|k| Dual { value: v[k], slope: acceleration(Vec3(f), m).0[k] }));
+            let energy = translational_energy(Dual::constant(m), motion(f.0, v.0));
+            prop_assert!((energy.slope - f.dot(v)).abs() < 1e-14);
+        }
+
+        #[test]
+        fn the_power_of_a_torque_is_the_rate_of_the_kinetic_energy(torque in vector(), omega in vector(), i in 0.1..10.0) {
+            let motion = |torque: [f64; 3], omega: [f64; 3]| {
+                Vec3([0, 1, 2].map(|k| Dual { value: omega[k], slope: angular_acceleration(Vec3(torque), i).0[k] }))
+            };
+            let energy = translational_energy(Dual::constant(i), motion(torque.0, omega.0));
+            prop_assert!((energy.slope - torque.dot(omega)).abs() < 1e-14);
         }
 
         #[test]

@@ -116,6 +116,7 @@ pub fn rolling_spin<R: Real>(x_i: Vec3<R>, x_j: Vec3<R>, omega_i: Vec3<R>, omega
 /// # Laws
 ///
 /// * `seen_from_the_other_particle_rolling_is_the_same_and_torsion_reversed`
+/// * `equal_spheres_in_touch_roll_against_the_ways_of_both_contact_points`
 #[inline(always)]
 pub fn turning_rates<R: Real>(
     x_i: Vec3<R>,
@@ -155,7 +156,7 @@ pub(crate) fn equations() -> Vec<Equation> {
 #[cfg(test)]
 mod laws {
     use super::*;
-    use crate::mechanics::samples::vector;
+    use crate::mechanics::samples::{unit, vector};
     use proptest::prelude::*;
 
     proptest! {
@@ -172,6 +173,14 @@ mod laws {
             let (torsion, rolling) = (torsional_spin(Vec3::zero(), x, omega_i, omega_j), rolling_spin(Vec3::zero(), x, omega_i, omega_j));
             prop_assert!((torsion + rolling - (omega_j - omega_i)).norm() < 1e-14);
             prop_assert!(torsion.cross(x).norm() < 1e-14 && rolling.dot(x).abs() < 1e-14);
+        }
+
+        #[test]
+        fn equal_spheres_in_touch_roll_against_the_ways_of_both_contact_points(n in unit(), omega_i in vector(), omega_j in vector(), r in 0.1..3.0) {
+            let (rolling, torsion) = turning_rates(Vec3::zero(), n * (2.0 * r), omega_i, omega_j, r, r);
+            let ways = omega_i.cross(n * r) + omega_j.cross(n * -r);
+            prop_assert!((rolling + ways).norm() < 1e-13);
+            prop_assert!((torsion - n * (r * (omega_j - omega_i).dot(n))).norm() < 1e-13);
         }
 
         #[test]

@@ -328,7 +328,7 @@ mod laws {
                 }
                 largest[1] / largest[0]
             };
-            prop_assert!(gain(0.9) < 0.5 && gain(1.1) > 2.0);
+            prop_assert!(gain(0.995) < 0.5 && gain(1.005) > 2.0);
         }
     }
 }

@@ -50,3 +50,51 @@ fn bisected(most: f64, holds: impl Fn(f64) -> bool) -> f64 {
         if holds(middle) { least = middle } else { most = middle }
     }
 }
+
+#[cfg(test)]
+mod laws {
+    use super::*;
+    use approx::relative_eq;
+    use proptest::prelude::*;
+
+    fn springs([k_n, k_t, k_r, k_o]: [f64; 4], [eta_n, eta_t, eta_r, eta_o]: [f64; 4]) -> Springs<f64> {
+        Springs { k_n, k_t, k_r, k_o, eta_n, eta_t, eta_r, eta_o }
+    }
+
+    proptest! {
+        /// Lengths, masses and times in other units, down to those in which every stiffness is far below one.
+        #[test]
+        fn the_limit_does_not_depend_on_the_units(
+            k in prop::array::uniform4(0.1..10.0), eta in prop::array::uniform4(0.0..3.0), largest in 1.0..4.0,
+            mass in -40.0..40.0f64, time in -40.0..40.0f64, length in -10.0..10.0f64,
+        ) {
+            let (mass, time, length) = (mass.exp2(), time.exp2(), length.exp2());
+            let here = springs(k, eta);
+            let there = springs(k.map(|k| k * mass / (time * time)), eta.map(|eta| eta * mass / time));
+            let limit = there.critical_time_step(length, mass, largest * length);
+            prop_assert!(relative_eq!(limit, time * here.critical_time_step(1.0, 1.0, largest), max_relative = 1e-9));
+            prop_assert!(relative_eq!(there.lag_limit(), time * here.lag_limit(), max_relative = 1e-9));
+        }
+    }
+
+    #[test]
+    fn each_spring_alone_limits_the_step() {
+        // equal solid spheres of radius and mass 1: 1/m_eff = 2 for the normal, 7 for sliding, 5 for rolling and torsion
+        for (spring, inverse) in [2.0f64, 7.0, 5.0, 5.0].into_iter().enumerate() {
+            let mut k = [0.0; 4];
+            k[spring] = 0.25;
+            let limit = springs(k, [0.0; 4]).critical_time_step(1.0, 1.0, 1.0);
+            assert!((limit - 2.0 / (0.25 * inverse).sqrt()).abs() < 1e-9 * limit, "{spring}: {limit}");
+        }
+        assert_eq!(springs([0.0; 4], [0.0; 4]).critical_time_step(1.0, 1.0, 1.0), f64::INFINITY);
+    }
+
+    #[test]
+    fn the_weakest_dashpot_limits_the_lag() {
+        let limits = |eta: [f64; 3]| springs([1.0; 4], [0.0, eta[0], eta[1], eta[2]]).lag_limit();
+        for eta in [[0.3, 0.7, 0.9], [0.7, 0.3, 0.9], [0.7, 0.9, 0.3]] {
+            assert_eq!(limits(eta), lag_limit(1.0, 0.3));
+        }
+        assert_eq!(springs([1.0, 0.0, 0.0, 0.0], [0.0; 4]).lag_limit(), f64::INFINITY);
+    }
+}

@@ -29,6 +29,7 @@ use crate::{Real, Tensor, Vec3, equation};
 ///
 /// * `swapping_the_particles_changes_nothing`
 /// * `attraction_is_tension`
+/// * `the_stress_does_the_work_of_the_pair`
 /// * `a_central_force_gives_a_symmetric_stress`
 #[inline(always)]
 pub fn pair_stress<R: Real>(volume: R, r: Vec3<R>, f: Vec3<R>) -> Tensor<R> {
@@ -57,6 +58,7 @@ pub fn pair_stress<R: Real>(volume: R, r: Vec3<R>, f: Vec3<R>) -> Tensor<R> {
 /// # Laws
 ///
 /// * `motion_is_pressure`
+/// * `the_pressure_of_motion_is_two_thirds_of_its_energy_density_and_along_the_velocity`
 #[inline(always)]
 pub fn kinetic_stress<R: Real>(volume: R, m: R, v: Vec3<R>) -> Tensor<R> {
     (v * (-m / volume)).outer(v)
@@ -72,6 +74,7 @@ pub(crate) fn equations() -> Vec<Equation> {
 #[cfg(test)]
 mod laws {
     use super::*;
+    use crate::mechanics::kinetic_energy::translational_energy;
     use proptest::prelude::*;
 
     fn vector() -> impl Strategy<Value = Vec3<f64>> {
@@ -94,6 +97,15 @@ mod laws {
             prop_assert!(trace(pair_stress(volume, r, r * pull)) > 0.0);
         }
 
+        /// A small deformation `g` displaces j relative to i by `g r`.
+        #[test]
+        fn the_stress_does_the_work_of_the_pair(volume in 0.1..10.0, r in vector(), f in vector(), g in prop::array::uniform3(vector())) {
+            let sigma = pair_stress(volume, r, f);
+            let work: f64 = (0..3).map(|b| (0..3).map(|a| sigma[a].0[b] * g[b].0[a]).sum::<f64>()).sum();
+            let displaced = Vec3(g.map(|row| row.dot(r)));
+            prop_assert!((volume * work - f.dot(displaced)).abs() < 1e-12);
+        }
+
         #[test]
         fn a_central_force_gives_a_symmetric_stress(volume in 0.1..10.0, r in vector(), pull in -10.0..10.0) {
             let sigma = pair_stress(volume, r, r * pull);
@@ -102,6 +114,14 @@ mod laws {
                     prop_assert!((sigma[a].0[b] - sigma[b].0[a]).abs() <= 1e-15 * (r.dot(r) * pull / volume).abs());
                 }
             }
+        }
+
+        #[test]
+        fn the_pressure_of_motion_is_two_thirds_of_its_energy_density_and_along_the_velocity(volume in 0.1..10.0, m in 0.1..10.0, v in vector(), w in vector()) {
+            let sigma = kinetic_stress(volume, m, v);
+            prop_assert!((trace(sigma) / 3.0 + 2.0 / 3.0 * translational_energy(m, v) / volume).abs() < 1e-11);
+            let across = w.perpendicular_to(v * (1.0 / v.norm()));
+            prop_assert!(sigma.iter().all(|row| row.dot(across).abs() < 1e-11));
         }
 
         #[test]

@@ -335,6 +335,47 @@ mod laws {
         assert!(Interval::new(1.0, 1.5).sin().hi < 1.0);
     }
 
+    proptest! {
+        /// Both bounds are attained, up to the margin: a bound that is always true proves nothing.
+        #[test]
+        fn bounds_are_tight(lo in -8.0..8.0, width in prop_oneof![Just(0.0), 0.0..1e-6, 0.0..9.0]) {
+            let x = Interval::new(lo, lo + width);
+            let places: Vec<f64> = (0..=2000).map(|k| one_of(x, f64::from(k) / 2000.0)).collect();
+            let functions: [(fn(Interval) -> Interval, fn(f64) -> f64); 8] = [
+                (Real::sin, Real::sin),
+                (Real::cos, Real::cos),
+                (Real::exp, Real::exp),
+                (Real::tanh, Real::tanh),
+                (Real::squared, Real::squared),
+                (Real::floor, Real::floor),
+                (|x| (x * Interval::lit(0.05)).acos(), |x| Real::acos(x * 0.05)),
+                (|x| (x.exp() + Interval::one()).ln().sqrt(), |x| Real::ln(Real::exp(x) + 1.0).sqrt()),
+            ];
+            for (k, (bounds, double)) in functions.into_iter().enumerate() {
+                let (bounds, values) = (bounds(x), places.iter().map(|&place| double(place)));
+                let (least, most) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), y| (a.min(y), b.max(y)));
+                // between two of the places a wave rises above both by less than the square of their distance
+                let slack = 1e-13 * (1.0 + most.abs()) + (width / 2000.0) * (width / 2000.0);
+                prop_assert!(least - bounds.lo <= slack && bounds.hi - most <= slack, "{k}: {x:?} {bounds:?} {least} {most}");
+            }
+        }
+
+        #[test]
+        fn bounds_of_products_and_quotients_are_attained_at_corners(a in intervals(20.0), b in intervals(20.0)) {
+            let corners = |f: fn(f64, f64) -> f64| {
+                let values = [f(a.lo, b.lo), f(a.lo, b.hi), f(a.hi, b.lo), f(a.hi, b.hi)];
+                (values.into_iter().fold(f64::INFINITY, f64::min), values.into_iter().fold(f64::NEG_INFINITY, f64::max))
+            };
+            let close = |bounds: Interval, (least, most): (f64, f64)| {
+                let slack = 4.0 * f64::EPSILON * (least.abs() + most.abs());
+                least - bounds.lo <= slack && bounds.hi - most <= slack
+            };
+            prop_assert!(close(a + b, corners(|x, y| x + y)) && close(a - b, corners(|x, y| x - y)));
+            prop_assert!(close(a * b, corners(|x, y| x * y)));
+            prop_assert!(b.contains(0.0) || close(a / b, corners(|x, y| x / y)));
+        }
+    }
+
     #[test]
     fn a_comparison_may_be_undecided() {
         let (a, b, c) = (Interval::new(0.0, 1.0), Interval::new(0.5, 2.0), Interval::new(2.0, 3.0));

@@ -58,6 +58,7 @@ type Effect<R, O = R> = (Vec3<R>, Vec3<R>, Vec3<R>, Vec3<R>, Vec3<R>, O);
 /// * `turning_the_world_turns_the_forces`
 /// * `seen_from_the_other_particle_the_pair_is_the_same`
 /// * `dashpots_never_deliver_power`
+/// * `a_neck_has_its_four_springs_and_dashpots`
 #[inline(always)]
 pub fn neck<R: Real>(
     x_i: Vec3<R>,
@@ -142,6 +143,7 @@ pub fn neck<R: Real>(
 /// * `turning_the_world_turns_the_forces`
 /// * `seen_from_the_other_particle_the_pair_is_the_same`
 /// * `dashpots_never_deliver_power`
+/// * `a_contact_that_sticks_has_its_four_springs_and_dashpots`
 #[inline(always)]
 pub fn frictional_contact<R: Real>(
     x_i: Vec3<R>,
@@ -226,6 +228,7 @@ pub fn frictional_contact<R: Real>(
 /// # Laws
 ///
 /// * `published_springs_act_before_they_are_stretched`
+/// * `a_published_contact_has_the_springs_of_the_step_before`
 #[inline(always)]
 pub fn published_contact<R: Real>(
     x_i: Vec3<R>,
@@ -390,6 +393,72 @@ mod laws {
             prop_assert!(f_n >= -1e-15);
             prop_assert!(evaluate.wrench.force.perpendicular_to(c.n).norm() <= FRICTION.static_t * f_n + 1e-14);
             prop_assert!(evaluate.losses.normal >= -1e-15);
+        }
+
+        #[test]
+        fn a_neck_has_its_four_springs_and_dashpots((at, c, memory) in (vector(), pair(), memory())) {
+            let Springs { k_n, k_t, k_r, k_o, eta_n, eta_t, eta_r, eta_o } = SPRINGS;
+            let evaluate = |v, omega_i, memory: Memory<f64>, dt| neck(
+                at + c.n * c.distance, at, v, Vec3::zero(), omega_i, Vec3::zero(), c.r_i, c.r_j, k_n, k_t, k_r, k_o, eta_n, eta_t, eta_r, eta_o,
+                memory.tangential, memory.rolling, memory.torsion, dt,
+            );
+            let (at, n, zero) = (ContactKinematics::of_spheres(&c), -c.n, Vec3::zero());
+            let in_plane = |xi: Vec3<f64>| xi.perpendicular_to(n) * (xi.norm() / xi.perpendicular_to(n).norm());
+            prop_assume!([memory.tangential, memory.rolling].iter().all(|xi| xi.perpendicular_to(n).norm() > 0.1));
+            let (xi_t, xi_r) = (in_plane(memory.tangential), in_plane(memory.rolling));
+            // at rest, springs alone: the normal one pushes along minus n where the spheres overlap
+            let (force, torque_i, torque_j, tangential, rolling, torsion) = evaluate(zero, zero, memory, DT);
+            prop_assert!((force - n * (k_n * c.gap) - xi_t * k_t).norm() < 1e-13);
+            let turning = n.cross(xi_r) * (at.a * k_r) + n * (at.r * k_o * memory.torsion);
+            prop_assert!((torque_i - n.cross(xi_t) * (at.a_i * k_t) - turning).norm() < 1e-13);
+            prop_assert!((torque_j - n.cross(xi_t) * (at.a_j * k_t) + turning).norm() < 1e-13);
+            prop_assert!((tangential - xi_t).norm() + (rolling - xi_r).norm() + (torsion - memory.torsion).abs() < 1e-13);
+            // without springs to begin with, in motion: each is stretched by its rate and adds its dashpot
+            let (force, torque_i, torque_j, tangential, rolling, torsion) = evaluate(c.v, c.omega_i, Memory::zero(), DT);
+            let at = ContactKinematics::of_spheres(&Contact { omega_j: zero, ..c });
+            prop_assert!((tangential - at.v_t * DT).norm() + (rolling - at.v_r * DT).norm() + (torsion - at.v_o * DT).abs() < 1e-13);
+            let f_t = at.v_t * (k_t * DT + eta_t);
+            prop_assert!((force - n * (k_n * c.gap + eta_n * at.v_n) - f_t).norm() < 1e-13);
+            let turning = n.cross(at.v_r) * (at.a * (k_r * DT + eta_r)) + n * (at.r * at.v_o * (k_o * DT + eta_o));
+            prop_assert!((torque_i - n.cross(f_t) * at.a_i - turning).norm() < 1e-13);
+            prop_assert!((torque_j - n.cross(f_t) * at.a_j + turning).norm() < 1e-13);
+        }
+
+        #[test]
+        fn a_contact_that_sticks_has_its_four_springs_and_dashpots((c, memory) in (pair(), memory())) {
+            let Springs { k_n, k_t, k_r, k_o, eta_n, eta_t, eta_r, eta_o } = SPRINGS;
+            let (x, zero, Memory { tangential, rolling, torsion, .. }) = (c.n * c.distance, Vec3::zero(), memory);
+            let neck = neck(x, zero, c.v, zero, c.omega_i, c.omega_j, c.r_i, c.r_j, k_n, k_t, k_r, k_o, eta_n, eta_t, eta_r, eta_o, tangential, rolling, torsion, DT);
+            let contact = |mu: f64| frictional_contact(
+                x, zero, c.v, zero, c.omega_i, c.omega_j, c.r_i, c.r_j, k_n, k_t, k_r, k_o, eta_n, eta_t, eta_r, eta_o, mu, mu, mu, 1.0, tangential, rolling, torsion, DT,
+            );
+            prop_assume!(c.gap < 0.0 && neck.0.dot(c.n) > 1e-6);
+            let rough = contact(1e9);
+            for (a, b) in [(rough.0, neck.0), (rough.1, neck.1), (rough.2, neck.2), (rough.3, neck.3), (rough.4, neck.4)] {
+                prop_assert!((a - b).norm() < 1e-13);
+            }
+            prop_assert!((rough.5 - neck.5).abs() < 1e-13);
+            // without friction only the normal force is left
+            let smooth = contact(0.0);
+            prop_assert!((smooth.0 - c.n * neck.0.dot(c.n)).norm() + smooth.1.norm() + smooth.2.norm() < 1e-13);
+        }
+
+        #[test]
+        fn a_published_contact_has_the_springs_of_the_step_before((c, memory) in (pair(), memory())) {
+            let Springs { k_n, k_t, k_r, k_o, .. } = SPRINGS;
+            let (x, zero, n) = (c.n * c.distance, Vec3::zero(), -c.n);
+            let [xi_t, xi_r] = [memory.tangential, memory.rolling].map(|xi| xi.perpendicular_to(n));
+            prop_assume!(c.gap < -1e-3);
+            let at = ContactKinematics::of_spheres(&c);
+            let (force, torque_i, torque_j, tangential, rolling, torsion) = published_contact(
+                x, zero, c.v, zero, c.omega_i, c.omega_j, c.r_i, c.r_j, k_n, k_t, k_r, k_o, 0.0, 0.0, 0.0, 0.0, 1e9, 1e9, 1e9, 1.0, xi_t, xi_r, zero, DT,
+            );
+            prop_assert!((force - n * (k_n * c.gap) - xi_t * k_t).norm() < 1e-12);
+            let turning = n.cross(xi_r) * (at.a * k_r);
+            prop_assert!((torque_i - n.cross(xi_t) * (at.a_i * k_t) - turning).norm() < 1e-12);
+            prop_assert!((torque_j - n.cross(xi_t) * (at.a_j * k_t) + turning).norm() < 1e-12);
+            prop_assert!((tangential - xi_t - at.v_t * DT).norm() + (rolling - xi_r - at.v_r * DT).norm() < 1e-12);
+            prop_assert!((torsion - n * (at.v_o * DT)).norm() < 1e-12);
         }
 
         #[test]

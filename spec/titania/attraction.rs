@@ -3,6 +3,7 @@
 use super::def_capillary::{angle_slope, capillary_force, capillary_slope, capillary_work};
 use super::def_meniscus::{angle, meniscus_gap, rupture};
 use super::def_radius::effective_radius;
+use super::eq03_attraction::attraction_along_normal;
 use super::eq04_solvation::{solvation_force, solvation_integral, solvation_slope};
 use crate::{Real, flat_struct};
 
@@ -70,7 +71,7 @@ impl<R: Real> Attraction<R> {
         let f_cap = capillary_force(self.gamma, self.r_k, self.r_eff, self.theta, self.beta(d));
         // one core at the centre of coordinates, all of the sum of radii at the other
         let f_solv = solvation_force(self.f_0, d, self.cores, zero, self.sigma);
-        -(f_cap + R::select(self.solvated(d), f_solv, zero))
+        attraction_along_normal(f_cap, R::select(self.solvated(d), f_solv, zero))
     }
 
     /// Slope of the force; infinite at rupture.
@@ -78,7 +79,11 @@ impl<R: Real> Attraction<R> {
         let zero = R::zero();
         let capillary = capillary_slope(self.gamma, self.r_k, self.r_eff, self.theta, self.beta(d));
         let solvation = solvation_slope(self.f_0, d - self.cores, self.sigma);
-        -(R::select(d.le(self.rupture()), capillary, zero) + R::select(self.solvated(d), solvation, zero))
+        // Eq. 3 is linear
+        attraction_along_normal(
+            R::select(d.le(self.rupture()), capillary, zero),
+            R::select(self.solvated(d), solvation, zero),
+        )
     }
 
     /// Energy at a given centre distance, zero beyond rupture.
@@ -106,7 +111,7 @@ impl<R: Real> Attraction<R> {
         let rate = R::select(u.gt(zero), -(two * u / tilt(beta)), (two / curvature).sqrt());
         let capillary = angle_slope(self.gamma, self.r_k, self.r_eff, self.theta, beta) * rate;
         let solvation = -(two * u * solvation_slope(self.f_0, d - self.cores, self.sigma));
-        (-(f_cap + f_solv), -(capillary + solvation))
+        (attraction_along_normal(f_cap, f_solv), attraction_along_normal(capillary, solvation))
     }
 }
 

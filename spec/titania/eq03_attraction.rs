@@ -14,6 +14,32 @@ pub enum Solvation {
     Israelachvili,
 }
 
+/// **Eq. 3**, Section 2.1: attraction of two particles along the normal.
+///
+/// ```math
+/// F_{na} = \mathbf{F}_{na} \cdot \mathbf{n}_{ij} = -(F_{cap} + F_{solv})
+/// ```
+///
+/// # Reading
+///
+/// What the engine computes, and tabulates: [`attraction`] is this times the normal.
+///
+/// | name | symbol | unit | domain | meaning |
+/// |---|---|---|---|---|
+/// | `f_cap` | $F_{cap}$ | N | any | capillary force, positive when it attracts |
+/// | `f_solv` | $F_{solv}$ | N | any | solvation force, positive when it attracts |
+/// | → `f_na` | $F_{na}$ | N | | force on i along the normal from j to i |
+///
+/// Rounding: at most 0.5 ULP.
+///
+/// # Laws
+///
+/// * `both_forces_pull_with_all_their_strength`
+#[inline(always)]
+pub fn attraction_along_normal<R: Real>(f_cap: R, f_solv: R) -> R {
+    -(f_cap + f_solv)
+}
+
 /// **Eq. 3**, Section 2.1: attraction of two particles.
 ///
 /// ```math
@@ -39,14 +65,18 @@ pub enum Solvation {
 /// # Laws
 ///
 /// * `a_positive_force_pulls_i_towards_j`
+/// * `both_forces_pull_with_all_their_strength`
 /// * `swapping_the_particles_reverses_it`
 #[inline(always)]
 pub fn attraction<R: Real>(f_cap: R, f_solv: R, n: Vec3<R>) -> Vec3<R> {
-    n * -(f_cap + f_solv)
+    n * attraction_along_normal(f_cap, f_solv)
 }
 
 pub(super) fn equations() -> Vec<Equation> {
-    vec![equation!("titania/eq03_attraction.rs", "titania-3", ["3"], attraction)]
+    vec![
+        equation!("titania/eq03_attraction.rs", "titania-3", ["3"], attraction),
+        equation!("titania/eq03_attraction.rs", "titania-03-normal", [], attraction_along_normal),
+    ]
 }
 
 #[cfg(test)]
@@ -60,6 +90,15 @@ mod laws {
             // j at the origin, i on the normal
             let n = Vec3::new(0.48, 0.6, 0.64);
             prop_assert!(attraction(f_cap, f_solv, n).dot(n) < 0.0);
+        }
+
+        /// Pulled apart by a distance, i takes up the work of both forces.
+        #[test]
+        fn both_forces_pull_with_all_their_strength(f_cap in -3.0..3.0f64, f_solv in -3.0..3.0f64, way in 0.1..3.0f64) {
+            let n = Vec3::new(0.48, 0.6, 0.64);
+            let work = f_cap * way + f_solv * way;
+            prop_assert!((attraction(f_cap, f_solv, n).dot(n * way) + work).abs() < 1e-14);
+            prop_assert!((attraction_along_normal(f_cap, f_solv) * way + work).abs() < 1e-14);
         }
 
         #[test]

@@ -28,6 +28,7 @@ use crate::{Contact, Real, Vec3, equation};
 /// # Laws
 ///
 /// * `never_delivers_power`
+/// * `a_sphere_that_leaves_its_partner_is_pulled_by_the_coefficient_times_its_speed`
 /// * `vanishes_for_a_rigid_motion_of_the_pair`
 #[inline(always)]
 pub fn normal_damping<R: Real>(gamma_n: R, v_i: Vec3<R>, v_j: Vec3<R>, x_i: Vec3<R>, x_j: Vec3<R>) -> Vec3<R> {
@@ -59,6 +60,16 @@ mod laws {
         fn never_delivers_power(x in vector(), v_i in vector(), v_j in vector(), gamma_n in 0.0..3.0) {
             prop_assume!(x.norm() > 0.1);
             prop_assert!(normal_damping(gamma_n, v_i, v_j, x, Vec3::zero()).dot(v_i - v_j) <= 0.0);
+        }
+
+        #[test]
+        fn a_sphere_that_leaves_its_partner_is_pulled_by_the_coefficient_times_its_speed(
+            x in vector(), drift in vector(), speed in -3.0..3.0, gamma_n in 0.1..3.0,
+        ) {
+            prop_assume!(x.norm() > 0.1);
+            let n = x * (1.0 / x.norm());
+            let force = normal_damping(gamma_n, drift + n * speed, drift, drift + x, drift);
+            prop_assert!((force + n * (gamma_n * speed)).norm() < 1e-13);
         }
 
         #[test]

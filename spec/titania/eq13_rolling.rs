@@ -46,6 +46,7 @@ pub enum RollingOver {
 /// # Laws
 ///
 /// * `on_a_plane_the_arm_is_the_radius`
+/// * `the_arms_of_two_spheres_on_a_plane_add_up_inversely`
 #[inline(always)]
 pub fn rolling_resistance<R: Real>(r_i: R, r_j: R, h_n: R, tau_r: R, a: R) -> R {
     effective_radius(r_i + h_n, r_j + h_n).1 * tau_r * a
@@ -144,6 +145,14 @@ mod laws {
         #[test]
         fn on_a_plane_the_arm_is_the_radius(r in 1.0..12.0) {
             prop_assert!(relative_eq!(rolling_resistance(r, 1e13, 0.36, 0.25, 1.9), (r + 0.36) * 0.25 * 1.9, max_relative = 1e-11));
+        }
+
+        #[test]
+        fn the_arms_of_two_spheres_on_a_plane_add_up_inversely(r_i in 1.0..12.0, r_j in 1.0..12.0, h_n in 0.0..1.0, (tau_r, a) in (0.1..9.0, 0.1..9.0)) {
+            let torque = |r_i, r_j| rolling_resistance(r_i, r_j, h_n, tau_r, a);
+            let (both, plane) = (torque(r_i, r_j), 1e15);
+            prop_assert!(relative_eq!(1.0 / both, 1.0 / torque(r_i, plane) + 1.0 / torque(plane, r_j), max_relative = 1e-12));
+            prop_assert!(relative_eq!(both, torque(r_j, r_i), max_relative = 1e-15));
         }
 
         #[test]

@@ -117,6 +117,7 @@ pub fn amplify<R: Real>(a_xx: R, a_xv: R, a_vx: R, a_vv: R, x: R, v: R) -> (R, R
 /// # Laws
 ///
 /// * `a_step_leaves_the_invariant_unchanged`
+/// * `without_a_step_it_is_twice_the_scaled_energy_and_at_two_a_square`
 #[inline(always)]
 pub fn step_invariant<R: Real>(h: R, x: R, v: R) -> R {
     x.squared() + v.squared() - h * x * v
@@ -163,6 +164,12 @@ mod laws {
             let (a, b, c, d) = amplification_matrix(h);
             // Sums of terms below 32.
             assert_abs_diff_eq!(a * d - b * c, 1.0, epsilon = 32.0 * f64::EPSILON);
+        }
+
+        #[test]
+        fn without_a_step_it_is_twice_the_scaled_energy_and_at_two_a_square(x in -1.0..1.0f64, v in -1.0..1.0f64) {
+            prop_assert_eq!(step_invariant(0.0, x, v), x * x + v * v);
+            assert_abs_diff_eq!(step_invariant(2.0, x, v), (x - v) * (x - v), epsilon = 8.0 * f64::EPSILON);
         }
 
         #[test]

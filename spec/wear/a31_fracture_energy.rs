@@ -1,6 +1,5 @@
 //! The fracture energy of a pair, and the fracture separation at which it equals twice the surface energy.
 
-use super::eq19_minimum_diameter::minimum_diameter;
 use crate::equation::Equation;
 use crate::{Real, equation};
 
@@ -70,7 +69,7 @@ pub fn work_of_strength<R: Real>(a_n: R, sigma_mn: R, delta_f: R) -> R {
 /// # Reading
 ///
 /// As printed: fracture creates two surfaces. Solved for the separation it is A.34,
-/// $\delta_f = 4 \gamma / \sigma_{m,N}$, the smallest diameter of Eq. 19.
+/// $\delta_f = 4 \gamma / \sigma_{m,N}$.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -88,12 +87,38 @@ pub fn surface_energy<R: Real>(u_gamma: R, a_n: R) -> R {
     u_gamma / (R::lit(2.0) * a_n)
 }
 
+/// **Eq. A.34**, Appendix A.2: fracture separation for a desired surface energy.
+///
+/// ```math
+/// \delta_f = \frac{4 \gamma}{\sigma_{m,N}}
+/// ```
+///
+/// # Reading
+///
+/// As printed: A.32 and A.33 solved for the separation. Eq. 19 takes the same length as a diameter, at which the range of a particle is its size.
+///
+/// | name | symbol | unit | domain | meaning |
+/// |---|---|---|---|---|
+/// | `gamma` | $\gamma$ | J/m^2 | > 0 | surface energy |
+/// | `sigma_mn` | $\sigma_{m,N}$ | Pa | > 0 | tensile strength |
+/// | → `delta_f` | $\delta_f$ | m | | separation at which the pair breaks |
+///
+/// Rounding: at most 0.5 ULP.
+///
+/// # Laws
+///
+/// * `the_fracture_separation_gives_back_the_surface_energy`
+#[inline(always)]
+pub fn separation_of_surface_energy<R: Real>(gamma: R, sigma_mn: R) -> R {
+    R::lit(4.0) * gamma / sigma_mn
+}
+
 pub(super) fn equations() -> Vec<Equation> {
     vec![
         equation!("wear/a31_fracture_energy.rs", "wear-A31", ["A31"], work_of_separation),
         equation!("wear/a31_fracture_energy.rs", "wear-A32", ["A32"], work_of_strength),
         equation!("wear/a31_fracture_energy.rs", "wear-A33", ["A33"], surface_energy),
-        equation!("wear/eq19_minimum_diameter.rs", "wear-A34", ["A34"], minimum_diameter),
+        equation!("wear/a31_fracture_energy.rs", "wear-A34", ["A34"], separation_of_surface_energy),
     ]
 }
 
@@ -149,7 +174,7 @@ mod laws {
         fn the_fracture_separation_gives_back_the_surface_energy(
             (gamma, sigma, a_n) in (0.1..10.0, 0.01..1.0, 0.1..10.0),
         ) {
-            let work = work_of_strength(a_n, sigma, minimum_diameter(gamma, sigma));
+            let work = work_of_strength(a_n, sigma, separation_of_surface_energy(gamma, sigma));
             assert_relative_eq!(surface_energy(work, a_n), gamma, epsilon = 0.0, max_relative = ROUNDING);
         }
     }

@@ -143,6 +143,7 @@ impl<R: Real> Parameters<R> {
 /// * `the_spring_force_never_exceeds_the_cap`
 /// * `a_spin_about_the_normal_leaves_the_spring`
 /// * `a_dashpot_sets_in_with_a_jump_and_may_pull`
+/// * `spheres_that_overlap_have_the_springs_and_dashpots_of_their_material`
 #[inline(always)]
 pub fn contact<R: Real>(
     x_i: Vec3<R>,
@@ -283,6 +284,30 @@ mod laws {
             let before = PAIR.act(&at(n, gap, still, still, still), xi, DT);
             let after = PAIR.act(&at(n, gap, still, spinning, spinning), xi, DT);
             prop_assert!((before.memory - after.memory).norm() < 1e-14);
+        }
+
+        #[test]
+        fn spheres_that_overlap_have_the_springs_and_dashpots_of_their_material(
+            at in vector(), n in unit(), gap in -0.3..-0.01, speed in -1.0..1.0, slid in vector(), drift in vector(),
+        ) {
+            let (r_i, r_j, m_i, m_j) = (1.0, 0.75, 4.0, 2.0);
+            let (e, nu, sigma_mn, sigma_mt, gamma, eta, s) = (1.0, 0.2, 0.2, 0.15, 1.5, 0.8, 0.5);
+            let (k_n, k_t, .., c_n, c_t) = force_parameters(e, nu, sigma_mn, sigma_mt, gamma, eta, s, r_i, r_j, m_i, m_j);
+            let (xi, zero) = (slid.perpendicular_to(n) * 1e-3, Vec3::zero());
+            let act = |v: Vec3<f64>, xi, dt| contact(
+                at + n * (r_i + r_j + gap), at, v + drift, drift, zero, zero, r_i, r_j, m_i, m_j, e, nu, sigma_mn, sigma_mt, gamma, eta, s, xi, dt,
+            );
+            let (force, torque_i, torque_j, next) = act(n * speed, xi, DT);
+            prop_assert!((force + n * (k_n * gap + c_n * speed) + xi * k_t).norm() < 1e-13);
+            prop_assert!((next - xi).norm() < 1e-15);
+            // the tangential force acts halfway between the surfaces
+            for (torque, arm) in [(torque_i, r_i + 0.5 * gap), (torque_j, r_j + 0.5 * gap)] {
+                prop_assert!((torque + n.cross(force) * arm).norm() < 1e-14);
+            }
+            // sliding stretches the spring and is damped
+            let (force, .., next) = act(xi, zero, DT);
+            prop_assert!((next - xi * DT).norm() < 1e-15);
+            prop_assert!((force + n * (k_n * gap) + xi * (k_t * DT + c_t)).norm() < 1e-13);
         }
 
         #[test]

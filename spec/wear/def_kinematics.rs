@@ -67,6 +67,8 @@ pub fn separation<R: Real>(x_i: Vec3<R>, x_j: Vec3<R>, v_i: Vec3<R>, v_j: Vec3<R
 ///
 /// * `a_pair_that_turns_as_one_body_does_not_slide`
 /// * `sliding_lies_in_the_contact_plane`
+/// * `spheres_without_spin_slide_by_what_the_gap_does_not_take`
+/// * `a_spin_alone_slides_by_its_arm`
 #[inline(always)]
 pub fn sliding_velocity<R: Real>(
     x_i: Vec3<R>,
@@ -186,6 +188,25 @@ mod laws {
             prop_assume!(x.norm() > 0.1);
             let v_t = sliding_velocity(x, Vec3::zero(), v, Vec3::zero(), omega, Vec3::zero(), r_i, r_j);
             prop_assert!(v_t.dot(x).abs() < 1e-12);
+        }
+
+        #[test]
+        fn spheres_without_spin_slide_by_what_the_gap_does_not_take(x in vector(), v in vector(), drift in vector()) {
+            prop_assume!(x.norm() > 0.1);
+            let (_, n, v_n) = separation(x, Vec3::zero(), v, Vec3::zero(), 0.2, 0.3);
+            let v_t = sliding_velocity(x, Vec3::zero(), v + drift, drift, Vec3::zero(), Vec3::zero(), 0.2, 0.3);
+            prop_assert!((v_t + n * v_n - v).norm() < 1e-13);
+        }
+
+        #[test]
+        fn a_spin_alone_slides_by_its_arm(x in vector(), omega in vector(), r_i in 0.1..2.0, r_j in 0.1..2.0) {
+            prop_assume!(x.norm() > 0.1);
+            let zero = Vec3::zero();
+            let (delta_n, n, _) = separation(x, zero, zero, zero, r_i, r_j);
+            let slides = |omega_i, omega_j| sliding_velocity(x, zero, zero, zero, omega_i, omega_j, r_i, r_j);
+            // the contact point of i lies towards j, at minus its arm along the normal, the one of j at plus its own
+            prop_assert!((slides(omega, zero) - omega.cross(n * -moment_arm(r_i, delta_n))).norm() < 1e-12);
+            prop_assert!((slides(zero, omega) + omega.cross(n * moment_arm(r_j, delta_n))).norm() < 1e-12);
         }
 
         #[test]

@@ -128,6 +128,7 @@ impl<R: Real> Parameters<R> {
 /// * `a_pair_that_sticks_has_the_spring_of_the_paper`
 /// * `a_tangential_force_creates_angular_momentum_at_the_rate_of_the_gap`
 /// * `what_spring_and_dashpot_lose_is_the_work_of_the_force`
+/// * `spheres_that_stick_without_spin_act_as_in_the_paper_but_for_the_arms`
 #[inline(always)]
 pub fn published_contact<R: Real>(
     x_i: Vec3<R>,
@@ -167,6 +168,7 @@ mod laws {
     use super::*;
     use crate::Wrench;
     use crate::mechanics::projected_spring::spring_energy;
+    use crate::wear::def_contact::contact;
     use crate::wear::def_kinematics::moment_arm;
     use proptest::prelude::*;
 
@@ -228,6 +230,20 @@ mod laws {
             let Wrench { force, torque_i, torque_j } = PAIR.act_as_published(&c, xi, DT).wrench;
             let created = torque_i + torque_j + (c.n * c.distance).cross(force);
             prop_assert!((created - c.n.cross(force) * gap).norm() < 1e-14);
+        }
+
+        #[test]
+        fn spheres_that_stick_without_spin_act_as_in_the_paper_but_for_the_arms(
+            at in vector(), n in unit(), gap in -0.3..-0.01, v in vector(), slid in vector(),
+        ) {
+            let (r_i, r_j, zero) = (1.0, 0.75, Vec3::zero());
+            let act = |law: fn(_, _, _, _, _, _, _, _, _, _, _, _, _, _, _, _, _, _, _) -> (Vec3<f64>, Vec3<f64>, Vec3<f64>, Vec3<f64>)| law(
+                at + n * (r_i + r_j + gap), at, v, zero, zero, zero, r_i, r_j, 4.0, 2.0, 1.0, 0.2, 0.2, 10.0, 1.5, 0.8, 0.5, slid * 1e-3, DT,
+            );
+            let (own, published) = (act(contact), act(published_contact));
+            prop_assert!((own.0 - published.0).norm() < 1e-13 && (own.3 - published.3).norm() < 1e-15);
+            prop_assert!((published.1 + n.cross(own.0) * r_i).norm() < 1e-13);
+            prop_assert!((published.2 + n.cross(own.0) * r_j).norm() < 1e-13);
         }
 
         #[test]

@@ -1,7 +1,7 @@
 //! The fracture separation of a pair.
 
 use crate::equation::Equation;
-use crate::wear::eq19_minimum_diameter::minimum_diameter;
+use crate::wear::a31_fracture_energy::separation_of_surface_energy;
 use crate::{Real, equation, piecewise};
 
 /// **Eq. 10**, Section 2.2: separation at which the interaction of a pair ends.
@@ -40,7 +40,8 @@ use crate::{Real, equation, piecewise};
 #[inline(always)]
 pub fn fracture_separation<R: Real>(gamma: R, sigma_mn: R, r_i: R, r_j: R, d_c: R, delta_e: R, s: R) -> R {
     let size = (r_i + r_j) / d_c;
-    piecewise([((r_i + r_j).le(d_c), minimum_diameter(gamma, sigma_mn))], delta_e * (-s * size.ln()).exp())
+    let small = separation_of_surface_energy(gamma, sigma_mn);
+    piecewise([((r_i + r_j).le(d_c), small)], delta_e * (-s * size.ln()).exp())
 }
 
 pub(super) fn equations() -> Vec<Equation> {

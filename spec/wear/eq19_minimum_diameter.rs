@@ -1,5 +1,6 @@
 //! The smallest reasonable particle diameter.
 
+use super::a31_fracture_energy::separation_of_surface_energy;
 use crate::equation::Equation;
 use crate::{Real, equation};
 
@@ -11,7 +12,7 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// As printed; Eq. A.34 repeats it.
+/// As printed: the separation of A.34, at which small particles break, as a diameter.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -28,7 +29,7 @@ use crate::{Real, equation};
 /// * `of_the_patch_tests_is_30_and_of_silica_0_375_nm`
 #[inline(always)]
 pub fn minimum_diameter<R: Real>(gamma: R, sigma_mn: R) -> R {
-    R::lit(4.0) * gamma / sigma_mn
+    separation_of_surface_energy(gamma, sigma_mn)
 }
 
 pub(super) fn equations() -> Vec<Equation> {

@@ -3,6 +3,7 @@
 //! The vectors are generated with 256-bit numbers and never edited by hand; those computed independently of this code keep
 //! their values and state their source. `golden/README.md` is the format.
 
+mod calls;
 mod independent;
 mod index;
 mod rounding;
@@ -10,6 +11,7 @@ mod sample;
 mod trajectories;
 mod vectors;
 
+pub use calls::{Call, Calls};
 pub use independent::check_independent;
 pub use index::{INDEX, index};
 pub use rounding::{Rounding, error, measure};

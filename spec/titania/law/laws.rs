@@ -285,3 +285,30 @@ fn units_do_not_matter() {
     assert!((a.force(11.0e-9) * 1e9 - b.force(11.0)).abs() < 1e-11);
     assert!((si.gamma_0 / 0.5e6 - 1.0).abs() < 1e-14);
 }
+
+/// Two particles pulled apart beyond rupture, slowly, and let together again.
+#[test]
+fn cohesion_gives_back_on_the_way_in_what_it_took_on_the_way_out() {
+    let (pair, none, n) = (&PAIR, Vec3::zero(), Vec3::new(0.48, 0.6, 0.64));
+    let (from, to, steps) = (10.4, 14.0, 20_000);
+    let places = (0..=steps).map(|k| from + (to - from) * f64::from(k) / f64::from(steps));
+    let mut spring = none;
+    let mut along = |d: f64| {
+        let (wrench, kept, lost) = pair.act(&pair.contact(n * d, none, [none; 2]), spring);
+        spring = kept;
+        assert_eq!((lost, kept), (Lost { normal: 0.0, sliding: 0.0, rolling: 0.0, contact_area: 0.0 }, none));
+        wrench.force.dot(n)
+    };
+    let out: Vec<f64> = places.clone().map(&mut along).collect();
+    let mut back: Vec<f64> = places.clone().rev().map(&mut along).collect();
+    back.reverse();
+    assert_eq!(out, back);
+    // the way out costs what the pair then no longer holds; the force jumps where layers of water begin and where the meniscus ends
+    let work: f64 = out.windows(2).map(|f| 0.5 * (f[0] + f[1]) * (to - from) / f64::from(steps)).sum();
+    let held = |d: f64| {
+        let held = pair.law.held(&pair.k, &pair.contact(n * d, none, [none; 2]), pair.attraction.potential(d), &none);
+        held.repulsion + held.attraction
+    };
+    assert!((work - (held(from) - held(to))).abs() < 1e-3, "{work} {} {}", held(from), held(to));
+    assert!(work < -1.0 && held(to) == 0.0);
+}
