@@ -13,7 +13,7 @@ def attraction(f_cap, f_solv, n):
     return dict(f_na=Vector(0, 0, 0) - n * f_cap - n * f_solv)
 
 
-@equation("titania-03-normal")
+@equation("titania-03-normal", cases=[dict(f_cap=a, f_solv=b) for a, b in ((1e-9, 8.8e-10), (3e-9, 0.0), (5e-9, 3.3e-9), (7e-9, -5.5e-9))])
 def attraction_along_normal(f_cap, f_solv):
     return dict(f_na=-f_cap - f_solv)
 

@@ -144,10 +144,13 @@ mod laws {
             // A box that is stretched by a strain pulls back with the stress of its modulus.
             let dt = 1e-2 * (inertia / (volume * modulus)).sqrt();
             let (mut strain, mut rate) = (start, 0.0);
-            for _ in 0..2000 {
+            for step in 1..=2000 {
                 rate = box_strain_rate(rate, modulus * strain, modulus, volume, inertia, dt);
                 strain += rate * dt;
                 prop_assert!(strain > -1e-3 * start);
+                // the aperiodic limit, which a step of a hundredth follows within a hundredth
+                let phase = f64::from(step) * 1e-2;
+                prop_assert!((strain - start * (1.0 + phase) * (-phase).exp()).abs() < 1e-2 * start);
             }
             prop_assert!(strain.abs() < 1e-3 * start);
         }
@@ -157,6 +160,7 @@ mod laws {
             let steps = 100_000;
             let grown = growth(rate, 1.0 / f64::from(steps)).powi(steps);
             prop_assert!((grown / rate.exp() - 1.0).abs() < 1e-5);
+            prop_assert_eq!(growth(rate, 0.0), 1.0);
         }
 
         #[test]

@@ -51,6 +51,7 @@ pub fn kick<R: Real>(v: Vec3<R>, force: Vec3<R>, m: R, dt: R) -> Vec3<R> {
 /// # Laws
 ///
 /// * `two_drifts_of_half_a_step_are_one_of_a_whole_step`
+/// * `the_rate_of_a_drift_is_the_velocity`
 #[inline(always)]
 pub fn drift<R: Real>(x: Vec3<R>, v: Vec3<R>, dt: R) -> Vec3<R> {
     x + v * dt
@@ -67,6 +68,7 @@ pub(crate) fn equations() -> Vec<Equation> {
 mod laws {
     use super::*;
     use crate::mechanics::samples::vector;
+    use crate::numbers::Dual;
     use proptest::prelude::*;
 
     proptest! {
@@ -78,6 +80,13 @@ mod laws {
         #[test]
         fn a_kick_back_in_time_undoes_a_kick(v in vector(), force in vector(), m in 0.1..10.0, dt in 0.01..1.0) {
             prop_assert!((kick(kick(v, force, m, dt), force, m, -dt) - v).norm() < 1e-14);
+        }
+
+        #[test]
+        fn the_rate_of_a_drift_is_the_velocity(x in vector(), v in vector()) {
+            let constant = |u: Vec3<f64>| Vec3(u.0.map(Dual::constant));
+            let place = drift(constant(x), constant(v), Dual::variable(0.0));
+            prop_assert!((0..3).all(|k| place.0[k].value == x.0[k] && place.0[k].slope == v.0[k]));
         }
 
         #[test]

@@ -76,7 +76,11 @@ mod laws {
             let omega = (k / m).sqrt();
             let (x_0, v_0) = (phase.cos(), -omega * (phase - 0.5 * omega * dt).sin());
             let (mut x, mut v) = (along(x_0), along(v_0));
-            for _ in 0..steps {
+            for step in 0..steps {
+                if 2 * step == steps {
+                    // half way it is on the other side
+                    prop_assert!(dt > 0.0 && (x.0[0] + x_0).abs() < 1e-4 && (v.0[0] + v_0).abs() < 1e-4 * omega);
+                }
                 v = kick(v, -(x * k), m, dt);
                 x = drift(x, v, dt);
             }

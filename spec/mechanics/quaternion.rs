@@ -124,6 +124,9 @@ mod laws {
             let square = |q_0: f64, q: Vec3<f64>| q_0 * q_0 + q.dot(q);
             let (q_0, q) = product(a_0, a, b_0, b);
             prop_assert!((square(q_0, q) - square(a_0, a) * square(b_0, b)).abs() < 1e-14);
+            // with its conjugate it is the square of the length
+            let (real, rest) = product(a_0, a, a_0, -a);
+            prop_assert!((real - square(a_0, a)).abs() < 1e-14 && rest.norm() < 1e-14);
         }
 
         #[test]

@@ -286,6 +286,7 @@ mod laws {
             let v = v.perpendicular_to(n);
             prop_assume!(v.norm() > 1e-3);
             let there = stretched_spring(Vec3::zero(), n, v, dt);
+            prop_assert!((there - v * dt).norm() < 1e-14);
             prop_assert!(stretched_spring(there, n, -v, dt).norm() < 1e-12);
         }
 

@@ -97,6 +97,7 @@ fn turned<R: Real>(c: R, s: R, e: Vec3<R>, v: Vec3<R>) -> Vec3<R> {
 /// # Laws
 ///
 /// * `a_vector_keeps_its_length_and_comes_back`
+/// * `a_right_angle_turns_as_the_right_hand_does`
 #[inline(always)]
 pub fn to_space<R: Real>(q_0: R, q: Vec3<R>, v: Vec3<R>) -> Vec3<R> {
     let two = R::lit(2.0);
@@ -182,6 +183,15 @@ mod laws {
             let steps = 4000;
             let state = (0..steps).fold(start, |(q_0, q, l), _| free_rotation(q_0, q, l, moments, t / f64::from(steps)));
             prop_assert!((state.2 - start.2).norm() < 1e-5);
+        }
+
+        #[test]
+        fn a_right_angle_turns_as_the_right_hand_does(e in vector(), v in vector()) {
+            prop_assume!(e.norm() > 0.1);
+            let e = e * (1.0 / e.norm());
+            let half = 0.5f64.sqrt();
+            let turned = to_space(half, e * half, v);
+            prop_assert!((turned - e.cross(v) - e * e.dot(v)).norm() < 1e-14);
         }
 
         #[test]

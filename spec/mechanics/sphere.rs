@@ -22,6 +22,7 @@ use crate::{Real, equation};
 /// # Laws
 ///
 /// * `eight_times_the_mass_for_twice_the_radius`
+/// * `sums_the_shells_of_the_sphere`
 #[inline(always)]
 pub fn sphere_mass<R: Real>(rho: R, r: R) -> R {
     R::lit(4.0) / R::lit(3.0) * R::pi() * rho * (r * r * r)

@@ -23,6 +23,7 @@ use crate::{Real, Vec3, equation};
 /// # Laws
 ///
 /// * `it_does_not_depend_on_the_point_of_reference`
+/// * `those_along_the_three_axes_are_the_whole`
 #[inline(always)]
 pub fn work<R: Real>(force: Vec3<R>, v: Vec3<R>, torque: Vec3<R>, omega: Vec3<R>, dt: R) -> R {
     (force.dot(v) + torque.dot(omega)) * dt

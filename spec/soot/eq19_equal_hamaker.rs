@@ -154,6 +154,9 @@ mod laws {
             let (inside, outside) = (at(delta_0 * (1.0 - 1e-14)), at(delta_0 * (1.0 + 1e-14)));
             prop_assert!((inside.0 / outside.0 - 1.0).abs() < 1e-12 && (inside.1 / outside.1 - 1.0).abs() < 1e-12);
             prop_assert_eq!(at(-1.0).0, at(0.0).0);
+            // farther apart nothing is saturated
+            let d = delta_0 + 0.5;
+            prop_assert_eq!(at(d), (hamaker_force(r_1, r_2, d, 1.0), hamaker_energy(r_1, r_2, d, 1.0)));
         }
     }
 }

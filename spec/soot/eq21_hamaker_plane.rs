@@ -142,6 +142,9 @@ mod laws {
             let [x, a, d] = [r, 2.0, delta_0].map(Dual::constant);
             let (f, u) = saturated_plane(x, Dual::variable(delta), a, d);
             prop_assert!((f.value / u.slope - 1.0).abs() < 1e-12);
+            // farther away nothing is saturated
+            let away = delta_0 + 0.5;
+            prop_assert_eq!(saturated_plane(r, away, 2.0, delta_0), (plane_force(r, away, 2.0), plane_energy(r, away, 2.0)));
         }
     }
 }

@@ -123,6 +123,8 @@ mod laws {
 
         #[test]
         fn a_soft_cantilever_attenuates_the_input(s in 0.1..10.0f64) {
+            // it falls with the square of the frequency
+            prop_assert!((attenuated(1e-6 * s, s) / 1e-12 - 1.0).abs() < 3e-6);
             prop_assert!(attenuated(1e-9 * s, s) < 1e-17);
             prop_assert!((attenuated(1e-6 * s, s) / attenuated(1e-7 * s, s) - 100.0).abs() < 1e-3);
         }

@@ -142,6 +142,7 @@ mod laws {
         #[test]
         fn at_the_same_diameter_a_mobility_sphere_holds_more(ratio in 1.01..20.0) {
             prop_assert!(mobility_number(1.0, ratio, 1.0, 2.15) > fractal_number(1.0, ratio, 1.0, 1.8));
+            prop_assert_eq!(mobility_number(1.4, ratio, ratio, 2.15), 1.4);
         }
 
         #[test]

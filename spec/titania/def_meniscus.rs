@@ -217,6 +217,7 @@ mod laws {
             let (beta_r, gap_r) = rupture(r_eff, r_k, theta);
             let (gap, slope) = meniscus_gap(r_eff, r_k, theta, beta);
             prop_assert!(gap <= gap_r + 1e-14 * r_eff);
+            prop_assert!((meniscus_gap(r_eff, r_k, theta, beta_r).0 - gap_r).abs() < 1e-13 * (r_eff + r_k));
             prop_assert!((beta - beta_r).abs() < 1e-9 || (slope > 0.0) == (beta < beta_r));
             prop_assert_eq!(half_filling_angle(r_eff, r_k, theta, gap_r + 1e-9), 0.0);
         }

@@ -26,6 +26,7 @@ use crate::{Real, equation};
 /// # Laws
 ///
 /// * `is_proportional_to_the_area_and_not_to_the_load`
+/// * `over_the_area_it_is_the_shear_strength`
 #[inline(always)]
 pub fn peak_friction<R: Real>(a: R, tau_s: R, tau_r: R) -> (R, R) {
     (tau_s * a, tau_r * a)
@@ -44,6 +45,12 @@ mod laws {
     use proptest::prelude::*;
 
     proptest! {
+        #[test]
+        fn over_the_area_it_is_the_shear_strength(a in 0.1..10.0f64, tau_s in 0.1..10.0, tau_r in 0.1..10.0) {
+            let (sliding, rolling) = peak_friction(a, tau_s, tau_r);
+            prop_assert!(relative_eq!(sliding / a, tau_s, max_relative = 1e-15) && relative_eq!(rolling / a, tau_r, max_relative = 1e-15));
+        }
+
         #[test]
         fn is_proportional_to_the_area_and_not_to_the_load(delta in 1e-5..1e-3f64) {
             // Small overlaps: the load grows with the power 3/2 of the overlap, the area with the overlap itself.

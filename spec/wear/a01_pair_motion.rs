@@ -35,6 +35,7 @@ use crate::{Real, equation};
 ///
 /// * `momentum_is_conserved`
 /// * `a_common_motion_goes_unnoticed`
+/// * `is_the_difference_of_the_two_accelerations`
 #[inline(always)]
 pub fn pair_accelerations<R: Real>(m_i: R, m_j: R, c_n: R, k_n: R, x_i: R, x_j: R, v_i: R, v_j: R) -> (R, R) {
     let pull = c_n * (v_i - v_j) + k_n * (x_i - x_j);

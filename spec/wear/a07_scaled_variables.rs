@@ -137,6 +137,7 @@ mod laws {
             let e_0 = pair_energy(k, m, x, v);
             let norm = scaled_energy(scaled_position(k, e_0, x), scaled_velocity(m, e_0, v));
             assert_relative_eq!(norm, 1.0, epsilon = 0.0, max_relative = ROUNDING);
+            prop_assert!(scaled_position(k, e_0, x) * x >= 0.0 && scaled_velocity(m, e_0, v) > 0.0);
         }
 
         #[test]

@@ -77,6 +77,7 @@ pub fn tangential_stress<R: Real>(f_t: R, a_t: R) -> R {
 /// # Laws
 ///
 /// * `does_not_depend_on_the_scale`
+/// * `is_the_stress_of_the_elastic_force`
 #[inline(always)]
 pub fn normal_strain<R: Real>(delta_n: R, r_i: R, r_j: R) -> R {
     delta_n / (r_i + r_j)

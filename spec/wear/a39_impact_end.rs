@@ -149,6 +149,7 @@ mod laws {
         fn the_spheres_just_touch_after_it((k, m, c) in underdamped()) {
             let t_f = impact_duration(damped_frequency(k, m, c));
             assert_abs_diff_eq!(impact_separation(k, m, c, 1.0, t_f), 0.0, epsilon = 32.0 * f64::EPSILON);
+            prop_assert!(t_f > 0.0 && impact_separation(k, m, c, 1.0, 0.5 * t_f).abs() > 0.02);
         }
 
         #[test]

@@ -84,6 +84,7 @@ pub fn separation_z<R: Real>(r: R, epsilon_z: R, theta: R) -> R {
 /// # Laws
 ///
 /// * `the_spherical_components_keep_the_length`
+/// * `the_components_point_outwards_north_and_east`
 /// * `a_uniform_strain_in_the_plane_stretches_its_pairs_alike`
 #[inline(always)]
 pub fn separation_radial<R: Real>(delta_x: R, delta_z: R, phi: R, theta: R) -> R {
@@ -113,6 +114,7 @@ pub fn separation_radial<R: Real>(delta_x: R, delta_z: R, phi: R, theta: R) -> R
 /// # Laws
 ///
 /// * `the_spherical_components_keep_the_length`
+/// * `the_components_point_outwards_north_and_east`
 /// * `a_uniform_strain_in_the_plane_stretches_its_pairs_alike`
 #[inline(always)]
 pub fn separation_meridional<R: Real>(delta_x: R, delta_z: R, phi: R, theta: R) -> R {
@@ -140,6 +142,7 @@ pub fn separation_meridional<R: Real>(delta_x: R, delta_z: R, phi: R, theta: R) 
 /// # Laws
 ///
 /// * `the_spherical_components_keep_the_length`
+/// * `the_components_point_outwards_north_and_east`
 #[inline(always)]
 pub fn separation_zonal<R: Real>(delta_x: R, phi: R) -> R {
     -delta_x * phi.sin()
@@ -223,6 +226,14 @@ mod laws {
             let east = separation_zonal(x, phi);
             let squares = r * r + north * north + east * east;
             assert_relative_eq!(squares, x * x + z * z, epsilon = 0.0, max_relative = ROUNDING);
+        }
+
+        /// On the equator outwards is along x at phi = 0, north along z, and east along minus x at phi = pi/2.
+        #[test]
+        fn the_components_point_outwards_north_and_east(x in 0.1..1.0, z in 0.1..1.0, phi in 0.0..6.3) {
+            prop_assert_eq!((separation_radial(x, 0.0, 0.0, 0.0), separation_meridional(0.0, z, phi, 0.0)), (x, z));
+            assert_relative_eq!(separation_radial(0.0, z, phi, FRAC_PI_2), z, max_relative = ROUNDING);
+            assert_relative_eq!(separation_zonal(x, FRAC_PI_2), -x, max_relative = ROUNDING);
         }
 
         #[test]

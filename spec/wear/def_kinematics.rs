@@ -31,6 +31,7 @@ use crate::{Contact, Real, Vec3, equation};
 /// # Laws
 ///
 /// * `the_normal_velocity_is_the_rate_of_the_separation`
+/// * `radii_and_separation_add_up_to_the_distance_along_the_normal`
 /// * `swapping_the_particles_turns_the_normal_round`
 #[inline(always)]
 pub fn separation<R: Real>(x_i: Vec3<R>, x_j: Vec3<R>, v_i: Vec3<R>, v_j: Vec3<R>, r_i: R, r_j: R) -> (R, Vec3<R>, R) {
@@ -167,6 +168,13 @@ mod laws {
             let h = 1e-6;
             let at = |t: f64| separation(x + v * t, Vec3::zero(), v, Vec3::zero(), 0.2, 0.3);
             prop_assert!(((at(h).0 - at(-h).0) / (2.0 * h) - at(0.0).2).abs() < 1e-8);
+        }
+
+        #[test]
+        fn radii_and_separation_add_up_to_the_distance_along_the_normal(x_i in vector(), x_j in vector(), r_i in 0.1..2.0, r_j in 0.1..2.0) {
+            prop_assume!((x_i - x_j).norm() > 0.1);
+            let (delta_n, n, _) = separation(x_i, x_j, Vec3::zero(), Vec3::zero(), r_i, r_j);
+            prop_assert!((n * (r_i + delta_n + r_j) - (x_i - x_j)).norm() < 1e-13);
         }
 
         #[test]

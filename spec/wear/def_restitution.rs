@@ -39,7 +39,7 @@ pub fn damping_ratio_of<R: Real>(c: R, k: R, m_eff: R) -> R {
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
-/// | `zeta` | $\zeta$ | 1 | [0, 1] | damping ratio |
+/// | `zeta` | $\zeta$ | 1 | [0, 1) | damping ratio |
 /// | → `eta` | $\eta$ | 1 | | restitution coefficient |
 ///
 /// Rounding: at most 1 ULP.

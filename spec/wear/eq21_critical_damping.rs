@@ -70,6 +70,8 @@ mod laws {
     use crate::Vec3;
     use crate::mechanics::drag::global_damping;
     use crate::mechanics::kick_and_drift::{drift, kick};
+    use crate::mechanics::reduced_mass::effective_mass;
+    use crate::wear::def_restitution::damping_ratio_of;
     use proptest::prelude::*;
 
     /// Whether two equal particles released from a stretched spring cross, with a dashpot `c` between them and a `drag`
@@ -92,15 +94,18 @@ mod laws {
         #![proptest_config(ProptestConfig::with_cases(8))]
 
         #[test]
-        fn a_dashpot_of_less_lets_the_pair_overshoot_and_of_more_does_not(k in 0.1..10.0, m in 0.1..10.0) {
+        fn a_dashpot_of_less_lets_the_pair_overshoot_and_of_more_does_not(k in 0.1..10.0f64, m in 0.1..10.0f64) {
             let c_c = critical_damping(k, m);
+            prop_assert!((damping_ratio_of(c_c, k, effective_mass(m, m)) - 1.0).abs() < 1e-14);
             prop_assert!(overshoots(k, m, 0.95 * c_c, 0.0));
             prop_assert!(!overshoots(k, m, 1.05 * c_c, 0.0));
         }
 
         #[test]
-        fn a_drag_of_less_lets_the_pair_overshoot_and_of_more_does_not(k in 0.1..10.0, m in 0.1..10.0) {
+        fn a_drag_of_less_lets_the_pair_overshoot_and_of_more_does_not(k in 0.1..10.0f64, m in 0.1..10.0f64) {
             let c_g = critical_drag(k, m);
+            // opposed to each other, each particle has twice the stiffness of the spring: the roots of its motion coincide
+            prop_assert!((c_g * c_g / (4.0 * m * 2.0 * k) - 1.0).abs() < 1e-14);
             prop_assert!(overshoots(k, m, 0.0, 0.95 * c_g));
             prop_assert!(!overshoots(k, m, 0.0, 1.05 * c_g));
         }

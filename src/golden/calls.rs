@@ -38,7 +38,8 @@ impl Calls {
             let mut reader = Reader::new(file);
             reader.visit_file(&tree);
             tests.extend(reader.tests);
-            modules.insert(reader.module, reader.imports);
+            // library and program are one module
+            modules.entry(reader.module).or_insert_with(BTreeMap::new).extend(reader.imports);
             calls.extend(reader.calls.into_iter().map(|(function, to)| (file, function, to)));
         }
         let for_tests = |file: &Path| tests.iter().any(|module| module_of(file).starts_with(module));
@@ -70,7 +71,9 @@ fn module_of(file: &Path) -> Names {
 fn resolved(mut path: Names, modules: &BTreeMap<Names, BTreeMap<String, Names>>) -> Names {
     // a name may stand for another; none is imported through more modules than this
     for _ in 0..8 {
-        let stands_for = (1..path.len()).find_map(|at| Some((at, modules.get(&path[..at])?.get(&path[at])?.clone())));
+        // the innermost module first: a function may have the name of its module
+        let stands_for =
+            (1..path.len()).rev().find_map(|at| Some((at, modules.get(&path[..at])?.get(&path[at])?.clone())));
         match stands_for {
             Some((at, target)) if target[..] != path[..=at] => path = [&target[..], &path[at + 1..]].concat(),
             _ => break,
@@ -218,10 +221,14 @@ mod tests {
             ("src/b.rs", "use veridem_spec::mechanics::{self, sphere::mass as m}; fn b() { [1.0].map(m); }"),
             ("src/c.rs", "fn c() { println!(\"{}\", crate::spec::mechanics::sphere::mass(1.0)); }"),
             ("src/lib.rs", "pub use veridem_spec as spec;"),
+            ("src/join/mod.rs", "mod join; use join::join;"),
+            ("src/join/join.rs", "use crate::spec::mechanics::sphere::mass; fn join() { mass(1.0); }"),
             ("spec/mechanics/sphere.rs", "fn mass(x: f64) -> f64 { x } fn twice() { mass(2.0); }"),
         ];
         let found = callers(&texts, "mechanics/sphere.rs", "mass");
-        assert_eq!(found, ["spec/mechanics/sphere.rs twice", "src/a.rs a", "src/b.rs b", "src/c.rs c"]);
+        let expected =
+            ["spec/mechanics/sphere.rs twice", "src/a.rs a", "src/b.rs b", "src/c.rs c", "src/join/join.rs join"];
+        assert_eq!(found, expected);
     }
 
     #[test]

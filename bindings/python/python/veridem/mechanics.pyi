@@ -107,6 +107,7 @@ def drift(x: ArrayLike, v: ArrayLike, dt: ArrayLike | str, *, check: bool = True
     Laws
     ----
     * two drifts of half a step are one of a whole step
+    * the rate of a drift is the velocity
 
     mechanics-drift, spec/mechanics/kick_and_drift.rs, rounding error at most 0.5 ULP
     """
@@ -275,6 +276,7 @@ def work(force: ArrayLike, v: ArrayLike, torque: ArrayLike, omega: ArrayLike, dt
     Laws
     ----
     * it does not depend on the point of reference
+    * those along the three axes are the whole
 
     mechanics-work, spec/mechanics/work.rs, rounding error at most 0.5 ULP
     """

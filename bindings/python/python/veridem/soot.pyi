@@ -174,6 +174,7 @@ def acceleration(force: ArrayLike, m: ArrayLike | str, *, check: bool = True) ->
     Laws
     ----
     * a force and its reaction keep the momentum
+    * the power of a force is the rate of the kinetic energy
 
     soot-1, spec/mechanics/newton.rs, rounding error at most 0.5 ULP
     """
@@ -208,6 +209,7 @@ def angular_acceleration(torque: ArrayLike, i: ArrayLike | str, *, check: bool =
     Laws
     ----
     * a torque turns a hollow sphere more slowly
+    * the power of a torque is the rate of the kinetic energy
 
     soot-2, spec/mechanics/newton.rs, rounding error at most 0.5 ULP
     """
@@ -864,6 +866,7 @@ def turning_rates(x_i: ArrayLike, x_j: ArrayLike, omega_i: ArrayLike, omega_j: A
     Laws
     ----
     * seen from the other particle rolling is the same and torsion reversed
+    * equal spheres in touch roll against the ways of both contact points
 
     soot-rates, spec/mechanics/relative_spin.rs, rounding error at most 3 ULP
     """
@@ -1379,6 +1382,7 @@ def static_friction(mu_s: float | str, f_n: float | str, *, check: bool = True) 
     Laws
     ----
     * no normal force no friction
+    * friction grows by its coefficient with the normal force
 
     soot-15, spec/mechanics/friction.rs, rounding error at most 0.5 ULP
     """
@@ -1414,7 +1418,7 @@ def dynamic_friction(mu_d: float | str, f_n: float | str, *, check: bool = True)
 
     Laws
     ----
-    * a steady drive makes a sawtooth between static and dynamic friction
+    * friction grows by its coefficient with the normal force
 
     soot-16, spec/mechanics/friction.rs, rounding error at most 0.5 ULP
     """
@@ -1613,6 +1617,7 @@ def neck(x_i: ArrayLike, x_j: ArrayLike, v_i: ArrayLike, v_j: ArrayLike, omega_i
     * turning the world turns the forces
     * seen from the other particle the pair is the same
     * dashpots never deliver power
+    * a neck has its four springs and dashpots
 
     soot-neck, spec/soot/def_contact.rs, rounding error at most 40 ULP
     """
@@ -1715,6 +1720,7 @@ def frictional_contact(x_i: ArrayLike, x_j: ArrayLike, v_i: ArrayLike, v_j: Arra
     * turning the world turns the forces
     * seen from the other particle the pair is the same
     * dashpots never deliver power
+    * a contact that sticks has its four springs and dashpots
 
     soot-contact, spec/soot/def_contact.rs, rounding error at most 4 ULP
     """
@@ -1813,6 +1819,7 @@ def published_contact(x_i: ArrayLike, x_j: ArrayLike, v_i: ArrayLike, v_j: Array
     Laws
     ----
     * published springs act before they are stretched
+    * a published contact has the springs of the step before
 
     soot-published-contact, spec/soot/def_contact.rs, rounding error at most 5 ULP
     """

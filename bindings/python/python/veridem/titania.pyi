@@ -11,6 +11,7 @@ __all__ = [
     "aggregate_drag",
     "amplitude",
     "attraction",
+    "attraction_along_normal",
     "capacity",
     "capillary_force",
     "capillary_slope",
@@ -286,10 +287,46 @@ def attraction(f_cap: ArrayLike | str, f_solv: ArrayLike | str, n: ArrayLike, *,
     Laws
     ----
     * a positive force pulls i towards j
+    * both forces pull with all their strength
     * swapping the particles reverses it
 
     titania-3, spec/titania/eq03_attraction.rs, rounding error at most 0.5 ULP
     """
+
+@overload
+def attraction_along_normal(f_cap: float | str, f_solv: float | str, *, check: bool = True) -> float:
+    """Eq. 3, Section 2.1: attraction of two particles along the normal.
+
+    Parameters
+    ----------
+    f_cap : float or array [N]
+        $F_{cap}$: capillary force, positive when it attracts
+    f_solv : float or array [N]
+        $F_{solv}$: solvation force, positive when it attracts
+    check : bool
+        refuse values outside their domain, and results that are not finite
+
+    Returns
+    -------
+    f_na : float or array [N]
+        $F_{na}$: force on i along the normal from j to i
+
+    Formula as printed
+    ------------------
+        F_{na} = \\mathbf{F}_{na} \\cdot \\mathbf{n}_{ij} = -(F_{cap} + F_{solv})
+
+    Reading
+    -------
+    What the engine computes, and tabulates: [`attraction`] is this times the normal.
+
+    Laws
+    ----
+    * both forces pull with all their strength
+
+    titania-03-normal, spec/titania/eq03_attraction.rs, rounding error at most 0.5 ULP
+    """
+@overload
+def attraction_along_normal(f_cap: ArrayLike | str, f_solv: ArrayLike | str, *, check: bool = True) -> NDArray[np.float64]: ...
 
 @type_check_only
 class _Kelvin(NamedTuple):
@@ -993,6 +1030,7 @@ def normal_damping(gamma_n: ArrayLike | str, v_i: ArrayLike, v_j: ArrayLike, x_i
     Laws
     ----
     * never delivers power
+    * a sphere that leaves its partner is pulled by the coefficient times its speed
     * vanishes for a rigid motion of the pair
 
     titania-6, spec/titania/eq06_normal_damping.rs, rounding error at most 1 ULP
@@ -1538,6 +1576,7 @@ def rolling_resistance(r_i: float | str, r_j: float | str, h_n: float | str, tau
     Laws
     ----
     * on a plane the arm is the radius
+    * the arms of two spheres on a plane add up inversely
 
     titania-13, spec/titania/eq13_rolling.rs, rounding error at most 0.5 ULP
     """
@@ -1659,6 +1698,7 @@ def rayleigh_time(r: float | str, rho: float | str, g: float | str, nu: float | 
     Laws
     ----
     * is a picosecond for the smallest particles
+    * half the way round takes as long as the wave of rayleigh
 
     titania-rayleigh, spec/titania/def_rayleigh.rs, rounding error at most 1 ULP
     """
@@ -1739,6 +1779,7 @@ def steering(k: float | str, z: float | str, z_0: float | str, v: float | str, t
     Laws
     ----
     * a group that moves with the constraint feels nothing
+    * the constraint has its stiffness
 
     titania-harmonic, spec/mechanics/drive.rs, rounding error at most 0.5 ULP
     """
@@ -2172,6 +2213,7 @@ def spin(q_0: ArrayLike | str, q: ArrayLike, l: ArrayLike, i: ArrayLike, *, chec
     Laws
     ----
     * the energy is half the product of angular velocity and momentum
+    * moments of inertia times angular velocity are the angular momentum
 
     titania-spin, spec/mechanics/body.rs, rounding error at most 1 ULP
     """
@@ -2520,6 +2562,7 @@ def diffusion(kt: float | str, f: float | str, *, check: bool = True) -> float:
     Laws
     ----
     * twice the friction is half the diffusion
+    * the walk of a settling cloud balances its fall
 
     titania-diffusion, spec/mechanics/diffusion.rs, rounding error at most 0.5 ULP
     """

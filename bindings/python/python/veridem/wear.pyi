@@ -82,6 +82,7 @@ __all__ = [
     "scaled_velocity",
     "separation",
     "separation_meridional",
+    "separation_of_surface_energy",
     "separation_radial",
     "separation_x",
     "separation_z",
@@ -329,6 +330,8 @@ def sliding_velocity(x_i: ArrayLike, x_j: ArrayLike, v_i: ArrayLike, v_j: ArrayL
     ----
     * a pair that turns as one body does not slide
     * sliding lies in the contact plane
+    * spheres without spin slide by what the gap does not take
+    * a spin alone slides by its arm
 
     wear-sliding-velocity, spec/wear/def_kinematics.rs, rounding error at most 4 ULP
     """
@@ -779,6 +782,7 @@ def contact(x_i: ArrayLike, x_j: ArrayLike, v_i: ArrayLike, v_j: ArrayLike, omeg
     * the spring force never exceeds the cap
     * a spin about the normal leaves the spring
     * a dashpot sets in with a jump and may pull
+    * spheres that overlap have the springs and dashpots of their material
 
     wear-contact, spec/wear/def_contact.rs, rounding error at most 2 ULP
     """
@@ -867,6 +871,7 @@ def published_contact(x_i: ArrayLike, x_j: ArrayLike, v_i: ArrayLike, v_j: Array
     * a pair that sticks has the spring of the paper
     * a tangential force creates angular momentum at the rate of the gap
     * what spring and dashpot lose is the work of the force
+    * spheres that stick without spin act as in the paper but for the arms
 
     wear-published-contact, spec/wear/def_published.rs, rounding error at most 4 ULP
     """
@@ -1337,11 +1342,13 @@ def restitution(zeta: float | str, *, check: bool = True) -> float:
 
     Reading
     -------
-    The contact ends when the particles stop touching, as in the paper, not when the force vanishes.
+    The contact ends when the particles stop touching, as in the paper, not when the force vanishes. With critical damping they
+    touch forever, and nothing comes back.
 
     Laws
     ----
     * everything comes back without damping
+    * nothing comes back with critical damping
     * less comes back the stronger the damping
     * is what an integrated collision gives
 
@@ -1356,7 +1363,7 @@ def damping_ratio(eta: float | str, *, check: bool = True) -> float:
 
     Parameters
     ----------
-    eta : float or array, (0, 1]
+    eta : float or array, [0, 1]
         $\\eta$: desired restitution coefficient
     check : bool
         refuse values outside their domain, and results that are not finite
@@ -1370,9 +1377,14 @@ def damping_ratio(eta: float | str, *, check: bool = True) -> float:
     ------------------
         \\zeta = \\frac{-\\ln \\eta}{\\sqrt{\\pi^2 + \\ln^2 \\eta}}
 
+    Reading
+    -------
+    If nothing shall come back, it is one: the limit of the formula.
+
     Laws
     ----
     * inverts the restitution
+    * nothing comes back with critical damping
     * approaches eq 12 for weak damping
 
     wear-damping-ratio-exact, spec/wear/def_restitution.rs, rounding error at most 1 ULP
@@ -1386,7 +1398,7 @@ def exact_damping(eta: float | str, k: float | str, m_eff: float | str, *, check
 
     Parameters
     ----------
-    eta : float or array, (0, 1]
+    eta : float or array, [0, 1]
         $\\eta$: desired restitution coefficient
     k : float or array [N/m], >= 0
         $k$: stiffness
@@ -1407,6 +1419,7 @@ def exact_damping(eta: float | str, k: float | str, m_eff: float | str, *, check
     Laws
     ----
     * gives the wanted restitution
+    * nothing comes back with critical damping
 
     wear-damping-exact, spec/wear/def_restitution.rs, rounding error at most 1 ULP
     """
@@ -1661,6 +1674,7 @@ def sphere_mass(rho: float | str, r: float | str, *, check: bool = True) -> floa
     Laws
     ----
     * eight times the mass for twice the radius
+    * sums the shells of the sphere
 
     wear-sphere-mass, spec/mechanics/sphere.rs, rounding error at most 0.5 ULP
     """
@@ -1798,7 +1812,7 @@ def minimum_diameter(gamma: float | str, sigma_mn: float | str, *, check: bool =
 
     Reading
     -------
-    As printed; Eq. A.34 repeats it.
+    As printed: the separation of A.34, at which small particles break, as a diameter.
 
     Laws
     ----
@@ -2097,6 +2111,7 @@ def pair_stress(volume: ArrayLike | str, r: ArrayLike, f: ArrayLike, *, check: b
     ----
     * swapping the particles changes nothing
     * attraction is tension
+    * the stress does the work of the pair
     * a central force gives a symmetric stress
 
     wear-virial, spec/mechanics/virial.rs, rounding error at most 0.5 ULP
@@ -2132,6 +2147,7 @@ def kinetic_stress(volume: ArrayLike | str, m: ArrayLike | str, v: ArrayLike, *,
     Laws
     ----
     * motion is pressure
+    * the pressure of motion is two thirds of its energy density and along the velocity
 
     wear-virial-kinetic, spec/mechanics/virial.rs, rounding error at most 0.5 ULP
     """
@@ -2960,6 +2976,7 @@ def step_invariant(h: float | str, x: float | str, v: float | str, *, check: boo
     Laws
     ----
     * a step leaves the invariant unchanged
+    * without a step it is twice the scaled energy and at two a square
 
     wear-invariant, spec/wear/a11_scaled_step.rs, rounding error at most 0.5 ULP
     """
@@ -3545,7 +3562,7 @@ def surface_energy(u_gamma: float | str, a_n: float | str, *, check: bool = True
     Reading
     -------
     As printed: fracture creates two surfaces. Solved for the separation it is A.34,
-    $\\delta_f = 4 \\gamma / \\sigma_{m,N}$, the smallest diameter of Eq. 19.
+    $\\delta_f = 4 \\gamma / \\sigma_{m,N}$.
 
     Laws
     ----
@@ -3555,6 +3572,41 @@ def surface_energy(u_gamma: float | str, a_n: float | str, *, check: bool = True
     """
 @overload
 def surface_energy(u_gamma: ArrayLike | str, a_n: ArrayLike | str, *, check: bool = True) -> NDArray[np.float64]: ...
+
+@overload
+def separation_of_surface_energy(gamma: float | str, sigma_mn: float | str, *, check: bool = True) -> float:
+    """Eq. A.34, Appendix A.2: fracture separation for a desired surface energy.
+
+    Parameters
+    ----------
+    gamma : float or array [J/m^2], > 0
+        $\\gamma$: surface energy
+    sigma_mn : float or array [Pa], > 0
+        $\\sigma_{m,N}$: tensile strength
+    check : bool
+        refuse values outside their domain, and results that are not finite
+
+    Returns
+    -------
+    delta_f : float or array [m]
+        $\\delta_f$: separation at which the pair breaks
+
+    Formula as printed
+    ------------------
+        \\delta_f = \\frac{4 \\gamma}{\\sigma_{m,N}}
+
+    Reading
+    -------
+    As printed: A.32 and A.33 solved for the separation. Eq. 19 takes the same length as a diameter, at which the range of a particle is its size.
+
+    Laws
+    ----
+    * the fracture separation gives back the surface energy
+
+    wear-A34, spec/wear/a31_fracture_energy.rs, rounding error at most 0.5 ULP
+    """
+@overload
+def separation_of_surface_energy(gamma: ArrayLike | str, sigma_mn: ArrayLike | str, *, check: bool = True) -> NDArray[np.float64]: ...
 
 @overload
 def impact_separation(k_n: float | str, m_eff: float | str, c_n: float | str, v_0: float | str, t: float | str, *, check: bool = True) -> float:
@@ -4266,6 +4318,7 @@ def separation_radial(delta_x: float | str, delta_z: float | str, phi: float | s
     Laws
     ----
     * the spherical components keep the length
+    * the components point outwards north and east
     * a uniform strain in the plane stretches its pairs alike
 
     wear-A52, spec/wear/a50_pair_strain.rs, rounding error at most 1 ULP
@@ -4306,6 +4359,7 @@ def separation_meridional(delta_x: float | str, delta_z: float | str, phi: float
     Laws
     ----
     * the spherical components keep the length
+    * the components point outwards north and east
     * a uniform strain in the plane stretches its pairs alike
 
     wear-A53, spec/wear/a50_pair_strain.rs, rounding error at most 0.5 ULP
@@ -4342,6 +4396,7 @@ def separation_zonal(delta_x: float | str, phi: float | str, *, check: bool = Tr
     Laws
     ----
     * the spherical components keep the length
+    * the components point outwards north and east
 
     wear-A54, spec/wear/a50_pair_strain.rs, rounding error at most 0.5 ULP
     """
@@ -4570,12 +4625,14 @@ def constant_11(r: float | str, k_n: float | str, k_t: float | str, *, check: bo
 
     Reading
     -------
-    As printed. Averaged over all directions, with every particle displaced affinely: an upper bound for any packing.
+    As printed. Averaged over all directions of contacts, with every particle displaced affinely: an upper bound for packings whose contacts have no preferred
+    direction. A crystal may exceed it along an axis: without tangential springs a face-centred cubic one has 10/9 of it along \\[111\\].
 
     Laws
     ----
     * the energy has these second derivatives
     * without tangential springs the ratio is three
+    * a cubic crystal exceeds it by a ninth along its diagonal
 
     wear-A60, spec/wear/a60_elastic_constants.rs, rounding error at most 0.5 ULP
     """
