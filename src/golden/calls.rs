@@ -6,7 +6,7 @@ use syn::punctuated::Punctuated;
 use syn::visit::{self, Visit};
 use syn::{Expr, ExprCall, ExprPath, Item, Token, UseTree};
 
-/// A module, or something in it: `spec`, `wear`, `eq03_normal_force`, `normal_force`.
+/// A module, or something in it: `spec`, `mechanics`, `sphere`, `sphere_mass`.
 type Names = Vec<String>;
 
 /// A function calls another, or hands it over.

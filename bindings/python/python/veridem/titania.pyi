@@ -1315,6 +1315,7 @@ def peak_friction(a: ArrayLike | str, tau_s: ArrayLike | str, tau_r: ArrayLike |
     Laws
     ----
     * is proportional to the area and not to the load
+    * over the area it is the shear strength
 
     titania-10, spec/titania/eq10_peak_friction.rs, rounding error at most 0.5 ULP
     """
@@ -2170,6 +2171,7 @@ def to_space(q_0: ArrayLike | str, q: ArrayLike, v: ArrayLike, *, check: bool = 
     Laws
     ----
     * a vector keeps its length and comes back
+    * a right angle turns as the right hand does
 
     titania-to-space, spec/mechanics/rotation.rs, rounding error at most 0.5 ULP
     """

@@ -283,6 +283,7 @@ def separation(x_i: ArrayLike, x_j: ArrayLike, v_i: ArrayLike, v_j: ArrayLike, r
     Laws
     ----
     * the normal velocity is the rate of the separation
+    * radii and separation add up to the distance along the normal
     * swapping the particles turns the normal round
 
     wear-separation, spec/wear/def_kinematics.rs, rounding error at most 1.5 ULP
@@ -1568,6 +1569,7 @@ def normal_cross_section(r_eff: float | str, nu: float | str, *, check: bool = T
     * grows with the square of the radius
     * doubles from a poisson s ratio of zero to one quarter
     * grows with poisson s ratio
+    * a body of such pairs has the young s modulus of the material
 
     wear-15, spec/wear/eq15_normal_cross_section.rs, rounding error at most 0.5 ULP
     """
@@ -2478,6 +2480,7 @@ def pair_accelerations(m_i: ArrayLike | str, m_j: ArrayLike | str, c_n: ArrayLik
     ----
     * momentum is conserved
     * a common motion goes unnoticed
+    * is the difference of the two accelerations
 
     wear-A1, spec/wear/a01_pair_motion.rs, rounding error at most 0.5 ULP
     """
@@ -3305,6 +3308,7 @@ def normal_strain(delta_n: float | str, r_i: float | str, r_j: float | str, *, c
     Laws
     ----
     * does not depend on the scale
+    * is the stress of the elastic force
 
     wear-A22, spec/wear/a20_stress.rs, rounding error at most 0.5 ULP
     """
