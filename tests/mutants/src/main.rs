@@ -14,10 +14,11 @@ mod run;
 
 use copy::Copy;
 use rewrite::{Kind, Mutant};
-use run::{Laws, NONE, in_parallel};
+use run::{ENDLESS, Laws, NONE, in_parallel, patience};
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::process::ExitCode;
+use std::time::Instant;
 
 fn main() -> ExitCode {
     let words: Vec<String> = std::env::args().skip(1).collect();
@@ -44,11 +45,13 @@ fn sweep(copy: &Copy, name: &str) -> bool {
     let listed: Vec<_> = copy.listed.iter().filter(|equation| equation.id.contains(name)).collect();
     let missed = in_parallel(&listed, |_, equation| {
         let own: Vec<&str> = equation.laws.iter().filter_map(|law| laws.named(&equation.file, law)).collect();
-        if own.is_empty() || own.len() < equation.laws.len() || !laws.hold(&own, Some(NONE), None) {
+        let begin = Instant::now();
+        if own.is_empty() || own.len() < equation.laws.len() || !laws.hold(&own, Some(NONE), None, ENDLESS) {
             return vec!["laws that hold and are found"];
         }
+        let patience = patience(begin.elapsed());
         let factors = ["1.01", "0", "-1"].into_iter().zip(equation.first..);
-        factors.filter(|(_, mutant)| laws.hold(&own, Some(*mutant), None)).map(|(factor, _)| factor).collect()
+        factors.filter(|(_, mutant)| laws.hold(&own, Some(*mutant), None, patience)).map(|(factor, _)| factor).collect()
     });
     for (equation, factors) in listed.iter().zip(&missed).filter(|(_, factors)| !factors.is_empty()) {
         println!(
@@ -71,7 +74,8 @@ fn all(copy: &Copy, root: &Path, name: &str) -> bool {
     let mutants: Vec<&Mutant> = copy.mutants.iter().filter(|mutant| mutant.file.contains(name)).collect();
     let noticed = in_parallel(&mutants, |_, mutant| {
         let [own, others] = laws.reaching(mutant.id, &mutant.file);
-        let notice = |names: &[&str]| !names.is_empty() && !laws.hold(names, Some(mutant.id), None);
+        let notice =
+            |names: &[&str]| !names.is_empty() && !laws.hold(names, Some(mutant.id), None, patience(laws.time(names)));
         if notice(&own) { (true, true) } else { (false, others.chunks(8).any(notice)) }
     });
     let mut files: BTreeMap<&str, [usize; 3]> = BTreeMap::new();

@@ -8,8 +8,14 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
-/// A law that still runs after this time has noticed something.
-const PATIENCE: Duration = Duration::from_secs(120);
+/// Laws without a mutant take no longer, however busy the machine is.
+pub(crate) const ENDLESS: Duration = Duration::from_secs(3600);
+
+/// Laws that with a mutant still run after this time have noticed something, if they take `time` without.
+pub(crate) fn patience(time: Duration) -> Duration {
+    10 * time + Duration::from_secs(10)
+}
+
 /// Number of no mutant.
 pub(crate) const NONE: u32 = 1 << 20;
 
@@ -41,7 +47,7 @@ impl Laws {
         let found = in_parallel(&names, |k, name| {
             let file = home.join(format!("reached-{k}.txt"));
             let begin = Instant::now();
-            let holds = self.hold(&[name.as_str()], None, Some(&file));
+            let holds = self.hold(&[name.as_str()], None, Some(&file), ENDLESS);
             let reached = std::fs::read_to_string(&file).unwrap_or_default();
             let _ = std::fs::remove_file(&file);
             assert!(holds, "{name} fails without any mutant");
@@ -70,8 +76,13 @@ impl Laws {
         [own, others]
     }
 
-    /// Whether laws hold with a mutant.
-    pub(crate) fn hold(&self, names: &[&str], mutant: Option<u32>, reached: Option<&Path>) -> bool {
+    /// How long laws take together without a mutant.
+    pub(crate) fn time(&self, names: &[&str]) -> Duration {
+        names.iter().map(|name| self.times[*name]).sum()
+    }
+
+    /// Whether laws hold with a mutant, within some time.
+    pub(crate) fn hold(&self, names: &[&str], mutant: Option<u32>, reached: Option<&Path>, patience: Duration) -> bool {
         let mut command = Command::new(&self.program);
         command
             .args(["--exact", "--quiet", "--test-threads=1"])
@@ -87,7 +98,7 @@ impl Laws {
         if let Some(file) = reached {
             command.env("VERIDEM_REACHED", file);
         }
-        ends_well(command.spawn().expect("the tests"))
+        ends_well(command.spawn().expect("the tests"), patience)
     }
 }
 
@@ -95,13 +106,13 @@ fn module(file: &str) -> String {
     file.trim_end_matches(".rs").trim_end_matches("/mod").replace('/', "::")
 }
 
-fn ends_well(mut child: Child) -> bool {
+fn ends_well(mut child: Child, patience: Duration) -> bool {
     let begin = Instant::now();
     loop {
         if let Some(status) = child.try_wait().expect("a status") {
             return status.success();
         }
-        if begin.elapsed() > PATIENCE {
+        if begin.elapsed() > patience {
             let _ = child.kill();
             let _ = child.wait();
             return false;
