@@ -1343,13 +1343,11 @@ def restitution(zeta: float | str, *, check: bool = True) -> float:
 
     Reading
     -------
-    The contact ends when the particles stop touching, as in the paper, not when the force vanishes. With critical damping they
-    touch forever, and nothing comes back.
+    The contact ends when the particles stop touching, as in the paper, not when the force vanishes.
 
     Laws
     ----
     * everything comes back without damping
-    * nothing comes back with critical damping
     * less comes back the stronger the damping
     * is what an integrated collision gives
 
@@ -1364,7 +1362,7 @@ def damping_ratio(eta: float | str, *, check: bool = True) -> float:
 
     Parameters
     ----------
-    eta : float or array, [0, 1]
+    eta : float or array, (0, 1]
         $\\eta$: desired restitution coefficient
     check : bool
         refuse values outside their domain, and results that are not finite
@@ -1378,14 +1376,9 @@ def damping_ratio(eta: float | str, *, check: bool = True) -> float:
     ------------------
         \\zeta = \\frac{-\\ln \\eta}{\\sqrt{\\pi^2 + \\ln^2 \\eta}}
 
-    Reading
-    -------
-    If nothing shall come back, it is one: the limit of the formula.
-
     Laws
     ----
     * inverts the restitution
-    * nothing comes back with critical damping
     * approaches eq 12 for weak damping
 
     wear-damping-ratio-exact, spec/wear/def_restitution.rs, rounding error at most 1 ULP
@@ -1399,7 +1392,7 @@ def exact_damping(eta: float | str, k: float | str, m_eff: float | str, *, check
 
     Parameters
     ----------
-    eta : float or array, [0, 1]
+    eta : float or array, (0, 1]
         $\\eta$: desired restitution coefficient
     k : float or array [N/m], >= 0
         $k$: stiffness
@@ -1420,7 +1413,6 @@ def exact_damping(eta: float | str, k: float | str, m_eff: float | str, *, check
     Laws
     ----
     * gives the wanted restitution
-    * nothing comes back with critical damping
 
     wear-damping-exact, spec/wear/def_restitution.rs, rounding error at most 1 ULP
     """
