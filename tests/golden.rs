@@ -10,9 +10,12 @@ use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use trials::setting;
 use veridem::golden::{
-    Trajectory, check, check_independent, check_trajectories, documented, file_of, read, regenerate,
+    Trajectory, check, check_independent, check_trajectories, documented, file_of, measure, read, regenerate, samples,
 };
 use veridem::papers::PAPERS;
+use veridem_spec::document::Document;
+use veridem_spec::equation::Equation;
+use veridem_spec::numbers::Dual;
 
 fn golden() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("golden")
@@ -52,6 +55,46 @@ fn a_wrong_digit_in_a_vector_is_noticed() {
     let changed = format!("{}{other}{}", &digits[..end - 1], &digits[end..]);
     std::fs::write(&path, text.replacen(&digits, &changed, 1)).unwrap();
     assert_eq!(check(folder.path(), &equation, &document).len(), 1);
+}
+
+/// `wear-7`, the product of the first two arguments over the sum of the others, with another function for `f64`.
+fn broken(f64: fn(&[f64]) -> Vec<f64>) -> (Equation, Document) {
+    let mut found = documented().unwrap().into_iter().find(|(equation, _)| equation.id == "wear-7").unwrap();
+    found.0.eval.f64 = f64;
+    found
+}
+
+fn right(x: &[f64]) -> f64 {
+    x[0] * x[1] / (x[2] + x[3])
+}
+
+#[test]
+fn a_value_that_is_lost_is_noticed() {
+    let (whole, document) = broken(|x| vec![right(x)]);
+    let inputs = samples(&whole, &document, 8);
+    let ulps = |equation: &Equation| measure(equation, inputs.iter().map(|sample| sample.numbers.as_slice())).ulps;
+    assert_eq!(check(&golden(), &whole, &document), Vec::<String>::new());
+    assert!(ulps(&whole) <= document.rounding.unwrap());
+    let vectors = read(&golden(), &whole).unwrap().vectors.len();
+    let values: [fn(&[f64]) -> Vec<f64>; 3] = [|_| vec![f64::NAN], |_| vec![f64::INFINITY], |x| vec![1.01 * right(x)]];
+    for f64 in values {
+        let (mut lost, document) = broken(f64);
+        // whatever the derivatives are
+        for dual in [
+            lost.eval.dual,
+            |x| vec![Dual { value: x[0].value, slope: f64::INFINITY }],
+            |x| vec![Dual { value: x[0].value, slope: f64::NAN }],
+        ] {
+            lost.eval.dual = dual;
+            assert_eq!(check(&golden(), &lost, &document).len(), vectors);
+            assert!(ulps(&lost) > document.rounding.unwrap());
+            assert_eq!(
+                samples(&lost, &document, 8).len(),
+                inputs.len(),
+                "inputs without a value in double precision are kept"
+            );
+        }
+    }
 }
 
 #[test]

@@ -13,22 +13,28 @@ pub struct Rounding {
 }
 
 /// The error of each number that comes out, divided by `eps (|f| + sum_k |x_k df/dx_k|)`: as if the result and each
-/// input had been rounded so many times. Conditioning, which no implementation can help, is thereby divided out.
-/// None where a derivative is infinite.
-pub fn error(equation: &Equation, numbers: &[f64], out: &[f64], exact: &[Reference], eps: f64) -> Option<Vec<f64>> {
+/// input had been rounded so many times. Conditioning, which no implementation can help, is thereby divided out, but an
+/// infinite derivative excuses nothing, nor does one that is not a number. The error is never NaN: it is infinite where the exact or the
+/// rounded result is not finite.
+pub fn error(equation: &Equation, numbers: &[f64], out: &[f64], exact: &[Reference], eps: f64) -> Vec<f64> {
     let mut sizes: Vec<f64> = exact.iter().map(|y| y.to_f64().abs()).collect();
     for (k, x) in numbers.iter().enumerate().filter(|(_, x)| **x != 0.0) {
         let mut duals: Vec<Dual> = numbers.iter().map(|x| Dual::constant(*x)).collect();
         duals[k] = Dual::variable(*x);
         for (size, y) in sizes.iter_mut().zip((equation.eval.dual)(&duals)) {
-            *size += (x * y.slope).abs();
+            let change = (x * y.slope).abs();
+            *size += if change.is_finite() { change } else { 0.0 };
         }
     }
     let ulps = |((y, exact), size): ((&f64, &Reference), f64)| {
+        if !y.is_finite() || !exact.to_f64().is_finite() {
+            return f64::INFINITY;
+        }
         let error = (Reference::exact(*y) - *exact).abs().to_f64();
-        if error == 0.0 { 0.0 } else { error / (eps * size) }
+        // where numbers are so small that they lose digits, half of the smallest is an error of one half
+        if error == 0.0 { 0.0 } else { error / (eps * size).max(f64::from_bits(1)) }
     };
-    sizes.iter().all(|size| size.is_finite()).then(|| out.iter().zip(exact).zip(sizes).map(ulps).collect())
+    out.iter().zip(exact).zip(sizes).map(ulps).collect()
 }
 
 /// The largest error of an equation in `f64` over the given inputs.
@@ -38,8 +44,7 @@ pub fn measure<'a>(equation: &Equation, inputs: impl Iterator<Item = &'a [f64]>)
         let exact: Vec<Reference> = numbers.iter().map(|x| Reference::exact(*x)).collect();
         let exact = (equation.eval.reference)(&exact);
         let out = (equation.eval.f64)(numbers);
-        let errors = error(equation, numbers, &out, &exact, f64::EPSILON).unwrap_or_default();
-        let ulps = errors.into_iter().fold(0.0, f64::max);
+        let ulps = error(equation, numbers, &out, &exact, f64::EPSILON).into_iter().fold(0.0, f64::max);
         if ulps > worst.ulps {
             worst = Rounding { ulps, at: numbers.to_vec() };
         }

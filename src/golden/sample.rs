@@ -57,11 +57,10 @@ pub fn samples(equation: &Equation, document: &Document, count: usize) -> Vec<Sa
     out
 }
 
-/// Whether the equation has a value there: not every domain can be written in a table.
+/// Whether the equation has a value there: not every domain can be written in a table. Whether it is found in `f64` does not matter.
 fn has_value(equation: &Equation, numbers: &[f64]) -> bool {
     let exact: Vec<Reference> = numbers.iter().map(|x| Reference::exact(*x)).collect();
-    (equation.eval.f64)(numbers).iter().all(|y| y.is_finite())
-        && (equation.eval.reference)(&exact).iter().all(|y| y.to_f64().is_finite())
+    (equation.eval.reference)(&exact).iter().all(|y| y.to_f64().is_finite())
 }
 
 fn quantity(quantity: &Quantity, random: &mut ChaCha12Rng) -> Vec<f64> {
