@@ -285,6 +285,9 @@ mod laws {
         }
     }
 
+    /// One function over two numbers.
+    type Bounded = (fn(Interval) -> Interval, fn(f64) -> f64);
+
     /// One function over three numbers.
     type Function = (fn(Interval) -> Interval, fn(f64) -> f64, fn(Reference) -> Reference);
 
@@ -341,7 +344,7 @@ mod laws {
         fn bounds_are_tight(lo in -8.0..8.0, width in prop_oneof![Just(0.0), 0.0..1e-6, 0.0..9.0]) {
             let x = Interval::new(lo, lo + width);
             let places: Vec<f64> = (0..=2000).map(|k| one_of(x, f64::from(k) / 2000.0)).collect();
-            let functions: [(fn(Interval) -> Interval, fn(f64) -> f64); 8] = [
+            let functions: [Bounded; 8] = [
                 (Real::sin, Real::sin),
                 (Real::cos, Real::cos),
                 (Real::exp, Real::exp),

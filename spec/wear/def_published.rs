@@ -237,10 +237,14 @@ mod laws {
             at in vector(), n in unit(), gap in -0.3..-0.01, v in vector(), slid in vector(),
         ) {
             let (r_i, r_j, zero) = (1.0, 0.75, Vec3::zero());
-            let act = |law: fn(_, _, _, _, _, _, _, _, _, _, _, _, _, _, _, _, _, _, _) -> (Vec3<f64>, Vec3<f64>, Vec3<f64>, Vec3<f64>)| law(
-                at + n * (r_i + r_j + gap), at, v, zero, zero, zero, r_i, r_j, 4.0, 2.0, 1.0, 0.2, 0.2, 10.0, 1.5, 0.8, 0.5, slid * 1e-3, DT,
-            );
-            let (own, published) = (act(contact), act(published_contact));
+            macro_rules! act {
+                ($law:ident) => {
+                    $law(
+                        at + n * (r_i + r_j + gap), at, v, zero, zero, zero, r_i, r_j, 4.0, 2.0, 1.0, 0.2, 0.2, 10.0, 1.5, 0.8, 0.5, slid * 1e-3, DT,
+                    )
+                };
+            }
+            let (own, published) = (act!(contact), act!(published_contact));
             prop_assert!((own.0 - published.0).norm() < 1e-13 && (own.3 - published.3).norm() < 1e-15);
             prop_assert!((published.1 + n.cross(own.0) * r_i).norm() < 1e-13);
             prop_assert!((published.2 + n.cross(own.0) * r_j).norm() < 1e-13);
