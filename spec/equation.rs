@@ -55,6 +55,8 @@ pub struct Evaluate {
     pub f32: fn(&[f32]) -> Vec<f32>,
     #[cfg(feature = "columns")]
     pub lanes: fn(&[Lanes<8>]) -> Vec<Lanes<8>>,
+    #[cfg(feature = "source")]
+    pub source: fn(&[crate::numbers::Source]) -> Vec<crate::numbers::Source>,
     #[cfg(feature = "verify")]
     pub dual: fn(&[crate::numbers::Dual]) -> Vec<crate::numbers::Dual>,
     #[cfg(feature = "verify")]
@@ -210,6 +212,8 @@ macro_rules! equation {
                 f32: flat,
                 #[cfg(feature = "columns")]
                 lanes: flat,
+                #[cfg(feature = "source")]
+                source: flat,
                 #[cfg(feature = "verify")]
                 dual: flat,
                 #[cfg(feature = "verify")]

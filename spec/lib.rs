@@ -11,6 +11,8 @@ pub mod columns;
 pub mod contact;
 pub mod document;
 pub mod equation;
+#[cfg(feature = "source")]
+pub mod languages;
 pub mod mechanics;
 pub mod model;
 pub mod numbers;

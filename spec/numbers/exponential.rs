@@ -3,10 +3,8 @@
 //! Plain additions and multiplications, so every instruction set gives the same bits. At most 1 ULP from the exact value
 //! where that is a normal number.
 
-/// Bits of a number's mantissa.
-const MANTISSA: u32 = 52;
-/// Added to a number of moderate size, leaves its nearest integer in the lowest bits.
-const ROUND: f64 = 6_755_399_441_055_744.0; // 3/2 2^52
+use super::bits::{Bits, ROUND};
+
 /// `ln 2` in two parts; the first ends in zeros, so that its product with a whole number of eleven bits is exact.
 const LN_2: [f64; 2] = [0.693_147_180_369_123_8, 1.908_214_929_270_587_7e-10];
 /// `1 / k!` from the second on: Taylor's series, whose next term is below 1e-17 of the sum for arguments up to `ln 2 / 2`.
@@ -27,26 +25,21 @@ const INVERSE_FACTORIAL: [f64; 12] = [
 
 /// `e` to the power of `x`: infinite above 709.8, zero below -745.2.
 #[inline(always)]
-pub(crate) fn exp(x: f64) -> f64 {
-    let x = if x > 710.0 { 710.0 } else { x };
-    let x = if x < -746.0 { -746.0 } else { x };
-    let whole = x * std::f64::consts::LOG2_E + ROUND;
-    let k = whole - ROUND;
-    let r = (x - k * LN_2[0]) - k * LN_2[1];
-    let mut series = INVERSE_FACTORIAL[11];
+pub(crate) fn exp<R: Bits>(x: R) -> R {
+    let (highest, lowest, round) = (R::lit(710.0), R::lit(-746.0), R::lit(ROUND));
+    let x = R::select(x.gt(highest), highest, x);
+    let x = R::select(x.lt(lowest), lowest, x);
+    let whole = x * R::lit(std::f64::consts::LOG2_E) + round;
+    let k = whole - round;
+    let r = (x - k * R::lit(LN_2[0])) - k * R::lit(LN_2[1]);
+    let mut series = R::lit(INVERSE_FACTORIAL[11]);
     for coefficient in INVERSE_FACTORIAL[..11].iter().rev() {
-        series = series * r + coefficient;
+        series = series * r + R::lit(*coefficient);
     }
-    let value = 1.0 + (r + r * r * series);
+    let value = R::one() + (r + r * r * series);
     // In two halves: the whole power of two may not be a normal number.
-    let half = k * 0.5 + ROUND;
-    value * power_of_two(half) * power_of_two(k - (half - ROUND) + ROUND)
-}
-
-/// Two to the power of `shifted - ROUND`.
-#[inline(always)]
-fn power_of_two(shifted: f64) -> f64 {
-    f64::from_bits(shifted.to_bits().wrapping_add(1023) << MANTISSA)
+    let half = k * R::lit(0.5) + round;
+    value * half.power_of_two() * (k - (half - round) + round).power_of_two()
 }
 
 #[cfg(test)]

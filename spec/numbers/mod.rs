@@ -1,8 +1,13 @@
 //! The number types that implement [`Real`](crate::Real), apart from `f64` and `f32`.
 
+mod bits;
 pub(crate) mod exponential;
 mod instructions;
 mod lanes;
+#[cfg(feature = "source")]
+pub mod source;
+#[cfg(feature = "source")]
+pub mod written;
 
 #[cfg(feature = "verify")]
 pub mod dimension;
@@ -17,8 +22,11 @@ mod rounded;
 #[cfg(feature = "verify")]
 mod slope;
 
+pub use bits::Bits;
 pub use instructions::{Instructions, Set, Work};
 pub use lanes::{LaneMask, Lanes};
+#[cfg(feature = "source")]
+pub use source::Source;
 
 #[cfg(feature = "verify")]
 pub use {

@@ -1,6 +1,7 @@
-//! `veridem eq`: the equations of the specification, listed, shown, evaluated.
+//! `veridem eq`: the equations of the specification, listed, shown, evaluated, exported.
 
 mod batch;
+mod export;
 #[cfg(feature = "verify")]
 mod prove;
 #[cfg(feature = "verify")]
@@ -10,8 +11,10 @@ mod show;
 use super::{OutputMode, print};
 use crate::equations::Registry;
 use crate::error::Error;
+use crate::output::write_atomically;
+use crate::papers::Papers;
 use batch::Lines;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The arguments.
 #[derive(clap::Args)]
@@ -24,7 +27,7 @@ pub(super) struct Arguments {
 enum Action {
     /// List every equation; with --json names, symbols, units, domains and laws too
     List,
-    /// Show an equation: formula as printed, reading, table, laws, source file
+    /// Show an equation: formula as printed and as computed, reading, table, laws, source file
     Show {
         /// Its id, such as mechanics-sphere-volume
         id: String,
@@ -54,10 +57,21 @@ enum Action {
         #[arg(long, conflicts_with_all = ["id", "arguments"])]
         batch: bool,
     },
+    /// Write equations as a header or module of another language, with the bits of this program; all of them unless some are named
+    Export {
+        /// The language
+        #[arg(long, value_enum)]
+        language: export::Name,
+        /// Their ids, such as mechanics-sphere-volume
+        ids: Vec<String>,
+        /// The file to write instead of standard output
+        #[arg(long)]
+        out: Option<PathBuf>,
+    },
 }
 
-/// Lists, shows or evaluates equations.
-pub(super) fn run(arguments: &Arguments, manner: OutputMode) -> Result<(), Error> {
+/// Lists, shows, evaluates or exports equations.
+pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
     let registry = Registry::new();
     match &arguments.action {
         Action::List if manner.json => {
@@ -66,7 +80,7 @@ pub(super) fn run(arguments: &Arguments, manner: OutputMode) -> Result<(), Error
         Action::List => print(&show::list(&registry)),
         Action::Show { id } => {
             let entry = registry.find(id).map_err(Error::Usage)?;
-            print(&if manner.json { format!("{:#}\n", show::as_json(entry)) } else { show::entry(entry) })
+            print(&if manner.json { format!("{:#}\n", show::entry_as_json(entry)) } else { show::entry(entry) })
         }
         #[cfg(feature = "verify")]
         Action::Prove { all: true, .. } => print(&crate::proofs::page(&registry.0)),
@@ -92,6 +106,13 @@ pub(super) fn run(arguments: &Arguments, manner: OutputMode) -> Result<(), Error
             }
             let results = registry.eval(id, arguments).map_err(Error::Usage)?;
             print(&if manner.json { batch::value(&results) + "\n" } else { show::results(&results) })
+        }
+        Action::Export { language, ids, out } => {
+            let module = export::module(&registry, papers, *language, ids).map_err(Error::Usage)?;
+            match out {
+                Some(file) => write_atomically(file, module.as_bytes()),
+                None => print(&module),
+            }
         }
     }
 }

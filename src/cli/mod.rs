@@ -159,7 +159,7 @@ fn execute(papers: Papers) -> ExitCode {
         Command::Inspect(arguments) => inspect::run(&arguments, papers, manner),
         Command::Report(arguments) => report::run(&arguments, papers, manner),
         Command::Movie(arguments) => movie::run(&arguments, manner),
-        Command::Eq(arguments) => eq::run(&arguments, manner),
+        Command::Eq(arguments) => eq::run(&arguments, papers, manner),
         #[cfg(feature = "verify")]
         Command::Golden(arguments) => golden::run(&arguments, papers, manner),
         Command::Schema(arguments) => schema::run(&arguments, papers, manner),

@@ -20,6 +20,8 @@ use crate::output::Column;
 #[cfg(feature = "cli")]
 use crate::reproduce::Chapter;
 use crate::run::{Job, Paths, Runnable};
+#[cfg(feature = "cli")]
+use crate::spec::languages::Exported;
 use serde_yaml::{Mapping, Value};
 use std::path::{Path, PathBuf};
 
@@ -86,6 +88,11 @@ pub trait Paper: Sync {
     fn saves(_case: &mut CaseOf<Self>) -> Vec<(String, &mut PathBuf)> {
         Vec::new()
     }
+    /// The contact laws that other languages have beside the equations, which may hold the whole law already.
+    #[cfg(feature = "cli")]
+    fn exported_laws() -> Vec<Exported> {
+        Vec::new()
+    }
     /// The start of a run of an imported aggregate with default values, for a paper that has aggregates.
     ///
     /// # Errors
@@ -132,6 +139,9 @@ pub trait AnyPaper: Sync {
     /// [`Paper::TRAJECTORIES`].
     #[cfg(feature = "verify")]
     fn trajectories(&self) -> &'static [Trajectory];
+    /// [`Paper::exported_laws`].
+    #[cfg(feature = "cli")]
+    fn exported_laws(&self) -> Vec<Exported>;
     /// The keys below `model`, `sample` and `experiment`.
     fn sections(&self) -> [Vec<Key>; 3];
     /// [`Paper::imported`].
@@ -174,6 +184,10 @@ impl<P: Paper> AnyPaper for P {
     #[cfg(feature = "verify")]
     fn trajectories(&self) -> &'static [Trajectory] {
         P::TRAJECTORIES
+    }
+    #[cfg(feature = "cli")]
+    fn exported_laws(&self) -> Vec<Exported> {
+        P::exported_laws()
     }
     fn sections(&self) -> [Vec<Key>; 3] {
         [P::Model::keys(), P::Sample::keys(), P::Experiment::keys()]

@@ -3,6 +3,8 @@
 use crate::equations::{Entry, Registry, Results};
 use serde_json::{Value, json};
 use veridem_spec::document::Quantity;
+use veridem_spec::languages::graph;
+use veridem_spec::languages::mathematics::{Computed, Formula, computed};
 
 /// One line per equation.
 pub(super) fn list(registry: &Registry) -> String {
@@ -34,13 +36,39 @@ pub(super) fn as_json(Entry { equation, document }: &Entry) -> Value {
     })
 }
 
+/// The complete documentation of an equation and its computed form, as JSON.
+pub(super) fn entry_as_json(entry: &Entry) -> Value {
+    let Computed { parts, results } = computed(&graph(&entry.equation), &entry.document);
+    let formula = |Formula { symbol, formula }: &Formula| json!({ "symbol": symbol, "formula": formula });
+    let mut value = as_json(entry);
+    value["computed"] = parts.iter().chain(&results).map(formula).collect();
+    value
+}
+
+/// Most lines of a computed form that are shown.
+const MOST_LINES: usize = 40;
+
+/// The formula as it is computed, a line for each part that occurs more than once and for each result.
+fn as_computed(Entry { equation, document }: &Entry) -> String {
+    let graph = graph(equation);
+    let Computed { parts, results } = computed(&graph, document);
+    let line = |Formula { symbol, formula }: &Formula| format!("{symbol} = {formula}");
+    let lines: Vec<String> = parts.iter().chain(&results).map(line).collect();
+    if lines.len() <= MOST_LINES {
+        return lines.join("\n");
+    }
+    format!("In {} steps, which `veridem eq export --language c {}` writes", graph.nodes.len(), equation.id)
+}
+
 /// The documentation of an equation.
-pub(super) fn entry(Entry { equation, document }: &Entry) -> String {
+pub(super) fn entry(shown: &Entry) -> String {
+    let Entry { equation, document } = shown;
     let laws: Vec<String> = document.laws.iter().map(|law| law.replace('_', " ")).collect();
     let bound = document.rounding.map_or("not stated".into(), |bound| format!("at most {bound} ULP"));
     [
         format!("{}: {}", equation.id, plain_text(&document.title)),
         indented(&document.formula),
+        format!("Computed\n{}", indented(&as_computed(shown))),
         format!("Reading\n{}", indented(&document.reading)),
         format!("Arguments\n{}", indented(&table(&document.arguments))),
         format!("Results\n{}", indented(&table(&document.results))),

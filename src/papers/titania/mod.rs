@@ -35,7 +35,9 @@ use crate::output::columns::TIME;
 use crate::reproduce::Chapter;
 use crate::run::Runnable;
 use crate::spec::Necked;
-use crate::spec::titania::Tabulated;
+#[cfg(feature = "cli")]
+use crate::spec::languages::{Exported, law as exported_law};
+use crate::spec::titania::{self, Tabulated};
 use case::{Case, Experiment, Model, Sample, TitaniaTest};
 use columns::{CONTACTS, DISTANCE, FRICTION, MEAN_PULL, MOVED, PULLED, ROLLING_RESISTANCE};
 use film::columns::{FORCE, MOVED as TIP_MOVED};
@@ -101,6 +103,11 @@ impl Paper for Titania {
     fn saves(case: &mut Case) -> Vec<(String, &mut PathBuf)> {
         case::saves(case)
     }
+    #[cfg(feature = "cli")]
+    fn exported_laws() -> Vec<Exported> {
+        let title = "With the parameters of Laube et al. 2018, at half humidity and 300 K, in SI; radii are those of the contact spheres.";
+        exported_law(&titania::Titania::paper(1e-9, 1e-9, 1e-9), "titania-law", title).into()
+    }
     fn study(case: Case) -> Box<dyn Runnable> {
         match case::checked(&case) {
             (titania, TitaniaTest::Spectroscopy(..)) if titania.neck_springs.is_some() => {
@@ -109,7 +116,7 @@ impl Paper for Titania {
             (_, TitaniaTest::Spectroscopy(..)) => Box::new(film::Plan::<Tabulated>::of(&case)),
             (titania, TitaniaTest::Path(pair, path)) => Box::new(pair::path(titania, pair, path, case.limits.overlap)),
             (_, TitaniaTest::Chain(..)) => Box::new(Plan::<Tabulated>::of(&case)),
-            (_, TitaniaTest::Contact(..)) => Box::new(Plan::<crate::spec::titania::Titania>::of(&case)),
+            (_, TitaniaTest::Contact(..)) => Box::new(Plan::<titania::Titania>::of(&case)),
         }
     }
 }
