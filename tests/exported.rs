@@ -1,4 +1,4 @@
-//! Does `veridem export` write what LAMMPS needs? Whether LAMMPS computes the same with it is checked in `bindings/lammps/tests`.
+//! Does `veridem export` write what other programs need? Whether LAMMPS computes the same with it is checked in `bindings/lammps/tests`.
 
 #[path = "common/program.rs"]
 mod program;
@@ -102,4 +102,28 @@ fn nothing_is_overwritten() {
     let (code, said) = refused(place.path(), &case("soot-short"), "there");
     assert_eq!(code, Some(2), "{said}");
     assert_eq!(std::fs::read_dir(place.path().join("there")).unwrap().count(), 0);
+}
+
+#[test]
+fn the_spheres_of_a_frame_are_exported_for_optics_and_mobility() {
+    let place = tempfile::tempdir().unwrap();
+    let frame = "3\nProperties=species:S:1:pos:R:3:radius:R:1\nC 0 0 0 1\nC 0 0 2.5 1.5\nC 0.1 0 5.25 1.25\n";
+    std::fs::write(place.path().join("frame.xyz"), frame).unwrap();
+    let export = |target: &str, out: &str| {
+        let done = veridem(place.path(), &["export", target, "frame.xyz", "--out", out]);
+        assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+        std::fs::read_to_string(place.path().join(out)).unwrap()
+    };
+    assert_eq!(export("--mstm", "spheres.dat"), "0 0 0 1\n0 0 2.5 1.5\n0.1 0 5.25 1.25\n");
+    assert_eq!(export("--bod", "body.bod").lines().nth(2), Some("SPHERE 0.1 0 5.25 1.25"));
+    let mesh = export("--ply", "mesh.ply");
+    let (head, body) = mesh.split_once("end_header\n").unwrap();
+    assert!(head.contains("element vertex 486\n") && head.contains("element face 960\n"), "{head}");
+    let numbers = |line: &str| line.split(' ').map(|word| word.parse().unwrap()).collect::<Vec<f64>>();
+    let rows: Vec<_> = body.lines().map(numbers).collect();
+    assert_eq!(rows.len(), 486 + 960);
+    assert!(rows[..162].iter().all(|row| (row.iter().map(|x| x * x).sum::<f64>() - 1.0).abs() < 1e-12));
+    assert!(rows[486..].iter().all(|row| row[0] == 3.0 && row[1..].iter().all(|&corner| corner < 486.0)));
+    let again = veridem(place.path(), &["export", "--bod", "frame.xyz", "--out", "body.bod"]);
+    assert!(String::from_utf8_lossy(&again.stderr).contains("exists already"));
 }

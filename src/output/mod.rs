@@ -16,6 +16,7 @@ mod manifest;
 mod read_frame;
 mod reading;
 mod series;
+pub mod spheres;
 
 pub use crate::error::read_file as read;
 pub use apart::Apart;
