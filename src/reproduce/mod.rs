@@ -137,6 +137,16 @@ pub fn near(a: f64, b: f64, tolerance: f64) -> bool {
     (a / b - 1.0).abs() <= tolerance
 }
 
+/// The slope of the straight line through the logarithms of the points.
+pub fn log_slope(points: &[(f64, f64)]) -> f64 {
+    let n = points.len() as f64;
+    let logs: Vec<(f64, f64)> = points.iter().map(|&(x, y)| (libm::log(x), libm::log(y))).collect();
+    let (mx, my) = logs.iter().fold((0.0, 0.0), |(a, b), (x, y)| (a + x / n, b + y / n));
+    let (top, bottom) =
+        logs.iter().fold((0.0, 0.0), |(t, b), (x, y)| (t + (x - mx) * (y - my), b + (x - mx) * (x - mx)));
+    top / bottom
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -144,6 +154,12 @@ mod tests {
     #[test]
     fn nothing_is_near_a_nan() {
         assert!(!near(f64::NAN, 1.0, 1.0) && !near(1.0, f64::NAN, 1.0));
+    }
+
+    #[test]
+    fn the_slope_of_a_power_law_is_its_exponent() {
+        let points: Vec<(f64, f64)> = (1..6).map(|k| (f64::from(k), 3.0 / f64::from(k).sqrt())).collect();
+        assert!((log_slope(&points) + 0.5).abs() < 1e-14);
     }
 
     #[test]

@@ -2,9 +2,9 @@
 
 use crate::error::Error;
 use crate::observe::statistics::Mean;
-use crate::output::aggregate::{CONVEXITY, COORDINATION};
+use crate::output::aggregate::{CONVEXITY, COORDINATION, FRACTAL_DIMENSION};
 use crate::output::columns::TIME;
-use crate::output::{RunFolder, Series};
+use crate::output::{Finding, RunFolder, Series};
 use crate::papers::soot::case::Torsion;
 use crate::reproduce::Setting;
 use crate::run::Reader;
@@ -50,6 +50,8 @@ pub struct Ensemble {
     pub convexity: Vec<Mean>,
     /// Relative increase of the coordination number from beginning to end.
     pub rise: Mean,
+    /// Fractal dimension at the beginning and at the end.
+    pub dimension: [Mean; 2],
 }
 
 /// One ensemble of each kind, with the same aggregates in all. If stopped, it returns the ensembles of those
@@ -61,8 +63,8 @@ pub struct Ensemble {
 pub fn ensembles(protocol: &Protocol, kinds: &[Kind], setting: &Setting) -> Result<Vec<Ensemble>, Error> {
     let runs = setting.run_all(&points(protocol, kinds, setting.read)?)?;
     let courses = runs.folders.iter().map(|folder| folder.as_ref().map(course).transpose());
-    let courses: Vec<Option<RunState>> = courses.collect::<Result<_, Error>>()?;
-    let whole: Vec<&[Option<RunState>]> =
+    let courses: Vec<Option<Course>> = courses.collect::<Result<_, Error>>()?;
+    let whole: Vec<&[Option<Course>]> =
         courses.chunks(kinds.len()).filter(|kinds| kinds.iter().all(Option::is_some)).collect();
     if runs.stopped && whole.len() < 2 {
         return Err(Error::Stopped(None));
@@ -95,26 +97,37 @@ fn word(torsion: Torsion) -> String {
     serde_yaml::to_string(&torsion).expect("a word is plain data").trim().into()
 }
 
-/// Coordination number and convexity of one aggregate.
-type RunState = [Vec<f64>; 2];
+/// Coordination number and convexity of one aggregate, and its fractal dimension at the beginning and at the end.
+struct Course {
+    series: [Vec<f64>; 2],
+    dimension: [f64; 2],
+}
 
 /// The record of a run.
-fn course(folder: &RunFolder) -> Result<RunState, Error> {
-    let series = Series::read(folder)?;
+fn course(folder: &RunFolder) -> Result<Course, Error> {
+    let (series, findings) = (Series::read(folder)?, Finding::of_run(folder)?);
     let column = |column| series.curve("", TIME, column).into_iter().map(|point| point.1).collect();
-    Ok([COORDINATION, CONVEXITY].map(column))
+    let dimension = |when: &str| {
+        let name = format!("{when} {}", FRACTAL_DIMENSION.name);
+        findings.iter().find(|finding| finding.name == name).and_then(Finding::value).unwrap_or(f64::NAN)
+    };
+    Ok(Course { series: [COORDINATION, CONVEXITY].map(column), dimension: ["initial", "final"].map(dimension) })
 }
 
 impl Ensemble {
-    fn of(kind: Kind, courses: &[&RunState]) -> Self {
-        let looks = courses.iter().map(|course| course[0].len()).min().unwrap_or(0);
+    fn of(kind: Kind, courses: &[&Course]) -> Self {
+        let looks = courses.iter().map(|course| course.series[0].len()).min().unwrap_or(0);
         let mean = |of: usize| {
-            let at = |look: usize| Mean::of(&courses.iter().map(|course| course[of][look]).collect::<Vec<_>>());
+            let at = |look: usize| Mean::of(&courses.iter().map(|course| course.series[of][look]).collect::<Vec<_>>());
             (0..looks).map(at).collect()
         };
-        let rises = courses.iter().map(|[coordination, _]| coordination[looks - 1] / coordination[0] - 1.0);
+        let rises = courses
+            .iter()
+            .map(|Course { series: [coordination, _], .. }| coordination[looks - 1] / coordination[0] - 1.0);
         let rise = Mean::of(&rises.collect::<Vec<_>>());
-        Self { kind, members: courses.len(), coordination: mean(0), convexity: mean(1), rise }
+        let dimension =
+            [0, 1].map(|when| Mean::of(&courses.iter().map(|course| course.dimension[when]).collect::<Vec<_>>()));
+        Self { kind, members: courses.len(), coordination: mean(0), convexity: mean(1), rise, dimension }
     }
 }
 
@@ -176,5 +189,7 @@ mod tests {
         assert!((298.0 / 150.0..2.1).contains(&first(0).value), "a tree, and some near misses");
         assert!(terminal(&found[0].coordination).value > first(0).value);
         assert_eq!(found[0].convexity, again[0].convexity);
+        let [fresh, coated] = found[0].dimension;
+        assert!((1.5..2.1).contains(&fresh.value) && coated.value > fresh.value, "{fresh} {coated}");
     }
 }

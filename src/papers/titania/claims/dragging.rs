@@ -1,4 +1,6 @@
-//! Figs. 5, 6 and 8 of the titania paper: a particle of 8 nm dragged over a slab, sliding or rolling.
+//! Figs. 5, 6 and 8 of the titania paper: a particle of 8 nm or 16 nm dragged over a slab, sliding or rolling.
+
+mod fitted;
 
 use super::{SIZES, SLAB, paper, plan};
 use crate::case::quantity::{Scaled, quantity};
@@ -27,6 +29,7 @@ const FARTHEST: &str = "2 nm";
 
 /// Presses a particle onto the slab and drags it; `see` observes the states while it is dragged, the initial one included, and ends the run.
 fn drag(
+    d: f64,
     load: f64,
     velocity: f64,
     rolls: bool,
@@ -40,7 +43,7 @@ fn drag(
         velocity: quantity(&format!("{velocity} m/s")),
         distance: quantity(FARTHEST),
     };
-    let plan = plan(&paper(), DT, Stage::dragging(&test, SIZES[0], rolls, DT).into());
+    let plan = plan(&paper(), DT, Stage::dragging(&test, d, rolls, DT).into());
     Driver::new(&plan, interrupt).run(&mut Dragged(see)).map(drop)
 }
 
@@ -64,6 +67,12 @@ impl<F: FnMut(&Simulation<Titania>) -> ControlFlow<()>> Sink<Plan> for Dragged<F
     }
 }
 
+/// The repulsion that balances load and attraction, pN.
+fn repulsion(load: f64, simulation: &Simulation<Titania>) -> f64 {
+    let pair = simulation.pairs().next().expect("the particle touches the slab");
+    load - simulation.model().attraction(pair.contact.r_i, pair.contact.r_j).force(pair.contact.distance)
+}
+
 fn travel(simulation: &Simulation<Titania>) -> f64 {
     simulation.system().walls[1].travel.0[0]
 }
@@ -78,13 +87,15 @@ struct Slid {
     peak: f64,
     /// Mean of shear strength times contact area at a slip, pN.
     strength: f64,
+    /// Mean repulsion at a slip, pN.
+    repulsion: f64,
     /// Force against displacement, pN and nm.
     curve: Vec<(f64, f64)>,
 }
 
-fn slide(load: f64, velocity: f64, interrupt: &Interrupt) -> Result<Slid, Error> {
-    let (mut slips, mut curve): (Vec<[f64; 3]>, _) = (Vec::new(), Vec::new());
-    drag(load, velocity, false, interrupt, |simulation| {
+fn slide(d: f64, load: f64, velocity: f64, interrupt: &Interrupt) -> Result<Slid, Error> {
+    let (mut slips, mut curve): (Vec<[f64; 4]>, _) = (Vec::new(), Vec::new());
+    drag(d, load, velocity, false, interrupt, |simulation| {
         let (way, tau_s) = (travel(simulation), simulation.model().tau_s);
         if way >= SLID {
             return ControlFlow::Break(());
@@ -93,7 +104,7 @@ fn slide(load: f64, velocity: f64, interrupt: &Interrupt) -> Result<Slid, Error>
             let force = pair.outcome.wrench.force.0[0].abs();
             curve.push((way, force));
             if pair.outcome.losses.sliding > 0.0 {
-                slips.push([way, force, tau_s * Titania::area(&pair.contact)]);
+                slips.push([way, force, tau_s * Titania::area(&pair.contact), repulsion(load, simulation)]);
             }
         }
         ControlFlow::Continue(())
@@ -101,7 +112,7 @@ fn slide(load: f64, velocity: f64, interrupt: &Interrupt) -> Result<Slid, Error>
     let n = slips.len() as f64;
     let mean = |k: usize| slips.iter().map(|slip| slip[k]).sum::<f64>() / n;
     let period = (slips.last().map_or(f64::NAN, |s| s[0]) - slips.first().map_or(f64::NAN, |s| s[0])) / (n - 1.0);
-    Ok(Slid { load, velocity, period, peak: mean(1), strength: mean(2), curve })
+    Ok(Slid { load, velocity, period, peak: mean(1), strength: mean(2), repulsion: mean(3), curve })
 }
 
 /// A particle that rolls without sliding.
@@ -110,39 +121,57 @@ struct Rolled {
     velocity: f64,
     /// Smallest, mean and largest rolling resistance, as a force at the centre, pN.
     range: [f64; 3],
+    /// Mean repulsion, pN.
+    repulsion: f64,
     /// Rolling resistance against displacement, pN and nm.
     curve: Vec<(f64, f64)>,
 }
 
-fn roll(load: f64, velocity: f64, interrupt: &Interrupt) -> Result<Rolled, Error> {
-    let mut curve = Vec::new();
-    drag(load, velocity, true, interrupt, |simulation| {
+fn roll(d: f64, load: f64, velocity: f64, interrupt: &Interrupt) -> Result<Rolled, Error> {
+    let (mut curve, mut repelled) = (Vec::new(), 0.0);
+    drag(d, load, velocity, true, interrupt, |simulation| {
         let way = travel(simulation);
         // Nothing has been measured before the first step.
         if simulation.system().step > 0 {
             curve.push((way, rolling_resistance(simulation)));
+            repelled += repulsion(load, simulation);
         }
         if way < ROLLED { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     })?;
     let forces = || curve.iter().map(|point| point.1);
     let mean = forces().sum::<f64>() / curve.len() as f64;
     let range = [forces().fold(f64::INFINITY, f64::min), mean, forces().fold(0.0, f64::max)];
-    Ok(Rolled { load, velocity, range, curve })
+    let repulsion = repelled / curve.len() as f64;
+    Ok(Rolled { load, velocity, range, repulsion, curve })
 }
 
 /// Loads, pN, and velocities, m/s; the last repeats the third at a lower velocity.
 const RUNS: [(f64, f64); 6] =
     [(500.0, 1.0), (1000.0, 1.0), (2000.0, 1.0), (4000.0, 1.0), (8000.0, 1.0), (2000.0, 0.25)];
+/// The first of them have the same velocity.
+const LOADS: usize = 5;
 const TYPICAL: usize = 2;
+
+/// One result for each load (pN) and velocity (m/s).
+fn runs<T: Send>(of: &[(f64, f64)], run: impl Fn(f64, f64) -> Result<T, Error> + Sync) -> Result<Vec<T>, Error> {
+    of.par_iter().map(|&(load, velocity)| run(load, velocity)).collect()
+}
 
 /// The results of a dragged particle.
 pub(super) fn dragging(chapter: &mut Evidence, interrupt: &Interrupt) -> Result<(), Error> {
-    let slid: Vec<Slid> =
-        RUNS.into_par_iter().map(|(load, velocity)| slide(load, velocity, interrupt)).collect::<Result<_, _>>()?;
-    let rolled: Vec<Rolled> =
-        RUNS.into_par_iter().map(|(load, velocity)| roll(load, velocity, interrupt)).collect::<Result<_, _>>()?;
+    let slid = runs(&RUNS, |load, velocity| slide(SIZES[0], load, velocity, interrupt))?;
+    let rolled = runs(&RUNS, |load, velocity| roll(SIZES[0], load, velocity, interrupt))?;
+    let slid_large = runs(&RUNS[..LOADS], |load, velocity| slide(SIZES[1], load, velocity, interrupt))?;
+    let rolled_large = runs(&RUNS[..LOADS], |load, velocity| roll(SIZES[1], load, velocity, interrupt))?;
     sliding(chapter, &slid);
     rolling(chapter, &rolled, &slid[TYPICAL]);
+    let peaks = |slid: &[Slid]| slid[..LOADS].iter().map(|run| (run.repulsion, run.peak)).collect::<Vec<_>>();
+    let resistances =
+        |rolled: &[Rolled]| rolled[..LOADS].iter().map(|run| (run.repulsion, run.range[1])).collect::<Vec<_>>();
+    chapter.claims.extend(fitted::claims(
+        [&slid, &slid_large].map(|slid| peaks(slid)),
+        [&rolled, &rolled_large].map(|rolled| resistances(rolled)),
+    ));
     figures(chapter, &slid, &rolled);
     Ok(())
 }
@@ -157,7 +186,7 @@ fn over_load(points: impl Iterator<Item = (f64, f64)> + Clone) -> (String, bool)
 
 /// Stick-slip motion, and the upper half of Fig. 6.
 fn sliding(chapter: &mut Evidence, runs: &[Slid]) {
-    let (loads, slow) = runs.split_at(5);
+    let (loads, slow) = runs.split_at(LOADS);
     let all = |of: fn(&Slid) -> String| runs.iter().map(of).collect::<Vec<_>>().join(", ");
     chapter.claims.push(Claim::new(
         "Section 2.4",
@@ -194,7 +223,7 @@ fn sliding(chapter: &mut Evidence, runs: &[Slid]) {
 
 /// Rolling resistance, and the lower half of Fig. 6.
 fn rolling(chapter: &mut Evidence, runs: &[Rolled], slid: &Slid) {
-    let (loads, slow) = runs.split_at(5);
+    let (loads, slow) = runs.split_at(LOADS);
     let (typical, slow) = (&loads[TYPICAL], &slow[0]);
     let listed = runs.iter().map(|Rolled { load, velocity, range: [least, _, most], .. }| {
         format!("{least:.1} to {most:.1} pN under {} nN at {velocity} m/s", load * 1e-3)
@@ -238,8 +267,8 @@ fn figures(chapter: &mut Evidence, slid: &[Slid], rolled: &[Rolled]) {
         "load [nN]",
         "force [nN]",
         vec![
-            against_load("sliding", slid[..5].iter().map(|run| (run.load, run.peak)).collect()),
-            against_load("rolling", rolled[..5].iter().map(|run| (run.load, run.range[1])).collect()),
+            against_load("sliding", slid[..LOADS].iter().map(|run| (run.load, run.peak)).collect()),
+            against_load("rolling", rolled[..LOADS].iter().map(|run| (run.load, run.range[1])).collect()),
         ],
     );
     let against_way = |label: &str, curve: &[(f64, f64)]| {

@@ -1,5 +1,6 @@
 //! Section 5.3 of the titania paper: the structure of the film as deposited.
 
+use super::aggregates::laws;
 use crate::error::Error;
 use crate::figures::{Curve, Mark};
 use crate::initial::film::{DepositedFilm, FilmPlan};
@@ -54,6 +55,8 @@ pub(super) fn structure(chapter: &mut Evidence, interrupt: &Interrupt) -> Result
         format!("{median}"),
         near(median, plan.numbers.median, 0.1),
     ));
+    chapter.claims.extend(laws(&drifting.0, interrupt)?);
+    number_density(chapter, drifting.0.spheres.len() as f64 / (SIDE * SIDE * drifting.1.thickness) * 1e9);
     density(chapter, &drifting.1, &straight.1);
     let curve = |name: &str, s: &Structure| {
         let layer = s.thickness / s.profile.len() as f64;
@@ -70,6 +73,18 @@ fn build(plan: &FilmPlan, interrupt: &Interrupt) -> Result<(DepositedFilm, Struc
     let film = plan.build(1, interrupt).map_err(|failure| failure.of("sample.film"))?;
     let structure = Structure::of(&film, TOUCH, 1);
     Ok((film, structure))
+}
+
+/// Section 1, of a film as deposited, 1/µm^3.
+fn number_density(chapter: &mut Evidence, found: f64) {
+    let stated = PARTICLES as f64 / BOX.iter().product::<f64>() * 1e9;
+    chapter.claims.push(Claim::new(
+        "Section 1",
+        "number of particles per volume, of a film deposited at 0.1 m/s and of the paper's box",
+        "of the order of 1e4 to 1e5 per µm^3: 3e3 to 3e5",
+        format!("{found:.2e} and {stated:.2e} per µm^3"),
+        [found, stated].iter().all(|density| (3e3..3e5).contains(density)),
+    ));
 }
 
 fn density(chapter: &mut Evidence, drifting: &Structure, straight: &Structure) {

@@ -1,27 +1,32 @@
 //! Section 2 of the titania paper: two particles; Section 5.3: a film.
 
 pub mod agglomerate;
+mod aggregates;
+mod approach;
 mod dragging;
+mod exact;
 mod film;
 pub mod spectroscopy;
 
 use super::Plan;
-use super::case::{Approach, Titania};
+use super::case::Titania;
 use super::stage::Stage;
 use crate::case::Limits;
-use crate::case::quantity::{Scaled, quantity};
 use crate::case::section::defaults;
 use crate::error::Error;
 use crate::figures::{Curve, Mark};
 use crate::reproduce::{Chapter, Claim, Evidence, Figure, Setting, near};
-use crate::run::{self, Driver, Each};
 use crate::spec::{Contact, Flat, PairModel, Vec3};
-use crate::system::System;
 use std::marker::PhantomData;
-use std::ops::ControlFlow;
 
 /// The chapters.
 pub const CHAPTERS: &[Chapter] = &[
+    Chapter {
+        name: "exact",
+        about: "consequences of the equations",
+        title: "Consequences of the equations",
+        compute: |_| Ok(exact::chapter()),
+    },
     Chapter {
         name: "contact",
         about: "two water-covered particles, Section 2",
@@ -56,7 +61,7 @@ pub fn chapter(setting: &Setting) -> Result<Evidence, Error> {
     let mut chapter = Evidence::default();
     constants(&mut chapter);
     repulsion(&mut chapter);
-    approach(&mut chapter, setting)?;
+    approach::approach(&mut chapter, setting.interrupt)?;
     dragging::dragging(&mut chapter, setting.interrupt)?;
     film::structure(&mut chapter, setting.interrupt)?;
     Ok(chapter)
@@ -165,51 +170,4 @@ fn repulsion(chapter: &mut Evidence) {
 /// Stages of two particles, without a case.
 fn plan(titania: &Titania, dt: f64, stages: Vec<Stage>) -> Plan {
     Plan { titania: titania.clone(), dt, overlap: defaults::<Limits>().overlap, chain: None, stages, law: PhantomData }
-}
-
-fn apart(system: &System) -> f64 {
-    (system.particles.x[0] - system.particles.x[1]).norm()
-}
-
-/// Fig. 3.
-fn approach(chapter: &mut Evidence, setting: &Setting) -> Result<(), Error> {
-    const DT: f64 = 1e-4;
-    let test = Approach { from: quantity("0.5 nm"), duration: Scaled::times(50_000.0) };
-    let mut curves = Vec::new();
-    for (factor, who) in [(1.0, "paper"), (10.0, "authors' program")] {
-        for d in SIZES {
-            let mut titania = paper();
-            titania.damping_constant.value *= factor;
-            let plan = plan(&titania, DT, vec![Stage::approach(&test, [d; 2], DT)]);
-            let (mut least, mut settled, mut points) = (f64::INFINITY, 0.0, vec![(0.0, 0.5)]);
-            let mut see = Each(|stage: &mut run::RunningStage<'_, Plan>, _: &run::Step| {
-                let system = stage.simulation.system();
-                let (distance, time) = (apart(system), system.time);
-                least = least.min(distance);
-                if (distance - d).abs() > 5e-3 {
-                    settled = time;
-                }
-                if system.step.is_multiple_of(20) && time < 0.6 {
-                    points.push((time * 1e3, distance - d));
-                }
-                ControlFlow::Continue(())
-            });
-            let end = apart(&Driver::new(&plan, setting.interrupt).run(&mut see)?.system);
-            chapter.claims.push(Claim::new(
-                "Fig. 3",
-                format!("two particles of {d} nm released 0.5 nm from equilibrium oscillate about it and settle; damping constant of the {who}"),
-                "quickly, by a damped oscillation; times in the figure only",
-                format!(
-                    "smallest distance {:.3} nm below equilibrium, within 5 pm of it after {settled:.2} ns, final deviation {:.1e} nm",
-                    d - least,
-                    (end - d).abs()
-                ),
-                least < d && (end - d).abs() < 1e-3,
-            ));
-            curves.push(Curve::new(format!("{d} nm, {who}"), Mark::Line, points));
-        }
-    }
-    let caption = "Fig. 3: two particles released 0.5 nm from equilibrium";
-    chapter.figures.push(Figure::linear("approach", caption, ["time [ps]", "distance from equilibrium [nm]"], curves));
-    Ok(())
 }

@@ -1,13 +1,13 @@
 //! Section 3.1: hexagonal close-packed lattices.
 
 use super::experiment::{Pull, Strength, elasticity, strength};
-use super::{PATCH_DENSITY, log_slope, patch_material};
+use super::{PATCH_DENSITY, patch_material};
 use crate::error::Error;
 use crate::figures::{Axis, Curve, Mark, Plot};
 use crate::initial::hcp;
 use crate::initial::lattice::hcp_cells;
 use crate::observe::patch::Elasticity;
-use crate::reproduce::{Claim, Evidence, Extent, Figure, Setting, near};
+use crate::reproduce::{Claim, Evidence, Extent, Figure, Setting, log_slope, near};
 use crate::spec::wear::eq18_critical_diameter::critical_diameter;
 use crate::spec::wear::eq20_matched_strength::matched_strength;
 use crate::system::System;

@@ -71,26 +71,10 @@ pub fn silica() -> Material {
 /// The density of silica, ag/nm^3.
 pub const SILICA_DENSITY: f64 = 2.2e-3;
 
-/// The slope of the straight line through the logarithms of the points.
-pub(super) fn log_slope(points: &[(f64, f64)]) -> f64 {
-    let n = points.len() as f64;
-    let logs: Vec<(f64, f64)> = points.iter().map(|&(x, y)| (libm::log(x), libm::log(y))).collect();
-    let (mx, my) = logs.iter().fold((0.0, 0.0), |(a, b), (x, y)| (a + x / n, b + y / n));
-    let (top, bottom) =
-        logs.iter().fold((0.0, 0.0), |(t, b), (x, y)| (t + (x - mx) * (y - my), b + (x - mx) * (x - mx)));
-    top / bottom
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::reproduce::near;
-
-    #[test]
-    fn the_slope_of_a_power_law_is_its_exponent() {
-        let points: Vec<(f64, f64)> = (1..6).map(|k| (f64::from(k), 3.0 / f64::from(k).sqrt())).collect();
-        assert!((log_slope(&points) + 0.5).abs() < 1e-14);
-    }
 
     #[test]
     fn silica_in_engine_units_has_the_wave_velocity_and_critical_diameter_of_the_paper() {
