@@ -206,7 +206,7 @@ mod laws {
         #[test]
         fn sines_and_cosines_have_the_bits_of_the_library(x in any::<f64>(), y in -10.0..10.0f64, z in -LARGEST_ANGLE..LARGEST_ANGLE, n in -200_000..200_000i32, ulps in -3..4i64) {
             let multiple = f64::from_bits((f64::from(n) * std::f64::consts::FRAC_PI_4).to_bits().wrapping_add_signed(ulps));
-            for x in [x, y, z, multiple].into_iter().filter(|x| !(x.abs() >= LARGEST_ANGLE)) {
+            for x in [x, y, z, multiple].into_iter().filter(|x| x.is_nan() || x.abs() < LARGEST_ANGLE) {
                 same(x, sin, Real::sin)?;
                 same(x, cos, Real::cos)?;
             }
@@ -214,6 +214,7 @@ mod laws {
     }
 
     #[test]
+    #[expect(clippy::approx_constant, reason = "the borders of the library are near these constants, not at them")]
     fn ends_and_borders_have_the_bits_of_the_library() {
         let borders = [
             0.0,
