@@ -1,5 +1,7 @@
 //! The command line: one file per subcommand.
 
+#[cfg(feature = "book")]
+mod book;
 mod check;
 mod completions;
 mod eq;
@@ -77,6 +79,9 @@ enum Command {
     Movie(movie::Arguments),
     /// List, show and evaluate the equations
     Eq(eq::Arguments),
+    /// Write the equations as pages for a browser, with their curves
+    #[cfg(feature = "book")]
+    Book(book::Arguments),
     /// Check the golden vectors and trajectories, or regenerate the vectors
     #[cfg(feature = "verify")]
     Golden(golden::Arguments),
@@ -160,6 +165,8 @@ fn execute(papers: Papers) -> ExitCode {
         Command::Report(arguments) => report::run(&arguments, papers, manner),
         Command::Movie(arguments) => movie::run(&arguments, manner),
         Command::Eq(arguments) => eq::run(&arguments, papers, manner),
+        #[cfg(feature = "book")]
+        Command::Book(arguments) => book::run(&arguments, papers, manner),
         #[cfg(feature = "verify")]
         Command::Golden(arguments) => golden::run(&arguments, papers, manner),
         Command::Schema(arguments) => schema::run(&arguments, papers, manner),

@@ -1,0 +1,93 @@
+#!/usr/bin/env python3
+"""Looks at the book with a browser: python3 tests/browser/book.py BOOK
+
+Every link leads to a page, no page has an error on the console or fetches from a network, the search finds an equation by its number in each paper, a
+slider and a choice move the curve, nothing is cut at the width of a telephone, and the dark page is dark. Needs Chromium and the Python package `playwright`.
+"""
+
+import pathlib
+import re
+import shutil
+import sys
+
+from playwright.sync_api import sync_playwright
+
+CURVE = "() => document.querySelector('#curve svg').innerHTML"
+# Elements that reach beyond the window, unless a box around them scrolls.
+CUT = """() => Array.from(document.querySelectorAll("body *")).filter((element) => {
+    const box = element.getBoundingClientRect();
+    const inside = element.closest(".formula, .wide, p, pre, details:not([open]) > :not(summary)");
+    return box.width > 0 && !(inside && inside !== element) && (box.right > innerWidth + 0.5 || box.left < -0.5);
+}).map((element) => element.tagName + "." + element.className)"""
+
+
+def expect(holds, what):
+    if not holds:
+        raise AssertionError(what)
+
+
+def links(folder):
+    """No link leads nowhere."""
+    pages = sorted(folder.glob("*.html"))
+    for page in pages:
+        text = page.read_text()
+        for target in re.findall(r'(?:href|src)="([^"]*)"', text):
+            name, _, place = target.partition("#")
+            expect("://" not in target, f"{page.name} needs a network for {target}")
+            if target.startswith("data:"):
+                continue
+            expect(not name or (folder / name).exists(), f"{page.name} links to {name}, which does not exist")
+            expect(not place or f'id="{place}"' in ((folder / name) if name else page).read_text(), f"{page.name} links to {target}")
+    return pages
+
+
+def search(page, folder):
+    page.goto((folder / "index.html").as_uri())
+    page.fill(".search input", "14")
+    found = page.eval_on_selector_all(".search li a", "all => all.map((a) => a.getAttribute('href'))")
+    expect({"titania-14.html", "wear-14.html", "soot-14.html"} <= set(found), f"14 finds {found}")
+    page.fill(".search input", "normal force")
+    page.keyboard.press("Enter")
+    page.wait_for_url("**/*-*.html")
+
+
+def curve(page, path):
+    page.goto(path.as_uri())
+    before = page.evaluate(CURVE)
+    expect(re.search(r'class="line" d="M[^"]{400}', before), f"{path.name} has no curve")
+    sliders = page.locator("#curve input[type=range]")
+    for k in range(sliders.count()):
+        sliders.nth(k).evaluate("(slider) => { slider.value = Number(slider.value) > 500 ? 200 : 800; slider.dispatchEvent(new Event('input')); }")
+    after = page.evaluate(CURVE)
+    expect(after != before, f"no slider of {path.name} moves the curve")
+    page.locator("#curve select").last.select_option(index=0)
+    expect(page.evaluate(CURVE) != after, f"the choice of {path.name} does not move the curve")
+
+
+def main(folder):
+    pages = links(folder)
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=["--no-sandbox"])
+        errors = []
+        for width, scheme in [(1280, "light"), (390, "dark")]:
+            page = browser.new_page(viewport={"width": width, "height": 900}, color_scheme=scheme)
+            page.on("console", lambda message: errors.append(message.text) if message.type == "error" else None)
+            page.on("pageerror", lambda error: errors.append(str(error)))
+            page.on("request", lambda request: expect(request.url.startswith(("file:", "data:")), f"fetches {request.url}"))
+            for path in pages:
+                page.goto(path.as_uri())
+                expect(not errors, f"{path.name}: {errors}")
+                cut = page.evaluate(CUT)
+                expect(not cut, f"{path.name} is cut at {width}: {cut[:3]}")
+            dark = page.evaluate("() => getComputedStyle(document.body).backgroundColor")
+            expect((dark == "rgb(22, 22, 22)") == (scheme == "dark"), f"{scheme} is {dark}")
+            search(page, folder)
+            for name in ["wear-3", "titania-8", "titania-14"]:
+                curve(page, folder / f"{name}.html")
+            page.close()
+        browser.close()
+    print(f"{len(pages)} pages of the book are as they should be")
+
+
+if __name__ == "__main__":
+    main(pathlib.Path(sys.argv[1]).resolve())
