@@ -76,7 +76,8 @@ fn a_value_that_is_lost_is_noticed() {
     assert_eq!(check(&golden(), &whole, &document), Vec::<String>::new());
     assert!(ulps(&whole) <= document.rounding.unwrap());
     let vectors = read(&golden(), &whole).unwrap().vectors.len();
-    let values: [fn(&[f64]) -> Vec<f64>; 3] = [|_| vec![f64::NAN], |_| vec![f64::INFINITY], |x| vec![1.01 * right(x)]];
+    type Values = fn(&[f64]) -> Vec<f64>;
+    let values: [Values; 3] = [|_| vec![f64::NAN], |_| vec![f64::INFINITY], |x| vec![1.01 * right(x)]];
     for f64 in values {
         let (mut lost, document) = broken(f64);
         // whatever the derivatives are

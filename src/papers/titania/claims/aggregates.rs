@@ -80,7 +80,7 @@ mod tests {
 
     #[test]
     fn exponent_and_prefactor_of_a_power_law_are_found() {
-        let points: Points = (1..100).map(|k| f64::from(k)).map(|size| (size, 1.3 * size.powf(1.8))).collect();
+        let points: Points = (1..100).map(f64::from).map(|size| (size, 1.3 * size.powf(1.8))).collect();
         let slope = slope(&points);
         assert!((slope.value - 1.8).abs() < 1e-12 && slope.margin < 1e-12);
         assert!((prefactor(&points, 1.8) - 1.3).abs() < 1e-12);
