@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::geometry::Sphere;
 use crate::initial::aggregate::import::{self, Options};
 use crate::interrupt::Interrupt;
-use crate::output::{RunFolder, create_folder, spheres, write_atomically};
+use crate::output::{RunFolder, bod, create_folder, mstm, ply, write_atomically};
 use crate::papers::Papers;
 use std::path::{Path, PathBuf};
 
@@ -45,9 +45,9 @@ impl Target {
     /// How spheres are written for it; LAMMPS gets more than spheres.
     fn form(&self) -> Option<fn(&[Sphere]) -> String> {
         match self {
-            Self { mstm: true, .. } => Some(spheres::mstm),
-            Self { bod: true, .. } => Some(spheres::bod),
-            Self { ply: true, .. } => Some(spheres::ply),
+            Self { mstm: true, .. } => Some(mstm),
+            Self { bod: true, .. } => Some(bod),
+            Self { ply: true, .. } => Some(ply),
             _ => None,
         }
     }

@@ -16,7 +16,7 @@ mod manifest;
 mod read_frame;
 mod reading;
 mod series;
-pub mod spheres;
+mod spheres;
 
 pub use crate::error::read_file as read;
 pub use apart::Apart;
@@ -34,3 +34,4 @@ pub use manifest::{Manifest, Status, command_line};
 pub use read_frame::{Mesh, Property, ReadFrame};
 pub use reading::{Event, ReadTable, Series, between};
 pub use series::{Cell, Layout, Table, row};
+pub use spheres::{bod, mstm, ply};
