@@ -1,6 +1,6 @@
 //! The equations in other programming languages, with the bits of this program.
 //!
-//! An equation that is evaluated with [`Source`](crate::numbers::Source) is a graph; here it becomes a procedure. Every operation stays where it is: sums are not
+//! An equation that is evaluated with [`Source`] is a graph; here it becomes a procedure. Every operation stays where it is: sums are not
 //! reordered, nothing is fused. Functions beyond arithmetic and the square root are written out, as the libraries of languages differ in their last bits.
 
 mod c;

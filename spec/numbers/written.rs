@@ -1,4 +1,4 @@
-//! The functions of [`Real`] written out in arithmetic, so that a program without this library has their bits.
+//! The functions of [`Real`](crate::Real) written out in arithmetic, so that a program without this library has their bits.
 //!
 //! Logarithm, sine, cosine, inverse cosine and hyperbolic tangent are those of FreeBSD's msun, as the crate `libm` has them, without branches:
 //!

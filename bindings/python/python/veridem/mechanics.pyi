@@ -146,7 +146,7 @@ def kinetic_energy(m: ArrayLike | str, v: ArrayLike, i: ArrayLike | str, omega: 
     ----
     * a force changes it by its work
 
-    mechanics-kinetic-energy, spec/mechanics/kinetic_energy.rs, rounding error at most 0.5 ULP
+    mechanics-kinetic-energy, spec/mechanics/kinetic_energy.rs, rounding error at most 1 ULP
     """
 
 def translational_energy(m: ArrayLike | str, v: ArrayLike, *, check: bool = True) -> Any:
@@ -174,7 +174,7 @@ def translational_energy(m: ArrayLike | str, v: ArrayLike, *, check: bool = True
     ----
     * it is that of a sphere without spin
 
-    mechanics-translational-energy, spec/mechanics/kinetic_energy.rs, rounding error at most 0.5 ULP
+    mechanics-translational-energy, spec/mechanics/kinetic_energy.rs, rounding error at most 1 ULP
     """
 
 @overload
@@ -243,7 +243,7 @@ def excess_of_a_kick(force: ArrayLike, m: ArrayLike | str, dt: ArrayLike | str, 
     ----
     * a kick exceeds the work by it
 
-    mechanics-kick-excess, spec/mechanics/kinetic_energy.rs, rounding error at most 0.5 ULP
+    mechanics-kick-excess, spec/mechanics/kinetic_energy.rs, rounding error at most 1 ULP
     """
 
 def work(force: ArrayLike, v: ArrayLike, torque: ArrayLike, omega: ArrayLike, dt: ArrayLike | str, *, check: bool = True) -> Any:
@@ -278,7 +278,7 @@ def work(force: ArrayLike, v: ArrayLike, torque: ArrayLike, omega: ArrayLike, dt
     * it does not depend on the point of reference
     * those along the three axes are the whole
 
-    mechanics-work, spec/mechanics/work.rs, rounding error at most 0.5 ULP
+    mechanics-work, spec/mechanics/work.rs, rounding error at most 1 ULP
     """
 
 @overload
@@ -345,7 +345,7 @@ def drag_loss(c: ArrayLike | str, v: ArrayLike, dt: ArrayLike | str, *, check: b
     ----
     * a drag takes the work that it does
 
-    mechanics-drag-loss, spec/mechanics/work.rs, rounding error at most 0.5 ULP
+    mechanics-drag-loss, spec/mechanics/work.rs, rounding error at most 1 ULP
     """
 
 def path_work(before: ArrayLike, after: ArrayLike, path: ArrayLike, *, check: bool = True) -> Any:
@@ -550,7 +550,7 @@ def growth(rate: float | str, dt: float | str, *, check: bool = True) -> float:
     ----
     * many short steps are the exponential of the strain
 
-    mechanics-growth, spec/mechanics/box_relaxation.rs, rounding error at most 0.5 ULP
+    mechanics-growth, spec/mechanics/box_relaxation.rs, rounding error at most 1 ULP
     """
 @overload
 def growth(rate: ArrayLike | str, dt: ArrayLike | str, *, check: bool = True) -> NDArray[np.float64]: ...
@@ -628,7 +628,7 @@ def product(a_0: ArrayLike | str, a: ArrayLike, b_0: ArrayLike | str, b: ArrayLi
     * the product is one rotation after the other
     * the length of the product is the product of the lengths
 
-    mechanics-quaternion-product, spec/mechanics/quaternion.rs, rounding error at most 0.5 ULP
+    mechanics-quaternion-product, spec/mechanics/quaternion.rs, rounding error at most 1 ULP
     """
 
 def rotation_vector(a_0: ArrayLike | str, a: ArrayLike, b_0: ArrayLike | str, b: ArrayLike, *, check: bool = True) -> NDArray[np.float64]:
@@ -729,7 +729,7 @@ def sphere_volume(r: float | str, *, check: bool = True) -> float:
     ----
     * two caps that meet are the sphere
 
-    mechanics-sphere-volume, spec/mechanics/solids.rs, rounding error at most 0.5 ULP
+    mechanics-sphere-volume, spec/mechanics/solids.rs, rounding error at most 1 ULP
     """
 @overload
 def sphere_volume(r: ArrayLike | str, *, check: bool = True) -> NDArray[np.float64]: ...
@@ -799,7 +799,7 @@ def hcp_cell(d: ArrayLike | str, *, check: bool = True) -> _HcpCell:
     ----
     * four spheres fill 0 74 of the cell
 
-    mechanics-hcp-cell, spec/mechanics/solids.rs, rounding error at most 0.5 ULP
+    mechanics-hcp-cell, spec/mechanics/solids.rs, rounding error at most 1 ULP
     """
 
 def gyration_term(x: ArrayLike, m: ArrayLike | str, total: ArrayLike | str, *, check: bool = True) -> NDArray[np.float64]:
@@ -944,7 +944,7 @@ def period(m: float | str, k: float | str, *, check: bool = True) -> float:
     ----
     * an oscillator returns after its period
 
-    mechanics-period, spec/mechanics/oscillation.rs, rounding error at most 0.5 ULP
+    mechanics-period, spec/mechanics/oscillation.rs, rounding error at most 1 ULP
     """
 @overload
 def period(m: ArrayLike | str, k: ArrayLike | str, *, check: bool = True) -> NDArray[np.float64]: ...

@@ -106,7 +106,7 @@ def solid_inertia(m: float | str, r: float | str, *, check: bool = True) -> floa
     ----
     * a solid sphere is a pile of hollow ones
 
-    soot-solid-inertia, spec/mechanics/primary_particle.rs, rounding error at most 0.5 ULP
+    soot-solid-inertia, spec/mechanics/primary_particle.rs, rounding error at most 1 ULP
     """
 @overload
 def solid_inertia(m: ArrayLike | str, r: ArrayLike | str, *, check: bool = True) -> NDArray[np.float64]: ...
@@ -141,7 +141,7 @@ def hollow_inertia(m: float | str, r: float | str, *, check: bool = True) -> flo
     ----
     * averages the squared distance from the axis
 
-    soot-hollow-inertia, spec/mechanics/primary_particle.rs, rounding error at most 0.5 ULP
+    soot-hollow-inertia, spec/mechanics/primary_particle.rs, rounding error at most 1 ULP
     """
 @overload
 def hollow_inertia(m: ArrayLike | str, r: ArrayLike | str, *, check: bool = True) -> NDArray[np.float64]: ...
@@ -1078,7 +1078,7 @@ def spring_energy(k: ArrayLike | str, xi: ArrayLike, *, check: bool = True) -> A
     ----
     * a spring returns its work and a dashpot does not
 
-    soot-spring-energy, spec/mechanics/spring_force.rs, rounding error at most 0.5 ULP
+    soot-spring-energy, spec/mechanics/spring_force.rs, rounding error at most 1 ULP
     """
 
 @type_check_only

@@ -370,7 +370,7 @@ def kelvin(gamma: ArrayLike | str, kt: ArrayLike | str, volume: ArrayLike | str,
     * vapour above a meniscus of that curvature has the humidity
     * water at room temperature and half humidity has 96 megapascal
 
-    titania-kelvin, spec/titania/def_water.rs, rounding error at most 0.5 ULP
+    titania-kelvin, spec/titania/def_water.rs, rounding error at most 1 ULP
     """
 
 @overload
@@ -954,7 +954,7 @@ def radii(d_nom: ArrayLike | str, gap: ArrayLike | str, h_n: ArrayLike | str, *,
     ----
     * nominal radii add up to the distance at equilibrium of any two sizes
 
-    titania-radii, spec/titania/def_radius.rs, rounding error at most 0.5 ULP
+    titania-radii, spec/titania/def_radius.rs, rounding error at most 1 ULP
     """
 
 @overload
@@ -1206,7 +1206,7 @@ def mixed_stiffness(k_i: float | str, k_j: float | str, *, check: bool = True) -
     ----
     * unlike particles are as stiff as half the sum of their compliances
 
-    titania-9-mixed, spec/titania/eq09_stiffness.rs, rounding error at most 0.5 ULP
+    titania-9-mixed, spec/titania/eq09_stiffness.rs, rounding error at most 1 ULP
     """
 @overload
 def mixed_stiffness(k_i: ArrayLike | str, k_j: ArrayLike | str, *, check: bool = True) -> NDArray[np.float64]: ...
@@ -1539,7 +1539,7 @@ def spring_energy(tau_s: ArrayLike | str, a: ArrayLike | str, lambda_t: ArrayLik
     ----
     * a slip loses half the peak force times the period
 
-    titania-12-energy, spec/titania/eq12_sliding.rs, rounding error at most 0.5 ULP
+    titania-12-energy, spec/titania/eq12_sliding.rs, rounding error at most 1 ULP
     """
 
 @overload
@@ -1782,7 +1782,7 @@ def steering(k: float | str, z: float | str, z_0: float | str, v: float | str, t
     * a group that moves with the constraint feels nothing
     * the constraint has its stiffness
 
-    titania-harmonic, spec/mechanics/drive.rs, rounding error at most 0.5 ULP
+    titania-harmonic, spec/mechanics/drive.rs, rounding error at most 1 ULP
     """
 @overload
 def steering(k: ArrayLike | str, z: ArrayLike | str, z_0: ArrayLike | str, v: ArrayLike | str, t: ArrayLike | str, *, check: bool = True) -> NDArray[np.float64]: ...
@@ -2251,7 +2251,7 @@ def member_velocity(v: ArrayLike, omega: ArrayLike, r: ArrayLike, *, check: bool
     ----
     * spheres neither approach nor slide over each other
 
-    titania-member-velocity, spec/mechanics/body.rs, rounding error at most 0.5 ULP
+    titania-member-velocity, spec/mechanics/body.rs, rounding error at most 1 ULP
     """
 
 @type_check_only
@@ -2304,7 +2304,7 @@ def aggregate_drag(eta: ArrayLike | str, count: ArrayLike | str, s: ArrayLike, d
     ----
     * is the sum of the drags on the spheres
 
-    titania-aggregate-drag, spec/mechanics/body.rs, rounding error at most 0.5 ULP
+    titania-aggregate-drag, spec/mechanics/body.rs, rounding error at most 1 ULP
     """
 
 def member_inertia(m: ArrayLike | str, r: ArrayLike | str, x: ArrayLike, *, check: bool = True) -> NDArray[np.float64]:
@@ -2341,7 +2341,7 @@ def member_inertia(m: ArrayLike | str, r: ArrayLike | str, x: ArrayLike, *, chec
     * a sphere at the centre has its own moment
     * turning the place turns the tensor
 
-    titania-inertia, spec/mechanics/body_inertia.rs, rounding error at most 0.5 ULP
+    titania-inertia, spec/mechanics/body_inertia.rs, rounding error at most 1 ULP
     """
 
 def member_momentum(m: ArrayLike | str, r: ArrayLike | str, x: ArrayLike, v: ArrayLike, omega: ArrayLike, *, check: bool = True) -> NDArray[np.float64]:

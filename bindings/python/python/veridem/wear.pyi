@@ -622,7 +622,7 @@ def rescaled_maximum(delta_n: float | str, delta_f: float | str, f_mt: float | s
     * never grows with the separation
     * halves half way
 
-    wear-5, spec/wear/eq05_rescaled_maximum.rs, rounding error at most 0.5 ULP
+    wear-5, spec/wear/eq05_rescaled_maximum.rs, rounding error at most 1 ULP
     """
 @overload
 def rescaled_maximum(delta_n: ArrayLike | str, delta_f: ArrayLike | str, f_mt: ArrayLike | str, *, check: bool = True) -> NDArray[np.float64]: ...
@@ -693,7 +693,7 @@ def spring_energy(k_t: ArrayLike | str, xi: ArrayLike, *, check: bool = True) ->
     ----
     * is the work of stretching it
 
-    wear-spring-energy, spec/mechanics/projected_spring.rs, rounding error at most 0.5 ULP
+    wear-spring-energy, spec/mechanics/projected_spring.rs, rounding error at most 1 ULP
     """
 
 @type_check_only
@@ -1563,7 +1563,7 @@ def normal_cross_section(r_eff: float | str, nu: float | str, *, check: bool = T
     * grows with poisson s ratio
     * a body of such pairs has the young s modulus of the material
 
-    wear-15, spec/wear/eq15_normal_cross_section.rs, rounding error at most 0.5 ULP
+    wear-15, spec/wear/eq15_normal_cross_section.rs, rounding error at most 1 ULP
     """
 @overload
 def normal_cross_section(r_eff: ArrayLike | str, nu: ArrayLike | str, *, check: bool = True) -> NDArray[np.float64]: ...
@@ -1670,7 +1670,7 @@ def sphere_mass(rho: float | str, r: float | str, *, check: bool = True) -> floa
     * eight times the mass for twice the radius
     * sums the shells of the sphere
 
-    wear-sphere-mass, spec/mechanics/sphere.rs, rounding error at most 0.5 ULP
+    wear-sphere-mass, spec/mechanics/sphere.rs, rounding error at most 1 ULP
     """
 @overload
 def sphere_mass(rho: ArrayLike | str, r: ArrayLike | str, *, check: bool = True) -> NDArray[np.float64]: ...
@@ -1705,7 +1705,7 @@ def moment_of_inertia(m: float | str, r: float | str, *, check: bool = True) -> 
     ----
     * sums the shells of the sphere
 
-    wear-inertia, spec/mechanics/sphere.rs, rounding error at most 0.5 ULP
+    wear-inertia, spec/mechanics/sphere.rs, rounding error at most 1 ULP
     """
 @overload
 def moment_of_inertia(m: ArrayLike | str, r: ArrayLike | str, *, check: bool = True) -> NDArray[np.float64]: ...
@@ -1739,7 +1739,7 @@ def sliding_mass(m_eff: float | str, *, check: bool = True) -> float:
     ----
     * is what a force on the two surfaces accelerates
 
-    wear-sliding-mass, spec/mechanics/sphere.rs, rounding error at most 0.5 ULP
+    wear-sliding-mass, spec/mechanics/sphere.rs, rounding error at most 1 ULP
     """
 @overload
 def sliding_mass(m_eff: ArrayLike | str, *, check: bool = True) -> NDArray[np.float64]: ...
@@ -2064,7 +2064,7 @@ def global_damping(c: ArrayLike | str, v: ArrayLike, *, check: bool = True) -> N
 
     Reading
     -------
-    As printed.
+    Not printed: the paper states the coefficient $c$ of a "global damping", in units of Eq. 21. It acts on velocities, not on spins.
 
     Laws
     ----
@@ -2375,13 +2375,13 @@ def shear_modulus(e: float | str, nu: float | str, *, check: bool = True) -> flo
 
     Reading
     -------
-    As printed.
+    Not printed: Eq. 22 uses $G$, Table 5 states $E$ and $\\nu$.
 
     Laws
     ----
     * half the difference of the elastic constants
 
-    wear-shear-modulus, spec/wear/eq22_critical_length.rs, rounding error at most 0.5 ULP
+    wear-shear-modulus, spec/wear/eq22_critical_length.rs, rounding error at most 1 ULP
     """
 @overload
 def shear_modulus(e: ArrayLike | str, nu: ArrayLike | str, *, check: bool = True) -> NDArray[np.float64]: ...
@@ -2474,7 +2474,7 @@ def pair_accelerations(m_i: ArrayLike | str, m_j: ArrayLike | str, c_n: ArrayLik
     * a common motion goes unnoticed
     * is the difference of the two accelerations
 
-    wear-A1, spec/wear/a01_pair_motion.rs, rounding error at most 0.5 ULP
+    wear-A1, spec/wear/a01_pair_motion.rs, rounding error at most 1 ULP
     """
 
 @overload
@@ -2889,7 +2889,7 @@ def amplification_matrix(h: ArrayLike | str, *, check: bool = True) -> _Amplific
     * the matrix does the scaled step
     * the matrix keeps areas
 
-    wear-A12, spec/wear/a11_scaled_step.rs, rounding error at most 0.5 ULP
+    wear-A12, spec/wear/a11_scaled_step.rs, rounding error at most 1 ULP
     """
 
 @type_check_only
@@ -4276,7 +4276,7 @@ def separation_z(r: float | str, epsilon_z: float | str, theta: float | str, *, 
     * theta is a latitude
     * a uniform strain in the plane stretches its pairs alike
 
-    wear-A51, spec/wear/a50_pair_strain.rs, rounding error at most 0.5 ULP
+    wear-A51, spec/wear/a50_pair_strain.rs, rounding error at most 1 ULP
     """
 @overload
 def separation_z(r: ArrayLike | str, epsilon_z: ArrayLike | str, theta: ArrayLike | str, *, check: bool = True) -> NDArray[np.float64]: ...
@@ -4394,7 +4394,7 @@ def separation_zonal(delta_x: float | str, phi: float | str, *, check: bool = Tr
     * the spherical components keep the length
     * the components point outwards north and east
 
-    wear-A54, spec/wear/a50_pair_strain.rs, rounding error at most 0.5 ULP
+    wear-A54, spec/wear/a50_pair_strain.rs, rounding error at most 1 ULP
     """
 @overload
 def separation_zonal(delta_x: ArrayLike | str, phi: ArrayLike | str, *, check: bool = True) -> NDArray[np.float64]: ...
@@ -4435,7 +4435,7 @@ def pair_strain_energy(k_n: float | str, k_t: float | str, delta_n: float | str,
     ----
     * equal stiffnesses store the square of the length
 
-    wear-A55, spec/wear/a50_pair_strain.rs, rounding error at most 0.5 ULP
+    wear-A55, spec/wear/a50_pair_strain.rs, rounding error at most 1 ULP
     """
 @overload
 def pair_strain_energy(k_n: ArrayLike | str, k_t: ArrayLike | str, delta_n: ArrayLike | str, delta_theta: ArrayLike | str, delta_phi: ArrayLike | str, *, check: bool = True) -> NDArray[np.float64]: ...
@@ -4514,7 +4514,7 @@ def close_packed_energy(u: float | str, *, check: bool = True) -> float:
     ----
     * twelve times the mean of half a pair
 
-    wear-A57, spec/wear/a56_body_energy.rs, rounding error at most 0.5 ULP
+    wear-A57, spec/wear/a56_body_energy.rs, rounding error at most 1 ULP
     """
 @overload
 def close_packed_energy(u: ArrayLike | str, *, check: bool = True) -> NDArray[np.float64]: ...
@@ -4549,7 +4549,7 @@ def close_packed_volume(r: float | str, *, check: bool = True) -> float:
     * is a quarter of the cubic cell
     * spheres fill seventy four percent
 
-    wear-A58, spec/wear/a56_body_energy.rs, rounding error at most 0.5 ULP
+    wear-A58, spec/wear/a56_body_energy.rs, rounding error at most 1 ULP
     """
 @overload
 def close_packed_volume(r: ArrayLike | str, *, check: bool = True) -> NDArray[np.float64]: ...
@@ -4669,7 +4669,7 @@ def constant_12(r: float | str, k_n: float | str, k_t: float | str, *, check: bo
     * without tangential springs the ratio is three
     * equal springs do not push sideways
 
-    wear-A61, spec/wear/a60_elastic_constants.rs, rounding error at most 0.5 ULP
+    wear-A61, spec/wear/a60_elastic_constants.rs, rounding error at most 1 ULP
     """
 @overload
 def constant_12(r: ArrayLike | str, k_n: ArrayLike | str, k_t: ArrayLike | str, *, check: bool = True) -> NDArray[np.float64]: ...
@@ -4707,7 +4707,7 @@ def normal_stiffness_of_body(e: float | str, r: float | str, nu: float | str, *,
     * the stiffnesses reproduce the wanted constants
     * the cross sections give these stiffnesses
 
-    wear-A62, spec/wear/a60_elastic_constants.rs, rounding error at most 0.5 ULP
+    wear-A62, spec/wear/a60_elastic_constants.rs, rounding error at most 1 ULP
     """
 @overload
 def normal_stiffness_of_body(e: ArrayLike | str, r: ArrayLike | str, nu: ArrayLike | str, *, check: bool = True) -> NDArray[np.float64]: ...
