@@ -233,7 +233,7 @@ def balance(both, stage, begin, what, lost=1e-8):
 def breaking(veridem):
     """Necks that break in both programs at the same step, and the energy that they lose."""
     stress = "break_stress: {tension: 5 GPa, shear: 5 GPa, neck_radius: 5 nm}"
-    energy = "break_energy: 1e-18 J"
+    energy = "break_energy: 1e-20 J"
     for name, strength, integrator, ranks in (
         ("stress", stress, "half-step", 1),
         ("energy", energy, "half-step", 4),
