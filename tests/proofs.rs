@@ -13,7 +13,7 @@ use veridem_spec::numbers::{Dual, Interval, Reference, Rounded};
 const COUNT: usize = 10;
 const POINTS: usize = 4;
 
-/// One equation in so many is proved again.
+/// One equation in this number is proved again.
 const EVERY: usize = 12;
 
 /// A sequence of numbers between zero and one.

@@ -57,20 +57,11 @@ impl Syntax for C {
             _ => format!("{value:?}"),
         }
     }
-    fn logic(&self) -> [&'static str; 3] {
-        ["&&", "||", "!"]
-    }
-    fn select(&self, condition: &str, yes: &str, no: &str) -> String {
-        format!("{condition} ? {yes} : {no}")
-    }
     fn function(&self, name: &'static str) -> String {
         match name {
             "sqrt" | "floor" => name.into(),
             _ => format!("veridem_{name}"),
         }
-    }
-    fn comment(&self) -> &'static str {
-        "//"
     }
     fn procedure(&self, procedure: &Procedure, comment: &str) -> String {
         let argument = |value: &Value| match value.size {

@@ -89,17 +89,8 @@ impl Syntax for Javascript {
             _ => format!("{value:?}"),
         }
     }
-    fn logic(&self) -> [&'static str; 3] {
-        ["&&", "||", "!"]
-    }
-    fn select(&self, condition: &str, yes: &str, no: &str) -> String {
-        format!("{condition} ? {yes} : {no}")
-    }
     fn function(&self, name: &'static str) -> String {
         format!("_{name}")
-    }
-    fn comment(&self) -> &'static str {
-        "//"
     }
     fn procedure(&self, procedure: &Procedure, comment: &str) -> String {
         let names: Vec<&str> = procedure.arguments.iter().map(|value| value.name.as_str()).collect();

@@ -3,6 +3,7 @@
 mod simplified;
 mod symbols;
 
+use super::procedure::Binding;
 use crate::document::Document;
 use crate::numbers::source::{Graph, Node, Operation, Place};
 use simplified::simplified;
@@ -37,18 +38,6 @@ pub fn computed(graph: &Graph, document: &Document) -> Computed {
     let formula = |(symbol, place): (String, &Place)| Formula { symbol, formula: writer.text(*place) };
     let results = names.into_iter().zip(&graph.results).map(formula).collect();
     Computed { parts: writer.parts, results }
-}
-
-/// How tightly a formula holds together; what binds less is put into parentheses.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Binding {
-    Choice,
-    Logic,
-    Comparison,
-    Sum,
-    Product,
-    Power,
-    Atom,
 }
 
 /// Formulas from this length on are named, even if they occur once.

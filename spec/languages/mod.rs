@@ -39,10 +39,14 @@ trait Syntax {
     fn reserved(&self) -> &'static [&'static str];
     /// A number, so that it is read as the same bits.
     fn literal(&self, value: f64) -> String;
-    /// `and`, `or`, `not`.
-    fn logic(&self) -> [&'static str; 3];
+    /// `and`, `or`, `not`; those of C, unless a language has its own.
+    fn logic(&self) -> [&'static str; 3] {
+        ["&&", "||", "!"]
+    }
     /// A choice between two numbers.
-    fn select(&self, condition: &str, yes: &str, no: &str) -> String;
+    fn select(&self, condition: &str, yes: &str, no: &str) -> String {
+        format!("{condition} ? {yes} : {no}")
+    }
     /// The name of a function of one or two numbers.
     fn function(&self, name: &'static str) -> String;
     /// A quotient, where it is not an operator.
@@ -54,7 +58,9 @@ trait Syntax {
         format!("{name}[{k}]")
     }
     /// The mark before every line of a comment.
-    fn comment(&self) -> &'static str;
+    fn comment(&self) -> &'static str {
+        "//"
+    }
     /// A procedure that others call, with its comment, or one of the functions written out.
     fn procedure(&self, procedure: &Procedure, comment: &str) -> String;
     /// The module: what it says of itself, and its procedures.
@@ -197,8 +203,8 @@ impl Language {
             .map(|(_, (_, name, meaning, function))| {
                 let graph = Graph::of(1, |x| vec![function(x[0])]);
                 let value = |name: &str| vec![Value { name: name.into(), size: 1 }];
-                let procedure = Procedure::private(syntax, syntax.function(name), value("x"), value("value"), &graph);
-                syntax.procedure(&procedure, meaning)
+                let procedure = Procedure::new(syntax, syntax.function(name), value("x"), value("value"), &graph);
+                syntax.procedure(&Procedure { private: true, ..procedure }, meaning)
             })
             .collect();
         let head =

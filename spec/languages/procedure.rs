@@ -34,14 +34,15 @@ pub(super) struct Procedure {
 /// Longest expression that is written into another one.
 const LONGEST: usize = 72;
 
-/// How tightly an expression holds together; what binds less is put into parentheses.
+/// How tightly an expression or a formula holds together; what binds less is put into parentheses.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Binding {
+pub(super) enum Binding {
     Choice,
     Logic,
     Comparison,
     Sum,
     Product,
+    Power,
     Atom,
 }
 
@@ -62,16 +63,6 @@ impl Procedure {
         let writer = Writer { syntax, graph, names, inputs: places(syntax, &arguments), statements: vec![] };
         let (statements, outputs) = writer.write();
         Self { name, private: false, arguments, unused, results, statements, outputs }
-    }
-
-    pub(super) fn private(
-        syntax: &dyn Syntax,
-        name: String,
-        arguments: Vec<Value>,
-        results: Vec<Value>,
-        graph: &Graph,
-    ) -> Self {
-        Self { private: true, ..Self::new(syntax, name, arguments, results, graph) }
     }
 
     /// The only result, if it is one number.

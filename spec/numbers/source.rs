@@ -47,7 +47,7 @@ pub struct Source(Place);
 pub struct Condition(Place);
 
 impl Graph {
-    /// Records a function of so many arguments.
+    /// Records a function with this number of arguments.
     pub fn of(arguments: usize, function: impl FnOnce(&[Source]) -> Vec<Source>) -> Self {
         RECORDER.set(Recorder::default());
         let arguments: Vec<Source> = (0..arguments).map(|k| Source(record(Node::Argument(k)))).collect();

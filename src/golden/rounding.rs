@@ -13,7 +13,7 @@ pub struct Rounding {
 }
 
 /// The error of each number that comes out, divided by `eps (|f| + sum_k |x_k df/dx_k|)`: as if the result and each
-/// input had been rounded so many times. Conditioning, which no implementation can help, is thereby divided out, but an
+/// input had been rounded that number of times. Conditioning, which no implementation can help, is thereby divided out, but an
 /// infinite derivative excuses nothing, nor does one that is not a number. The error is never NaN: it is infinite where the exact or the
 /// rounded result is not finite.
 pub fn error(equation: &Equation, numbers: &[f64], out: &[f64], exact: &[Reference], eps: f64) -> Vec<f64> {

@@ -58,7 +58,7 @@ pub(super) fn prove(whole: Ranges, budget: usize, check: impl Fn(&[Interval]) ->
     Proof { parts, stopped: None }
 }
 
-/// Divides a box evenly into about so many parts, always along the widest side.
+/// Divides a box evenly into at least `count` parts where it can, always along the widest side.
 pub(super) fn divide(whole: Ranges, count: usize) -> Vec<Ranges> {
     let mut parts = vec![whole];
     while parts.len() < count {

@@ -122,7 +122,7 @@ pub fn claims(equation: &Equation, document: &Document) -> Vec<Claim> {
     claims
 }
 
-/// Tries to prove a claim with at most so many checks.
+/// Tries to prove a claim with at most `budget` checks.
 pub fn attempt(equation: &Equation, document: &Document, claim: &Claim, scale: Scale, budget: usize) -> Proof {
     let euler = conditioning(document);
     let check = |part: &[Interval]| match *claim {
@@ -193,7 +193,7 @@ const NOTHING: f64 = 1e-6;
 /// or below this number, where results underflow.
 const TINY: f64 = 1e-300;
 
-/// Whether every number that comes out has an error of at most so many units of the last place.
+/// Whether every number that comes out has an error of at most `stated` units of the last place.
 fn rounding(equation: &Equation, part: &[Interval], stated: f64, euler: &[f64]) -> Result<(), String> {
     let results = finite(equation, part)?;
     let size = |x: Interval| x.lo.abs().max(x.hi.abs());

@@ -34,7 +34,7 @@ magnitude of each unit for particles of nanometres to micrometres. It is named w
 * *Finite*: no denominator is zero, no root or logarithm is without a value, nothing overflows, in `f64` as in exact numbers.
 * *Signs* and *monotonicity* of scalar results: every sign and every direction in a scalar argument that no sample contradicts is tried.
   \"Rises\" is \"does not fall\". Cases of a formula that meet at a bound that depends on the argument prove no direction: that they meet is not used.
-* *Rounding*: the error is at most so many units of the last place, `eps (|f| + sum_k |x_k df/dx_k|)`, everywhere in the box. Besides, there may be what is of
+* *Rounding*: the error is at most the stated number of units of the last place, `eps (|f| + sum_k |x_k df/dx_k|)`, everywhere in the box. Besides, there may be what is of
   second order in `eps`, below a millionth of a rounding of the largest result in a part, and underflow.
   Sine, cosine, logarithm and inverse cosine of `libm` count as at most one unit of the last place wrong, the hyperbolic tangent as two, and the project's own exponential as one.
 

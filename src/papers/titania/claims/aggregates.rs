@@ -12,8 +12,9 @@ use crate::spec::titania::def_aggregate::sauter_diameter;
 use rayon::prelude::*;
 use std::f64::consts::PI;
 
-/// Aggregates whose size is measured, the first with so many particles at least: smaller ones have hardly a shape.
+/// Number of aggregates whose size is measured.
 const MEASURED: usize = 200;
+/// Smallest number of particles in one of them: the shape of a smaller aggregate is ill defined.
 const LEAST: usize = 10;
 /// Groups of aggregates whose slopes have a mean and an interval.
 const GROUPS: usize = 10;
