@@ -125,14 +125,14 @@ pub fn partition<M: PairModel>(
     model: &M,
     particles: &Particles,
     (x, domain, skin): (&[Vec3<f64>], &Domain, f64),
-    pairs: &[Neighbour],
+    pairs: Vec<Neighbour>,
     necks: &[(u32, u32)],
     springs: &Springs,
     moving: usize,
 ) -> Result<Vec<Block<M>>, Reason> {
     let n = moving;
     let mut first = vec![0usize; n + 1];
-    for pair in pairs {
+    for pair in &pairs {
         first[pair.p as usize + 1] += 1;
     }
     for p in 0..n {
@@ -142,14 +142,20 @@ pub fn partition<M: PairModel>(
     let size = (n / 16).clamp(192, 1024);
     let mut cut = Vec::new();
     for start in (0..n).step_by(size) {
-        cut_to_fit(start..(start + size).min(n), particles, pairs, &first, &mut cut)?;
+        cut_to_fit(start..(start + size).min(n), particles, &pairs, &first, &mut cut)?;
     }
+    // Each block frees its pairs when it has laid them out: as a whole they would outlive the largest part of what is made of them.
+    let with_pairs = |(own, halo): Cut| {
+        let pairs = pairs[first[own.start]..first[own.end]].to_vec();
+        (own, halo, pairs)
+    };
+    let cut: Vec<_> = cut.into_iter().map(with_pairs).collect();
+    drop(pairs);
     let mut blocks: Vec<Block<M>> = cut
         .into_par_iter()
-        .map(|(own, halo)| {
-            let pairs = &pairs[first[own.start]..first[own.end]];
+        .map(|(own, halo, pairs)| {
             let (mut joined, mut near, mut others, mut far) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-            for &pair in pairs {
+            for pair in pairs {
                 let (p, q) = (pair.p as usize, pair.q as usize);
                 let radii = particles.radius[p] + particles.radius[q];
                 let gap = (x[p] - (x[q] + domain.shift(pair.image))).norm() - radii;

@@ -4,6 +4,7 @@ use super::act::{Row, RowInput, RowOutput, Sums};
 use super::blocks::Block;
 use super::layout::{CAPACITY, LANES};
 use super::pairs::{FarPairs, Pairs};
+use super::prefetch::prefetch;
 use super::vectorised::Vectorised;
 use super::{Totals, transpose};
 use crate::spec::numbers::{Instructions, Lanes, Set};
@@ -13,6 +14,8 @@ use num_traits::Zero;
 
 /// Number of rows that are gathered before they are evaluated, so that stores of single numbers have completed before rows are loaded.
 const BATCH: usize = 8;
+/// Number of spheres of the halo, which lie scattered in memory, from the request for a sphere to its use.
+const HALO_AHEAD: usize = 8;
 
 /// Force (pN) and torque (pN nm) on a sphere, padded by two unused numbers to one vector.
 pub type Load = Lanes<LANES>;
@@ -43,7 +46,14 @@ impl GatheredSpheres {
         self.len = block.own.len() + block.halo.len();
         let mut places = self.motion.iter_mut().zip(self.spin.iter_mut());
         let own = block.own.clone().map(|p| (p, Vec3::zero()));
-        let halo = block.halo.iter().map(|&(q, image)| (q as usize, domain.shift(image)));
+        let halo = block.halo.iter().enumerate().map(|(k, &(q, image))| {
+            if let Some(&(ahead, _)) = block.halo.get(k + HALO_AHEAD) {
+                let ahead = ahead as usize;
+                [&particles.x, &particles.v, &particles.w].into_iter().for_each(|of| prefetch(&of[ahead]));
+                prefetch(&particles.radius[ahead]);
+            }
+            (q as usize, domain.shift(image))
+        });
         for ((p, shift), (motion, spin)) in own.chain(halo).zip(&mut places) {
             let Vec3([x, y, z]) = particles.x[p] + shift;
             let (Vec3([a, b, c]), Vec3([d, e, f])) = (particles.v[p], particles.w[p]);
@@ -285,6 +295,9 @@ macro_rules! pair_loop {
                 for start in (0..pairs.i.len()).step_by(BATCH) {
                     let rows = start..(start + BATCH).min(pairs.i.len());
                     for (row, input) in rows.clone().zip(&mut input) {
+                        if let Some(ahead) = pairs.memory.get(row + BATCH) {
+                            prefetch(ahead);
+                        }
                         gather(spheres_of_block, &pairs.i[row], &pairs.j[row], input);
                     }
                     for ((row, input), output) in rows.clone().zip(&input).zip(&mut output) {

@@ -1,8 +1,11 @@
 //! The loads on the spheres of a block, from its own pairs and from those of other blocks.
 
 use super::blocks::Block;
-use super::{CAPACITY, Load};
+use super::{CAPACITY, Load, prefetch};
 use crate::spec::PairModel;
+
+/// Number of spheres from the request for numbers that are read in order to their use.
+pub const AHEAD: usize = 32;
 
 /// The loads that each block has stored.
 pub type StoredLoads<'a> = Vec<&'a [Load; CAPACITY]>;
@@ -40,6 +43,9 @@ impl Iterator for MergedLoads<'_> {
             }
             sum = sum + self.stored[from as usize][place as usize];
             self.incoming = rest;
+        }
+        if let Some(ahead) = self.own.as_slice().get(AHEAD) {
+            prefetch(ahead);
         }
         self.next += 1;
         Some(sum)

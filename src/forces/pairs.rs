@@ -152,12 +152,13 @@ impl<M: PairModel> Pairs<M> {
         necks: &[(u32, u32)],
         springs: &Springs,
     ) -> Self {
+        let rows = parts.iter().map(|pairs| pairs.len().div_ceil(LANES)).sum();
         let mut laid = Self {
-            i: Vec::new(),
-            j: Vec::new(),
-            kind: Vec::new(),
-            coefficients: Vec::new(),
-            memory: Vec::new(),
+            i: Vec::with_capacity(rows),
+            j: Vec::with_capacity(rows),
+            kind: Vec::with_capacity(rows),
+            coefficients: Vec::with_capacity(if M::FRICTION_STOPS { rows } else { 0 }),
+            memory: Vec::with_capacity(rows),
             parts: parts.map(<[_]>::len),
         };
         for row in parts.into_iter().flat_map(in_rows) {

@@ -1,6 +1,6 @@
 //! One time step of the spheres of a block.
 
-use crate::forces::{Instructions, LANES, MergedLoads, Square, Vectorised, vectorised};
+use crate::forces::{AHEAD, Instructions, LANES, MergedLoads, Square, Vectorised, prefetch, vectorised};
 use crate::spec::Vec3;
 use crate::spec::mechanics::box_stress::momentum_flux;
 use crate::spec::mechanics::drag::global_damping;
@@ -218,6 +218,11 @@ impl Advance<'_> {
         let [fx, fy, fz, tx, ty, tz, ..] = across(loads);
         let (mut sums, mut ways) = ([[0.0; LANES]; 6], [[0.0; LANES]; 3]);
         let Self { spheres: Spheres { x, v, w, radius, mass, listed, .. }, step, .. } = self;
+        for of in [&**x, &**v, &**w, *listed] {
+            if let Some(ahead) = of.get(begin + AHEAD..).and_then(<[_]>::first_chunk::<LANES>) {
+                prefetch(ahead);
+            }
+        }
         // Copies, of which the compiler knows that they do not overlap.
         let (mut places, mut velocities, mut spins) = (chunk(x, begin), chunk(v, begin), chunk(w, begin));
         let (radius, mass, listed) = (chunk(radius, begin), chunk(mass, begin), chunk(listed, begin));

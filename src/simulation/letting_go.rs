@@ -13,6 +13,8 @@ impl<M: PairModel> Simulation<M> {
     pub(super) fn list_anew(&mut self) -> Result<(), Halt> {
         let (springs, forgotten) = self.springs();
         self.enter_lost(&forgotten);
+        // Their memory is needed for the next ones.
+        self.blocks = Vec::new();
         self.list_neighbours(&springs, &Interrupt::default())?;
         self.let_go(&springs);
         Ok(())

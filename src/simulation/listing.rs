@@ -67,7 +67,7 @@ impl<M: PairModel> Simulation<M> {
         if !self.system.bodies.is_empty() && self.system.surfaces.is_empty() {
             self.part(&mut pairs);
         }
-        self.build_blocks(&pairs, springs)
+        self.build_blocks(pairs, springs)
     }
 
     /// Builds the list from what it was built from, which the particles are already in the order of.
@@ -76,7 +76,7 @@ impl<M: PairModel> Simulation<M> {
         if pairs.iter().any(|pair| pair.p.max(pair.q) as usize >= self.listed.moving) {
             return Err(self.halt(Reason::Snapshot));
         }
-        self.build_blocks(&pairs, springs)?;
+        self.build_blocks(pairs, springs)?;
         // How far spheres have moved since is not known.
         self.shares.strayed = f64::INFINITY;
         Ok(())
@@ -173,7 +173,7 @@ impl<M: PairModel> Simulation<M> {
     }
 
     /// Cuts the pairs into blocks.
-    fn build_blocks(&mut self, pairs: &[Neighbour], springs: &Springs) -> Result<(), Halt> {
+    fn build_blocks(&mut self, pairs: Vec<Neighbour>, springs: &Springs) -> Result<(), Halt> {
         let (particles, necks) = (&self.system.particles, &self.system.necks);
         let domain = Domain { sides: self.listed.sides, ..self.system.domain };
         self.blocks = forces::partition(
