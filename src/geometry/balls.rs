@@ -2,9 +2,12 @@
 
 use super::Sphere;
 use crate::spec::Vec3;
+use crate::spec::numbers::{Instructions, Work};
 
-/// Spheres that are not divided further.
-const FEW: usize = 16;
+/// Spheres that are not divided further: with vector instructions all of them are faster than a tree of them.
+const FEW: usize = 64;
+/// Spheres whose distances are taken together.
+const LANES: usize = 8;
 /// Factor by which balls are larger than what they hold, so that rounding hides nothing.
 const ROOM: f64 = 1.0 + 1e-9;
 
@@ -15,7 +18,7 @@ pub(super) struct Ball {
 }
 
 enum Content {
-    Spheres(Vec<Sphere>),
+    Spheres(Vec<Row>),
     Balls(Box<[Ball; 2]>),
 }
 
@@ -30,7 +33,7 @@ impl Ball {
         let radius = spheres.iter().map(|s| (s.centre - centre).norm() + s.radius).fold(0.0, f64::max);
         let bound = Sphere { centre, radius: ROOM * radius };
         if spheres.len() <= FEW {
-            return Self { bound, content: Content::Spheres(spheres) };
+            return Self { bound, content: Content::Spheres(spheres.chunks(LANES).map(row).collect()) };
         }
         let width = |axis: &usize| sides[*axis][1] - sides[*axis][0];
         let widest = (0..3).max_by(|a, b| width(a).total_cmp(&width(b))).expect("there are three axes");
@@ -47,7 +50,7 @@ impl Ball {
     /// The distance of the nearest surface if it is nearer than `least`, or `least`.
     fn nearer(&self, from: Vec3<f64>, least: f64) -> f64 {
         match &self.content {
-            Content::Spheres(spheres) => spheres.iter().map(|s| distance(from, s)).fold(least, f64::min),
+            Content::Spheres(rows) => Instructions::best().run(Nearest { rows, from, least }),
             Content::Balls(balls) => {
                 let [one, other] = balls.each_ref().map(|ball| (distance(from, &ball.bound), ball));
                 let nearest_first = if one.0 <= other.0 { [one, other] } else { [other, one] };
@@ -59,6 +62,38 @@ impl Ball {
                 )
             }
         }
+    }
+}
+
+/// Centres and radii of spheres side by side; the first fills the places that are left.
+type Row = [[f64; LANES]; 4];
+
+fn row(spheres: &[Sphere]) -> Row {
+    let of = |lane: usize| spheres.get(lane).unwrap_or(&spheres[0]);
+    let centre = |axis: usize| std::array::from_fn(|lane| of(lane).centre.0[axis]);
+    [centre(0), centre(1), centre(2), std::array::from_fn(|lane| of(lane).radius)]
+}
+
+/// The least distance of a point from spheres.
+struct Nearest<'a> {
+    rows: &'a [Row],
+    from: Vec3<f64>,
+    least: f64,
+}
+
+impl Work for Nearest<'_> {
+    type Outcome = f64;
+
+    #[inline(always)]
+    fn run(self) -> f64 {
+        let mut least = [self.least; LANES];
+        for [x, y, z, radius] in self.rows {
+            for lane in 0..LANES {
+                let distance = (self.from - Vec3([x[lane], y[lane], z[lane]])).norm() - radius[lane];
+                least[lane] = if distance < least[lane] { distance } else { least[lane] };
+            }
+        }
+        least.into_iter().fold(self.least, f64::min)
     }
 }
 

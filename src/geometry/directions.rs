@@ -11,7 +11,9 @@ pub fn turn(stream: &mut Stream) -> f64 {
 /// A random direction.
 pub fn direction(stream: &mut Stream) -> Vec3<f64> {
     let z = 2.0 * stream.uniform() - 1.0;
-    cone(Vec3([0.0, 0.0, 1.0]), z, stream)
+    let angle = turn(stream);
+    let across = (1.0 - z.squared()).max(0.0).sqrt();
+    Vec3([-Real::sin(angle) * across, Real::cos(angle) * across, z])
 }
 
 /// A random direction at an angle to the axis.
