@@ -92,7 +92,7 @@ pub fn neighbours_but(
     let parts = (0..x.len()).into_par_iter().step_by(ASKED).map(of_some).collect::<Result<Vec<Vec<_>>, Error>>()?;
     let mut all = parts.concat();
     interrupt.check()?;
-    all.sort_unstable();
+    all.par_sort_unstable();
     Ok(all)
 }
 
