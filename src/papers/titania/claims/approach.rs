@@ -10,6 +10,7 @@ use crate::papers::titania::stage::Stage;
 use crate::papers::titania::study::Plan;
 use crate::reproduce::{Claim, Evidence, Figure, near};
 use crate::run::{self, Driver, Each};
+use crate::spec::mechanics::reduced_mass::effective_mass;
 use crate::spec::titania::def_relaxation::relaxation;
 use crate::system::System;
 use std::f64::consts::PI;
@@ -68,6 +69,13 @@ impl Release {
     }
 }
 
+/// Damping coefficient (pN s/m) of two particles of a nominal diameter whose oscillations have this period (ps) and damping ratio.
+fn coefficient(d: f64, period: f64, ratio: f64) -> f64 {
+    let (_, mass) = paper().particle(d);
+    let rate = 2.0 * PI / (period * 1e-3) * ratio / f64::sqrt(1.0 - ratio * ratio);
+    2.0 * effective_mass(mass, mass) * rate
+}
+
 /// Oscillations about the equilibrium, with the damping constant of the paper and with that of the authors' program.
 pub(super) fn approach(chapter: &mut Evidence, interrupt: &Interrupt) -> Result<(), Error> {
     let mut curves = Vec::new();
@@ -89,15 +97,16 @@ pub(super) fn approach(chapter: &mut Evidence, interrupt: &Interrupt) -> Result<
                 least < 0.0 && end.abs() < 1e-3,
             ));
             let r = 0.5 * d;
-            let (.., omega_0, ratio, _) =
+            let (.., stated_gamma, omega_0, _, _) =
                 relaxation(k_n * 1e9, r * 1e-9, r * 1e-9, 0.36e-9, pull * 1e-9, 4230.0, 0.5e6);
-            let (stated, (period, damping)) = (2e12 * PI / omega_0, release.oscillation());
+            let (stated, (period, ratio)) = (2e12 * PI / omega_0, release.oscillation());
+            let gamma = coefficient(d, period, ratio);
             chapter.claims.push(Claim::new(
                 "Eq. 7",
-                format!("damping ratio of their small oscillations, within 25 %; damping constant of the {who}"),
-                format!("{ratio:.4}, linearised with {k_n} GPa"),
-                format!("{damping:.4}"),
-                near(damping, ratio, 0.25),
+                format!("damping coefficient by the decay of their small oscillations, within 25 %; damping constant of the {who}"),
+                format!("{:.1} pN s/m", stated_gamma * 1e12),
+                format!("{gamma:.1} pN s/m; damping ratio {ratio:.4}"),
+                near(gamma, stated_gamma * 1e12, 0.25),
             ));
             if factor == 1.0 {
                 chapter.claims.push(Claim::new(
