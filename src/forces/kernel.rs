@@ -297,6 +297,9 @@ macro_rules! pair_loop {
                     for (row, input) in rows.clone().zip(&mut input) {
                         if let Some(ahead) = pairs.memory.get(row + BATCH) {
                             prefetch(ahead);
+                            if M::FRICTION_STOPS {
+                                prefetch(pairs.constants(row + BATCH));
+                            }
                         }
                         gather(spheres_of_block, &pairs.i[row], &pairs.j[row], input);
                     }

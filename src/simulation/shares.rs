@@ -2,7 +2,7 @@
 //! several contacts together must not reverse it. Only the contacts that touch at this instant share it, whatever pairs the neighbour list holds.
 
 use super::Simulation;
-use crate::forces::{Block, Touchable};
+use crate::forces::{Block, Touchable, prefetch};
 use crate::motion;
 use crate::spec::mechanics::friction_share::inertia_share;
 use crate::spec::mechanics::reduced_mass::effective_mass;
@@ -70,13 +70,27 @@ fn touch(System { particles, domain, .. }: &System, Touchable { spheres, .. }: &
     branch.dot(branch) < reach * reach
 }
 
+/// Number of pairs from the request for their spheres to their use.
+const AHEAD: usize = 8;
 /// Rounding of coordinates, nm.
 const ROUNDING: f64 = 1e-6;
 
 /// The contacts that came or went since contacts were counted last.
 fn changes<M: PairModel>(block: &mut Block<M>, system: &System, strayed: f64, all: bool) -> Vec<Touchable> {
     let mut changes = Vec::new();
-    for pair in block.touchable.iter_mut().take_while(|pair| all || pair.margin <= strayed + ROUNDING) {
+    let due = if all {
+        block.touchable.len()
+    } else {
+        block.touchable.partition_point(|pair| pair.margin <= strayed + ROUNDING)
+    };
+    for k in 0..due {
+        if let Some(ahead) = block.touchable.get(k + AHEAD) {
+            for (p, _) in ahead.spheres {
+                prefetch(&system.particles.x[p as usize]);
+                prefetch(&system.particles.radius[p as usize]);
+            }
+        }
+        let pair = &mut block.touchable[k];
         let touches = touch(system, pair);
         if touches != pair.touches {
             pair.touches = touches;
