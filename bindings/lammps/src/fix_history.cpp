@@ -4,6 +4,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
+#include "force.h"
 #include "neighbor.h"
 #include "pair_veridem.h"
 #include "update.h"
@@ -22,8 +23,10 @@ FixVeridemHistory::FixVeridemHistory(LAMMPS *lmp, int narg, char **arg) : Fix(lm
   restart_peratom = 1;
   restart_global = 1;
   create_attribute = 1;
+  stores_ids = 1;
   maxexchange_dynamic = 1;
-  maxexchange = 1;
+  maxexchange = 2;
+  spheres = atom->natoms;
   FixVeridemHistory::grow_arrays(atom->nmax);
   atom->add_callback(Atom::GROW);
   atom->add_callback(Atom::RESTART);
@@ -38,12 +41,33 @@ FixVeridemHistory::~FixVeridemHistory() {
 int FixVeridemHistory::setmask() {
   using namespace FixConst;
   int necks_break = nevery > 0 ? END_OF_STEP : 0;
-  return PRE_EXCHANGE | POST_NEIGHBOR | POST_RUN | MIN_PRE_EXCHANGE | MIN_POST_NEIGHBOR | necks_break;
+  return PRE_EXCHANGE | POST_NEIGHBOR | POST_RUN | necks_break;
 }
 
 void FixVeridemHistory::init() {
   dangerous = neighbor->ndanger;
   if (!pair) error->all(FLERR, "fix veridem/history belongs to a pair_style veridem that is gone");
+  if (atom->natoms != spheres) forget_deleted();
+  spheres = atom->natoms;
+}
+
+/* What spheres have with others that were deleted between two runs. */
+void FixVeridemHistory::forget_deleted() {
+  const auto ids = pair->ids();
+  bigint gone = 0;
+  for (int p = 0; p < atom->nlocal; p++) {
+    std::vector<double> of;
+    for (size_t entry = 0; entry < kept[p].size(); entry += 1 + width) {
+      const auto begin = kept[p].begin() + entry;
+      if (std::binary_search(ids.begin(), ids.end(), static_cast<tagint>(*begin)))
+        of.insert(of.end(), begin, begin + 1 + width);
+      else
+        gone++;
+    }
+    kept[p] = of;
+  }
+  MPI_Allreduce(MPI_IN_PLACE, &gone, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  if (gone > 0 && comm->me == 0) utils::logmesg(lmp, "veridem: {} contacts and necks with deleted spheres are forgotten\n", gone);
 }
 
 int FixVeridemHistory::largest() const {
@@ -73,7 +97,7 @@ void FixVeridemHistory::gather() {
       }
     }
   }
-  maxexchange = 1 + largest();
+  maxexchange = 2 + largest();
 }
 
 /* From the spheres to a new list. */
@@ -83,6 +107,12 @@ void FixVeridemHistory::scatter() {
   double *history;
   pair->relist();
   if (!pair->pairs(count, i, j, history)) return;
+  for (int p = 0; p < atom->nlocal; p++) {
+    if (known[p] != 0 && known[p] != atom->tag[p])
+      error->one(FLERR, "veridem: sphere {} has become {}, so that contacts would be taken for others: use delete_atoms with compress no, "
+                        "and keep the ids", known[p], atom->tag[p]);
+    known[p] = atom->tag[p];
+  }
   std::vector<int> necks(atom->nlocal, 0);
   for (size_t k = 0; k < count; k++) {
     uint32_t owned = i[k] < static_cast<uint32_t>(atom->nlocal) ? i[k] : j[k];
@@ -103,7 +133,7 @@ void FixVeridemHistory::scatter() {
     for (size_t entry = 0; entry < kept[p].size(); entry += 1 + width) expected += kept[p][entry + 1] > 0.5;
     if (expected != necks[p])
       error->one(FLERR, "veridem: sphere {} has {} necks, of which {} are not among the neighbours: they are longer than the "
-                        "cutoff and the skin, or were excluded", atom->tag[p], expected, expected - necks[p]);
+                        "cutoff and the skin, or their spheres were excluded or are gone", atom->tag[p], expected, expected - necks[p]);
   }
 }
 
@@ -122,22 +152,33 @@ void FixVeridemHistory::pre_exchange() {
 
 void FixVeridemHistory::end_of_step() { pair->break_necks(); }
 
-void FixVeridemHistory::grow_arrays(int nmax) { kept.resize(nmax); }
+void FixVeridemHistory::grow_arrays(int nmax) {
+  kept.resize(nmax);
+  known.resize(nmax, 0);
+}
 
-void FixVeridemHistory::copy_arrays(int i, int j, int) { kept[j] = kept[i]; }
+void FixVeridemHistory::copy_arrays(int i, int j, int) {
+  kept[j] = kept[i];
+  known[j] = known[i];
+}
 
-void FixVeridemHistory::set_arrays(int i) { kept[i].clear(); }
+void FixVeridemHistory::set_arrays(int i) {
+  kept[i].clear();
+  known[i] = 0;
+}
 
 int FixVeridemHistory::pack_exchange(int i, double *buf) {
   buf[0] = static_cast<double>(kept[i].size());
-  std::copy(kept[i].begin(), kept[i].end(), buf + 1);
-  return 1 + static_cast<int>(kept[i].size());
+  buf[1] = static_cast<double>(known[i]);
+  std::copy(kept[i].begin(), kept[i].end(), buf + 2);
+  return 2 + static_cast<int>(kept[i].size());
 }
 
 int FixVeridemHistory::unpack_exchange(int nlocal, double *buf) {
   int count = static_cast<int>(buf[0]);
-  kept[nlocal].assign(buf + 1, buf + 1 + count);
-  return 1 + count;
+  known[nlocal] = static_cast<tagint>(buf[1]);
+  kept[nlocal].assign(buf + 2, buf + 2 + count);
+  return 2 + count;
 }
 
 /* The losses so far, and before the spheres are written, their history. */
@@ -146,7 +187,7 @@ void FixVeridemHistory::write_restart(FILE *fp) {
   std::vector<double> sum(pair->lost.size());
   MPI_Reduce(pair->lost.data(), sum.data(), static_cast<int>(sum.size()), MPI_DOUBLE, MPI_SUM, 0, world);
   if (comm->me != 0) return;
-  sum.insert(sum.begin(), {static_cast<double>(width), static_cast<double>(sum.size())});
+  sum.insert(sum.begin(), {static_cast<double>(width), static_cast<double>(pair->number()), static_cast<double>(sum.size())});
   int bytes = static_cast<int>(sum.size() * sizeof(double));
   fwrite(&bytes, sizeof(int), 1, fp);
   fwrite(sum.data(), sizeof(double), sum.size(), fp);
@@ -157,11 +198,14 @@ void FixVeridemHistory::restart(char *buf) {
   if (static_cast<int>(numbers[0]) != width)
     error->all(FLERR, "veridem: the restart file has {} numbers for each pair, expected {}: it is that of another law",
                static_cast<int>(numbers[0]), width);
-  restored.assign(numbers + 2, numbers + 2 + static_cast<int>(numbers[1]));
+  restored.assign(numbers + 1, numbers + 3 + static_cast<int>(numbers[2]));
 }
 
 void FixVeridemHistory::restore_losses() {
-  if (comm->me == 0 && restored.size() == pair->lost.size()) pair->lost = restored;
+  if (restored.empty()) return;
+  if (restored[0] != pair->number() || restored.size() != 2 + pair->lost.size())
+    error->all(FLERR, "veridem: the restart file is that of another law than {}", force->pair_style);
+  if (comm->me == 0) pair->lost.assign(restored.begin() + 2, restored.end());
 }
 
 int FixVeridemHistory::pack_restart(int i, double *buf) {
@@ -176,6 +220,7 @@ void FixVeridemHistory::unpack_restart(int nlocal, int nth) {
   for (int n = 0; n < nth; n++) begin += static_cast<int>(extra[begin]);
   int count = static_cast<int>(extra[begin]) - 1;
   kept[nlocal].assign(extra + begin + 1, extra + begin + 1 + count);
+  known[nlocal] = atom->tag[nlocal];
 }
 
 int FixVeridemHistory::size_restart(int i) { return 1 + static_cast<int>(kept[i].size()); }
@@ -224,6 +269,8 @@ void FixVeridemHistory::read(const char *file) {
         error->all(FLERR, "veridem: {}, line {}: found {} numbers, expected two ids and {} numbers", file, line, words.size(), width);
       numbers.clear();
       for (size_t k = 2; k < words.size(); k++) numbers.push_back(utils::numeric(FLERR, words[k], false, lmp));
+      if (numbers[0] != 0.0 && numbers[0] != 1.0)
+        error->all(FLERR, "veridem: {}, line {}: found {}, expected 1 for a neck or 0", file, line, words[2]);
       tagint ids[2] = {utils::tnumeric(FLERR, words[0], false, lmp), utils::tnumeric(FLERR, words[1], false, lmp)};
       if (ids[0] >= ids[1]) error->all(FLERR, "veridem: {}, line {}: expected the lower id first", file, line);
       pairs_of_file++;
@@ -231,12 +278,16 @@ void FixVeridemHistory::read(const char *file) {
         auto place = places.find(ids[end]);
         if (place == places.end()) continue;
         auto &of = kept[place->second];
+        for (size_t entry = 0; entry < of.size(); entry += 1 + width)
+          if (of[entry] == static_cast<double>(ids[1 - end]))
+            error->one(FLERR, "veridem: {}, line {}: the pair {}, {} is given twice", file, line, ids[0], ids[1]);
         of.push_back(static_cast<double>(ids[1 - end]));
         of.insert(of.end(), numbers.begin(), numbers.end());
         found++;
       }
     }
   }
+  if (fp && ferror(fp)) error->one(FLERR, "veridem: cannot read the history file {}: {}", file, utils::getsyserror());
   if (fp) fclose(fp);
   MPI_Allreduce(MPI_IN_PLACE, &found, 1, MPI_LMP_BIGINT, MPI_SUM, world);
   if (found != 2 * pairs_of_file)

@@ -25,8 +25,6 @@ class FixVeridemHistory : public Fix {
   void post_neighbor() override;
   void end_of_step() override;
   void post_run() override { gather(); }
-  void min_pre_exchange() override { gather(); }
-  void min_post_neighbor() override { post_neighbor(); }
 
   void grow_arrays(int) override;
   void copy_arrays(int, int, int) override;
@@ -43,18 +41,21 @@ class FixVeridemHistory : public Fix {
 
   /* Reads a file of pairs: two ids, and the numbers of their history. */
   void read(const char *);
-  /* The losses that a restart has brought. */
+  /* The losses that a restart has brought; refuses those of another law. */
   void restore_losses();
 
  private:
   int width;
   /* Of each sphere the partners and histories, 1 + width numbers each: those that are not all zero. */
   std::vector<std::vector<double>> kept;
+  /* Its id when its neighbours were listed last, 0 for a sphere that is new. */
+  std::vector<tagint> known;
   std::vector<double> restored;
-  bigint dangerous = 0;
+  bigint dangerous = 0, spheres;
 
   void gather();
   void scatter();
+  void forget_deleted();
   int largest() const;
 };
 

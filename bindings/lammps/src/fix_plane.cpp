@@ -33,10 +33,11 @@ FixVeridemPlane::FixVeridemPlane(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, n
   if (std::fabs(length - 1.0) > 1e-12) error->all(FLERR, "fix veridem/plane: the normal has the length {}, expected 1", length);
   pair = dynamic_cast<PairVeridem *>(Pointers::force->pair);
   if (!pair) error->all(FLERR, "fix veridem/plane needs pair_style veridem/soot before it");
+  number = pair->number();
   width = static_cast<int>(pair->width) - 1;
   stored.assign(pair->stored.size(), 0.0);
   lost.assign(pair->lost.size() - 1, 0.0);
-  begun = update->ntimestep * update->dt;
+  begun = time(0);
   vector_flag = 1;
   size_vector = static_cast<int>(3 + stored.size() + lost.size());
   extvector = 1;
@@ -57,10 +58,14 @@ FixVeridemPlane::~FixVeridemPlane() {
   atom->delete_callback(id, Atom::RESTART);
 }
 
+/* The time some steps ago; the time step may have changed since the beginning. */
+double FixVeridemPlane::time(int ago) const { return update->atime + (update->ntimestep - update->atimestep - ago) * update->dt; }
+
 int FixVeridemPlane::setmask() { return FixConst::POST_FORCE; }
 
 void FixVeridemPlane::init() {
-  if (Pointers::force->pair != pair) error->all(FLERR, "fix veridem/plane: the pair style that it was made for is gone");
+  bool same = Pointers::force->pair == pair && pair->number() == number && static_cast<int>(pair->width) == width + 1;
+  if (!same) error->all(FLERR, "fix veridem/plane: the pair style that it was made for is gone");
   last = FixVeridemStep::moves_last(modify);
 }
 
@@ -70,8 +75,8 @@ void FixVeridemPlane::post_force(int) {
   veridem_spheres of = pair->spheres();
   int advance = update->setupflag == 0;
   // Where spheres move last, the forces are those at the positions of the step before.
-  double time = (update->ntimestep - (advance && last)) * update->dt - begun, at[3];
-  for (int a = 0; a < 3; a++) at[a] = point[a] + velocity[a] * time;
+  double moved = time(advance && last) - begun, at[3];
+  for (int a = 0; a < 3; a++) at[a] = point[a] + velocity[a] * moved;
   force[0] = force[1] = force[2] = 0.0;
   std::fill(stored.begin(), stored.end(), 0.0);
   pair->expect(veridem_plane_step(pair->law, &of, material, at, normal, velocity, history.data(), advance ? update->dt : 0.0,
@@ -90,13 +95,17 @@ void FixVeridemPlane::write_restart(FILE *fp) {
   std::vector<double> sum(lost.size());
   MPI_Reduce(lost.data(), sum.data(), static_cast<int>(sum.size()), MPI_DOUBLE, MPI_SUM, 0, world);
   if (comm->me != 0) return;
+  sum.insert(sum.begin(), {static_cast<double>(width), static_cast<double>(sum.size())});
   int bytes = static_cast<int>(sum.size() * sizeof(double));
   fwrite(&bytes, sizeof(int), 1, fp);
   fwrite(sum.data(), sizeof(double), sum.size(), fp);
 }
 
 void FixVeridemPlane::restart(char *buf) {
-  if (comm->me == 0) std::copy_n(reinterpret_cast<double *>(buf), lost.size(), lost.begin());
+  const auto *numbers = reinterpret_cast<double *>(buf);
+  if (numbers[0] != width || numbers[1] != static_cast<double>(lost.size()))
+    error->all(FLERR, "fix veridem/plane: the restart file is that of another law");
+  if (comm->me == 0) std::copy_n(numbers + 2, lost.size(), lost.begin());
 }
 
 void FixVeridemPlane::grow_arrays(int nmax) { history.resize(static_cast<size_t>(nmax) * width, 0.0); }

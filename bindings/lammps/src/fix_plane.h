@@ -33,12 +33,14 @@ class FixVeridemPlane : public Fix {
 
  private:
   class PairVeridem *pair = nullptr;
-  int material = 0, width = 0;
+  int material = 0, width = 0, number = 0;
   double point[3], normal[3], velocity[3] = {0.0, 0.0, 0.0};
   double begun;    /* time at which the plane went through the point */
   double force[3] = {0.0, 0.0, 0.0};
   bool last = false;    /* whether spheres move after the forces */
   std::vector<double> history, stored, lost;
+
+  double time(int steps_ago) const;
 };
 
 }    // namespace LAMMPS_NS

@@ -37,7 +37,7 @@ FixVeridemStep::FixVeridemStep(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, nar
       int place = group->find(arg[k + 1]);
       if (place < 0) error->all(FLERR, "fix veridem/step: there is no group {}", arg[k + 1]);
       Wall wall;
-      wall.bit = group->bitmask[place];
+      wall.bit = group->bitmask[place], wall.group = place;
       wall.mass = number(k + 2);
       if (!(wall.mass > 0.0)) error->all(FLERR, "fix veridem/step: found a wall of mass {}, expected more than 0", arg[k + 2]);
       k += 3;
@@ -79,6 +79,21 @@ bool FixVeridemStep::moves_last(Modify *modify) {
 void FixVeridemStep::init() {
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
     error->all(FLERR, "fix veridem/step needs atom_style sphere");
+  for (const auto &wall : walls) {
+    bigint beside = 0;
+    for (int i = 0; i < atom->nlocal; i++) beside += (atom->mask[i] & wall.bit) && !(atom->mask[i] & groupbit);
+    MPI_Allreduce(MPI_IN_PLACE, &beside, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+    if (beside > 0)
+      error->all(FLERR, "fix veridem/step: {} spheres of the wall {} are not in the group {} that it moves", beside,
+                 group->names[wall.group], group->names[igroup]);
+  }
+  for (auto *other : modify->get_fix_list()) {
+    if (other == this || !other->time_integrate) continue;
+    bigint twice = 0;
+    for (int i = 0; i < atom->nlocal; i++) twice += (atom->mask[i] & groupbit) && (atom->mask[i] & other->groupbit);
+    MPI_Allreduce(MPI_IN_PLACE, &twice, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+    if (twice > 0) error->all(FLERR, "fix veridem/step: {} spheres are moved by fix {} {}, too", twice, other->id, other->style);
+  }
   if (box) box->init();
 }
 
@@ -128,7 +143,7 @@ double FixVeridemStep::compute_scalar() {
 
 /* The energy lost, the age of each wall, and the state of the box. */
 void FixVeridemStep::write_restart(FILE *fp) {
-  std::vector<double> state = {compute_scalar()};
+  std::vector<double> state = {static_cast<double>(walls.size()), box ? 1.0 : 0.0, compute_scalar()};
   for (const auto &wall : walls) state.push_back(wall.age);
   if (box) state.insert(state.end(), box->rate.begin(), box->rate.end()), state.insert(state.end(), box->flux.begin(), box->flux.end());
   if (comm->me != 0) return;
@@ -139,6 +154,10 @@ void FixVeridemStep::write_restart(FILE *fp) {
 
 void FixVeridemStep::restart(char *buf) {
   auto *state = reinterpret_cast<double *>(buf);
+  if (state[0] != static_cast<double>(walls.size()) || (state[1] != 0.0) != (box != nullptr))
+    error->all(FLERR, "fix veridem/step: the restart file has {} walls{}: give it what it had, or another ID", state[0],
+               state[1] != 0.0 ? " and a box that relaxes" : "");
+  state += 2;
   drag = comm->me == 0 ? *state : 0.0;
   state++;
   for (auto &wall : walls) wall.age = *state++;

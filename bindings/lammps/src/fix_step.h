@@ -33,7 +33,7 @@ class FixVeridemStep : public Fix {
   /* A rigid wall: its spheres move as one, along some axes under a load, and else at a velocity: a constant one, or that of an approach
    * which is reversed. */
   struct Wall {
-    int bit;
+    int bit, group;
     double mass = 1.0, load[3], speed[3], turn[3], age = 0.0;
   };
   std::vector<Wall> walls;

@@ -15,6 +15,7 @@
 #include "update.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <set>
 #include <utility>
@@ -28,12 +29,12 @@ PairVeridem::PairVeridem(LAMMPS *lmp, const char *which) : Pair(lmp), name(which
   manybody_flag = 1;    // no pairwise computes that call single()
   no_virial_fdotr_compute = 1;
   finitecutflag = 1;
-  comm_forward = 1;
+  comm_forward = 2;
 }
 
 PairVeridem::~PairVeridem() {
   if (copymode) return;
-  if (kept && modify->get_fix_by_id(FixVeridemHistory::ID)) modify->delete_fix(FixVeridemHistory::ID);
+  if (kept()) modify->delete_fix(FixVeridemHistory::ID);
   veridem_list_free(pair_list);
   veridem_law_free(law);
   if (allocated) {
@@ -41,6 +42,14 @@ PairVeridem::~PairVeridem() {
     memory->destroy(cutsq);
   }
   delete[] pvector;
+}
+
+int PairVeridem::number() const { return name == "wear" ? 0 : name == "soot" ? 1 : 2; }
+
+/* The fix that keeps the history of the pairs of this style, if there is one: scripts can remove it. */
+FixVeridemHistory *PairVeridem::kept() const {
+  auto *found = dynamic_cast<FixVeridemHistory *>(modify->get_fix_by_id(FixVeridemHistory::ID));
+  return found && found->pair == this ? found : nullptr;
 }
 
 void PairVeridem::expect(int code) {
@@ -68,8 +77,11 @@ void PairVeridem::settings(int narg, char **arg) {
   veridem_law_count(law, VERIDEM_HISTORY, &kept_width);
   veridem_law_count(law, VERIDEM_LOSSES, &losses);
   veridem_law_count(law, VERIDEM_STORED, &energies);
-  if (width != 0 && width != kept_width)
-    error->all(FLERR, "pair_style veridem/{}: these keys change the history of pairs; use clear first", name);
+  uint64_t every = 0;
+  expect(veridem_law_neck_checks(law, &every));
+  bool other_checks = kept() && kept()->nevery != static_cast<int>(every);
+  if ((width != 0 && width != kept_width) || other_checks)
+    error->all(FLERR, "pair_style veridem/{}: these keys change the history of pairs or when necks break; use clear first", name);
   width = kept_width;
   stored.assign(energies, 0.0);
   lost.assign(losses + 1, 0.0);
@@ -105,15 +117,18 @@ void PairVeridem::coeff(int narg, char **arg) {
   }
   for (int i = 1; i <= n; i++)
     for (int j = i; j <= n; j++) setflag[i][j] = 1;
-  if (!kept) {
+  if (!kept()) {
+    if (modify->get_fix_by_id(FixVeridemHistory::ID))
+      error->all(FLERR, "pair_style veridem/{}: found the fix {}, which another pair style has made or a script; one pair style veridem "
+                        "can be used at a time", name, FixVeridemHistory::ID);
     uint64_t every = 0;
     expect(veridem_law_neck_checks(law, &every));
     modify->add_fix(fmt::format("{} all veridem/history {} {}", FixVeridemHistory::ID, width, every));
-    kept = dynamic_cast<FixVeridemHistory *>(modify->get_fix_by_id(FixVeridemHistory::ID));
-    kept->pair = this;
-    kept->restore_losses();
+    auto *made = dynamic_cast<FixVeridemHistory *>(modify->get_fix_by_id(FixVeridemHistory::ID));
+    made->pair = this;
+    made->restore_losses();
   }
-  if (file) kept->read(arg[3]);
+  if (file) kept()->read(arg[3]);
 }
 
 void PairVeridem::refuse_what_cannot_work() {
@@ -128,6 +143,10 @@ void PairVeridem::refuse_what_cannot_work() {
   if (!atom->tag_enable) wants("atoms without ids", "atom_modify id yes");
   if (!neighbor->dist_check) wants("neigh_modify check no", "neigh_modify check yes, which tests the skin");
   if (neighbor->skin <= 0.0) wants("a skin of zero", "a skin above 0");
+  if (neighbor->build_once) wants("neigh_modify once yes", "neigh_modify once no, as spheres find new neighbours");
+  if (domain->dimension != 3) wants("dimension 2", "dimension 3");
+  if (update->whichflag == 2) wants("minimize", "run: these forces have no energy to be minimised");
+  if (!kept()) wants("no history of the pairs", "that the fix which keeps it is not removed");
   if (utils::strmatch(update->integrate_style, "^respa")) wants("run_style respa", "run_style verlet");
 }
 
@@ -161,6 +180,8 @@ void PairVeridem::init_style() {
   for (int i = 0; i < atom->nlocal; i++) largest[atom->type[i]] = std::max(largest[atom->type[i]], atom->radius[i]);
   MPI_Allreduce(MPI_IN_PLACE, largest.data(), atom->ntypes + 1, MPI_DOUBLE, MPI_MAX, world);
 
+  look_at_spheres();
+
   veridem_list_free(pair_list);
   pair_list = nullptr;
   listed = false;
@@ -169,18 +190,53 @@ void PairVeridem::init_style() {
   neighbor->add_request(this);
 }
 
+/* Refuses spheres without size or mass; warns of a time step that is too long for one of them. */
+void PairVeridem::look_at_spheres() {
+  double most = *std::max_element(largest.begin(), largest.end()), least = HUGE_VAL;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->radius[i] > 0.0 && atom->rmass[i] > 0.0))
+      error->one(FLERR, "pair_style veridem/{}: sphere {} has the radius {} and the mass {}, expected more than 0", name, atom->tag[i],
+                 atom->radius[i], atom->rmass[i]);
+    double limit = 0.0;
+    expect(veridem_law_time_step(law, atom->radius[i], atom->rmass[i], most, &limit));
+    least = std::min(least, limit);
+  }
+  MPI_Allreduce(MPI_IN_PLACE, &least, 1, MPI_DOUBLE, MPI_MIN, world);
+  if (!(update->dt < least) && comm->me == 0)
+    error->warning(FLERR, "pair_style veridem/{}: the time step {} is not below the limit of stability, {}", name, update->dt, least);
+}
+
 double PairVeridem::init_one(int i, int j) {
   double range = 0.0;
   if (largest[i] > 0.0 && largest[j] > 0.0) expect(veridem_law_range(law, largest[i], largest[j], &range));
   return range;
 }
 
+/* Pairs are listed for the sizes that were there when the run began. */
+void PairVeridem::refuse_new_sizes() {
+  for (int i = 0; i < atom->nlocal; i++)
+    if (!(atom->radius[i] <= largest[atom->type[i]]))
+      error->one(FLERR, "pair_style veridem/{}: sphere {} has a radius of {}, larger than all of its type at the beginning of the run: "
+                        "contacts of it would be missed", name, atom->tag[i], atom->radius[i]);
+}
+
+std::vector<tagint> PairVeridem::ids() {
+  auto all = gathered(std::vector<tagint>(atom->tag, atom->tag + atom->nlocal), MPI_LMP_TAGINT);
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
 void PairVeridem::relist() {
+  refuse_new_sizes();
   // Pairs are told apart by the ids of their spheres: an image of a neighbour must not be a neighbour, too.
-  for (int a = 0; a < 3; a++)
-    if (domain->periodicity[a] && domain->prd[a] < 2.0 * neighbor->cutneighmax)
+  const double *inverse = domain->h_inv;
+  const double across[3] = {1.0 / std::hypot(inverse[0], inverse[5], inverse[4]), 1.0 / std::hypot(inverse[1], inverse[3]), 1.0 / inverse[2]};
+  for (int a = 0; a < 3; a++) {
+    double width_of_box = domain->triclinic ? across[a] : domain->prd[a];
+    if (domain->periodicity[a] && width_of_box < 2.0 * neighbor->cutneighmax)
       error->all(FLERR, "pair_style veridem/{}: found a periodic side of {}, expected at least {}, twice the reach of neighbours",
-                 name, domain->prd[a], 2.0 * neighbor->cutneighmax);
+                 name, width_of_box, 2.0 * neighbor->cutneighmax);
+  }
   expect(veridem_list_build(pair_list, atom->nlocal + atom->nghost, atom->nlocal, atom->tag, list->inum, list->ilist,
                             list->numneigh, list->firstneigh, NEIGHMASK));
   listed = true;
@@ -217,12 +273,21 @@ void PairVeridem::share_inertia(veridem_spheres &spheres) {
   int place = atom->find_custom("moment", is_double, columns);
   if (place >= 0 && is_double == 1 && columns == 0) {
     if (!atom->molecule) error->all(FLERR, "pair_style veridem/{}: d_moment needs the molecules of the spheres", name);
-    std::copy(atom->dvector[place], atom->dvector[place] + all, moment.begin());
+    std::copy(atom->dvector[place], atom->dvector[place] + atom->nlocal, moment.begin());
+    for (int i = 0; i < atom->nlocal; i++)
+      if (!(moment[i] >= 0.0))
+        error->one(FLERR, "pair_style veridem/{}: sphere {} has the moment {}, expected 0 or more", name, atom->tag[i], moment[i]);
     tagint most = 0;
     for (int i = 0; i < atom->nlocal; i++) most = std::max(most, atom->molecule[i]);
     MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_LMP_TAGINT, MPI_MAX, world);
+    // One number for each molecule on every process.
+    constexpr bigint MANY = 1 << 24;
+    if (most > std::max(MANY, 16 * atom->natoms))
+      error->all(FLERR, "pair_style veridem/{}: found the molecule {} of {} spheres, expected that molecules are numbered from 1", name, most,
+                 atom->natoms);
     std::vector<double> of(most + 1, 0.0);
-    for (int i = 0; i < atom->nlocal; i++) of[atom->molecule[i]] += contacts[i];
+    for (int i = 0; i < atom->nlocal; i++)
+      if (atom->molecule[i] > 0) of[atom->molecule[i]] += contacts[i];
     MPI_Allreduce(MPI_IN_PLACE, of.data(), most + 1, MPI_DOUBLE, MPI_SUM, world);
     for (int i = 0; i < atom->nlocal; i++)
       if (atom->molecule[i] > 0) contacts[i] = of[atom->molecule[i]];
@@ -233,12 +298,12 @@ void PairVeridem::share_inertia(veridem_spheres &spheres) {
 }
 
 int PairVeridem::pack_forward_comm(int n, int *ghosts, double *buf, int, int *) {
-  for (int k = 0; k < n; k++) buf[k] = contacts[ghosts[k]];
-  return n;
+  for (int k = 0; k < n; k++) buf[2 * k] = contacts[ghosts[k]], buf[2 * k + 1] = moment[ghosts[k]];
+  return 2 * n;
 }
 
 void PairVeridem::unpack_forward_comm(int n, int first, double *buf) {
-  for (int k = 0; k < n; k++) contacts[first + k] = buf[k];
+  for (int k = 0; k < n; k++) contacts[first + k] = buf[2 * k], moment[first + k] = buf[2 * k + 1];
 }
 
 void PairVeridem::compute(int eflag, int vflag) {

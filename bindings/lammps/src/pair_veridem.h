@@ -36,6 +36,10 @@ class PairVeridem : public Pair {
   void forget();
   /* Breaks the necks that are loaded beyond their strength at the end of a step. */
   void break_necks();
+  /* The ids of all spheres of all processes, ascending. */
+  std::vector<tagint> ids();
+  /* The place of the law among those of the plugin. */
+  int number() const;
   /* Ends LAMMPS with the reason of a failed call on any process. */
   void expect(int code);
 
@@ -53,15 +57,17 @@ class PairVeridem : public Pair {
   std::vector<double> largest;    /* radius of each type */
   std::vector<double> moment, contacts;
   veridem_list *pair_list = nullptr;
-  FixVeridemHistory *kept = nullptr;
   bool listed = false;
 
+  FixVeridemHistory *kept() const;
   void make_law(const std::vector<double> &radii);
   void share_inertia(veridem_spheres &);
   void evaluate_again();
   template <class Number> std::vector<Number> gathered(const std::vector<Number> &, MPI_Datatype);
   size_t causes() const { return lost.size() - 1; }
   void refuse_what_cannot_work();
+  void refuse_new_sizes();
+  void look_at_spheres();
 };
 
 }    // namespace LAMMPS_NS

@@ -15,6 +15,7 @@ from pathlib import Path
 import numpy as np
 
 import cases
+import misuse
 from exports import Continued
 from frames import Frame, cells, ledger, read_dump, write_state
 from lammps_runs import DUMP, HEAD, PLUGIN, ROOT, run, script, thermo
@@ -321,47 +322,26 @@ def hosts(veridem):
 
 
 def refusals(veridem):
-    """Wrong input ends LAMMPS with an error that names it, on every process."""
+    """Wrong input ends LAMMPS with an error that names it, on every process; what is merely unusual works."""
+    patch = engine(veridem, "patch", cases.PATCH)[1]["shear"][1]
+    film = engine(veridem, "film", cases.FILM)[1]["retraction"][-1]
+    aggregate = engine(veridem, "aggregate", cases.AGGREGATE)[1]["restructuring"][-2]
     folder = WORK / "refusals"
-    frame = engine(veridem, "patch", cases.PATCH)[1]["shear"][1]
-    write_state(folder, frame)
-    good = script(frame, cases.WEAR, 6e-5) + "run 2\n"
-    history = (folder / "state.history").read_text().splitlines()
-    (folder / "short.history").write_text("\n".join([history[0], history[1].rsplit(" ", 1)[0]]) + "\n")
-    (folder / "stray.history").write_text("1 99999 0 0.1 0.1 0.1\n")
-    (folder / "neck.history").write_text("1 400 1 0.1 0.1 0.1\n")
-    wrong = [
-        ("newton off", "newton on", "newton on"),
-        ("comm_modify vel yes", "comm_modify vel no", "comm_modify vel yes"),
-        ("units nano", "units si", "units nano"),
-        ("check yes", "check no", "neigh_modify check"),
-        ("neighbor 1.0", "neighbor 0.0", "skin"),
-        ("young_modulus 73000", "young_modulos 73000", "young_modulos"),
-        ("poisson_ratio 0.17", "poisson_ratio 0.4", "0.4"),
-        ("scaling 0.5", "", "`scaling` is missing"),
-        ("history state.history", "history none.history", "none.history"),
-        ("history state.history", "history short.history", "line 2"),
-        ("history state.history", "history stray.history", "do not exist"),
-        ("history state.history", "history neck.history", "necks"),
-        ("run 2", "velocity all set 9000 0 0 sum yes units box\nrun 100", "skin"),
-        ("run 2", "set atom 5 x NAN\nrun 2", ""),
-        ("run 2", "compute s all stress/atom NULL\nthermo_style custom step c_t\ncompute t all reduce sum c_s[1]\nrun 2", ""),
-        ("pair_style veridem/wear", "pair_style veridem/rubber", "veridem/rubber"),
-    ]
-    for find, replace, expected in wrong:
-        assert find in good, find
-        out = run(folder, good.replace(find, replace, 1), ranks=2, fails=True)
-        named = "ERROR" in out and expected in out and "panicked" not in out
-        say(f"refused: {replace.replace(chr(10), '; ') or f'without {find}'}", 0 if named else 1, 0)
-        if not named:
-            print(out[-1500:])
-    # A plugin for another version of LAMMPS.
+    shutil.rmtree(folder, ignore_errors=True)
+    for what, good in misuse.outcomes(folder, patch, aggregate, film):
+        say(what, 0 if good else 1, 0)
+    other_version(folder, patch)
+
+
+def other_version(folder, frame):
+    """A plugin for another version of LAMMPS."""
     other = folder / "otherplugin.so"
     library = PLUGIN.read_bytes()
     version = 20250722
     assert library.count(version.to_bytes(4, "little")) > 0
     other.write_bytes(library.replace(version.to_bytes(4, "little"), (20240829).to_bytes(4, "little")))
-    out = run(folder, good.replace(str(PLUGIN), str(other)), fails=True)
+    write_state(folder, frame)
+    out = run(folder, script(frame, cases.WEAR, 6e-5).replace(str(PLUGIN), str(other)) + "run 2\n", fails=True)
     say("refused: a plugin for another LAMMPS", 0 if "ERROR" in out and "the plugin was built for LAMMPS" in out else 1, 0)
 
 
