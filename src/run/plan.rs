@@ -25,7 +25,7 @@ const MANY_ROWS: u64 = 100_000_000;
 const MANY_FRAMES: u64 = 1_000_000;
 const MANY_SPHERES: f64 = 1e8;
 /// Cores on which LAMMPS with the plugin is faster than the engine on one (docs/scale.md).
-const LAMMPS_OVER_ENGINE: usize = 3;
+const LAMMPS_OVER_ENGINE: usize = 4;
 /// Spheres of a core of LAMMPS from which on three quarters of its time are spent on its own spheres.
 const SPHERES_PER_CORE: usize = 10_000;
 /// Memory of a sphere with its neighbours, in bytes.
@@ -303,8 +303,8 @@ mod tests {
 
     #[test]
     fn a_system_that_fills_three_times_the_cores_is_better_off_in_lammps() {
-        assert_eq!(beyond(119_999, 4), None);
-        assert!(beyond(120_000, 4).is_some_and(|words| words.contains("more than 12 cores")));
+        assert_eq!(beyond(159_999, 4), None);
+        assert!(beyond(160_000, 4).is_some_and(|words| words.contains("more than 16 cores")));
     }
 
     #[test]
