@@ -4,7 +4,7 @@ mod common;
 
 use common::{crowd, settings, wear};
 use veridem::run::advance;
-use veridem::simulation::Simulation;
+use veridem::simulation::{Settings, Simulation};
 use veridem::spec::Vec3;
 use veridem::spec::mechanics::rotation::to_space;
 use veridem::spec::wear::law::Wear;
@@ -57,6 +57,27 @@ fn momentum_and_angular_momentum_are_kept_and_every_exchange_of_energy_is_booked
     assert!((after.1 - before.1).norm() < 1e-9 * before.1.norm().max(1.0), "{:?}", after.1 - before.1);
     let ledger = simulation.ledger();
     assert!(ledger.discrete_residual().abs() < 1e-11 * ledger.turnover(), "{}", ledger.discrete_residual());
+}
+
+#[test]
+fn global_damping_slows_a_body_as_it_slows_its_spheres() {
+    let (eta, dt) = (3.0, 2e-5);
+    let mut system = mixed(3);
+    // One body by itself, which turns and flies.
+    system.particles = system.particles.pick(&[0, 1, 2]);
+    system.bodies.truncate(1);
+    let before = momenta(&system);
+    let (x, v) = (system.particles.x.clone(), system.particles.v.clone());
+    let damped = Simulation::new(wear(), system, Settings { damping: eta, ..settings(dt) }).expect("a valid system");
+    let simulation = steps(damped, 1);
+    let after = momenta(simulation.system());
+    let sum = |of: &dyn Fn(usize) -> Vec3<f64>| (0..3).map(of).fold(Vec3::zero(), |a, b| a + b);
+    let (kick, twist) = (sum(&|k| v[k] * (-eta * dt)), sum(&|k| x[k].cross(v[k]) * (-eta * dt)));
+    assert!((after.0 - before.0 - kick).norm() < 1e-9 * kick.norm(), "{:?} {kick:?}", after.0 - before.0);
+    assert!((after.1 - before.1 - twist).norm() < 1e-9 * twist.norm(), "{:?} {twist:?}", after.1 - before.1);
+    let (ledger, lost) = (simulation.ledger(), eta * dt * (0..3).map(|k| v[k].dot(v[k])).sum::<f64>());
+    assert!((ledger.lost_drag - lost).abs() < 1e-9 * lost, "{} {lost}", ledger.lost_drag);
+    assert!(ledger.discrete_residual().abs() < 1e-12 * ledger.turnover(), "{}", ledger.discrete_residual());
 }
 
 #[test]

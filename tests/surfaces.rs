@@ -12,7 +12,7 @@ use veridem::simulation::{Settings, Simulation};
 use veridem::spec::Vec3;
 use veridem::spec::soot::Soot;
 use veridem::system::Mesh;
-use veridem::system::{Shape, System};
+use veridem::system::{PrescribedMotion, Shape, Surface, System};
 
 /// A square far larger than the aggregate, whose diagonal passes below it.
 fn sheet() -> Shape {
@@ -36,6 +36,27 @@ fn the_energy_is_accounted_for_to_rounding_and_to_first_order() {
     let (coarse, fine) = (account(DT / 4.0), account(DT / 16.0));
     assert!(coarse < 1e-2, "{coarse}");
     assert!((3.0..5.0).contains(&(coarse / fine)), "{coarse} and {fine}");
+}
+
+#[test]
+fn a_surface_turns_back_when_it_is_as_old_as_its_motion_says() {
+    let (dt, steps) = (1e-5, 1000);
+    let turn = dt * f64::from(steps);
+    let motion = PrescribedMotion::Reversal { velocity: 100.0, rate: 300.0, turn };
+    let mut surface = Surface::new("tip", 0, plane(), motion);
+    let mut way = Vec::new();
+    for step in 1..=2 * steps {
+        surface.advance(dt);
+        way.push(surface.way.0[2]);
+        assert!((surface.age - dt * f64::from(step)).abs() < 1e-12);
+    }
+    let farthest = way.iter().enumerate().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).expect("steps").0;
+    assert_eq!(farthest + 1, steps as usize);
+    // It goes back the way that it came.
+    for k in 1..steps as usize {
+        assert!((way[farthest - k] - way[farthest + k]).abs() < 1e-9 * way[farthest].abs());
+    }
+    assert!(way[farthest].abs() > 0.5 * 100.0 * turn && way[2 * steps as usize - 1].abs() < 1e-9);
 }
 
 #[test]

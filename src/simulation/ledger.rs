@@ -152,3 +152,59 @@ impl Ledger {
         self.kinetic - self.kinetic_at_start + held + self.surfaces.gained() + self.lost() - self.work()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Sets one energy of an account.
+    type Set = fn(&mut Ledger, f64);
+
+    /// Every energy, and the sign with which it enters the discrete and the physical balance.
+    const ENTRIES: [(&str, Set, f64, f64); 15] = [
+        ("kinetic", |ledger, energy| ledger.kinetic = energy, 1.0, 1.0),
+        ("kinetic at the start", |ledger, energy| ledger.kinetic_at_start = energy, -1.0, -1.0),
+        ("stored", |ledger, energy| ledger.stored = vec![0.0, energy], 0.0, 1.0),
+        ("stored at the start", |ledger, energy| ledger.stored_at_start = vec![energy, 0.0], 0.0, -1.0),
+        ("stored at surfaces", |ledger, energy| ledger.surfaces.stored = vec![0.0, energy], 0.0, 1.0),
+        ("there at the start", |ledger, energy| ledger.surfaces.stored_at_start = vec![energy], 0.0, -1.0),
+        ("lost by pairs", |ledger, energy| ledger.lost_by_pairs = vec![0.0, energy], 0.0, 1.0),
+        ("lost at surfaces", |ledger, energy| ledger.surfaces.lost = vec![energy, 0.0], 0.0, 1.0),
+        ("lost to drag", |ledger, energy| ledger.lost_drag = energy, 1.0, 1.0),
+        ("lost to breaking", |ledger, energy| ledger.lost_to_breaking = energy, 0.0, 1.0),
+        ("work of walls", |ledger, energy| ledger.work_walls = energy, -1.0, -1.0),
+        ("work of loads", |ledger, energy| ledger.work_loads = energy, -1.0, -1.0),
+        ("work of the box", |ledger, energy| ledger.work_box = energy, 0.0, -1.0),
+        ("work of surfaces", |ledger, energy| ledger.surfaces.work = energy, 0.0, -1.0),
+        ("work of pairs", |ledger, energy| ledger.work_pairs = energy, -1.0, 0.0),
+    ];
+
+    #[test]
+    fn every_energy_of_the_physical_balance_is_turned_over_whatever_its_sign() {
+        for (name, set, discrete, physical) in ENTRIES {
+            for energy in [3.0, -3.0] {
+                let mut ledger = Ledger::default();
+                set(&mut ledger, energy);
+                assert_eq!(ledger.discrete_residual(), discrete * energy, "{name}");
+                assert_eq!(ledger.physical_residual(), physical * energy, "{name}");
+                // Kinetic energy and losses are not negative.
+                let turned = if physical == 0.0 { 0.0 } else { ledger.turnover().abs() };
+                assert_eq!(turned, 3.0 * physical.abs(), "{name}");
+            }
+        }
+    }
+
+    #[test]
+    fn work_at_late_velocities_and_by_the_scheme_enters_the_discrete_balance_alone() {
+        let sets: [Set; 3] = [
+            |ledger, energy| ledger.late_work = energy,
+            |ledger, energy| ledger.scheme = energy,
+            |ledger, energy| ledger.surfaces.work_on_spheres = energy,
+        ];
+        for set in sets {
+            let mut ledger = Ledger::default();
+            set(&mut ledger, 3.0);
+            assert_eq!((ledger.discrete_residual(), ledger.physical_residual(), ledger.turnover()), (-3.0, 0.0, 0.0));
+        }
+    }
+}
