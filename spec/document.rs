@@ -10,7 +10,7 @@ pub struct Document {
     pub title: String,
     /// The formula as printed, in TeX.
     pub formula: String,
-    /// Errata, ambiguities, signs, and the choice made.
+    /// Errata, ambiguities, signs, and the choice made, as Markdown.
     pub reading: String,
     /// Inputs, in the order of the function's arguments.
     pub arguments: Vec<Quantity>,
@@ -176,6 +176,9 @@ impl Document {
         for line in text.lines() {
             if line.starts_with("```") {
                 fenced = line == "```math";
+                if section == "Reading" {
+                    push_line(&mut document.reading, "$$");
+                }
             } else if fenced && section.is_empty() {
                 push_line(&mut document.formula, line);
             } else if let Some(heading) = line.strip_prefix("# ") {

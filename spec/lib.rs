@@ -11,6 +11,7 @@ pub mod columns;
 pub mod contact;
 pub mod document;
 pub mod equation;
+pub mod finding;
 #[cfg(feature = "source")]
 pub mod languages;
 pub mod mechanics;

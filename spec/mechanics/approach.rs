@@ -14,8 +14,12 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// The numbers have units: 1.5 m/s, $10^8$ 1/s, $1.08 \cdot 10^{-8}$ s. The equation is followed, not the prose around it: the tip starts with 1.19 m/s, never approaches with
-/// a constant 1.5 m/s, and reverses at 10.8 ns, not at 10.
+/// Erratum: the prose around the equation says something else, a constant 1.5 m/s and a reversal after 10 ns. The equation is followed: the tip starts with 1.19 m/s, never approaches with
+/// a constant velocity, and reverses at 10.8 ns. Its numbers have units: 1.5 m/s, $10^8$ 1/s, $1.08 \cdot 10^{-8}$ s.
+///
+/// Effect: the tip goes 7.44 nm deep, 0.44 nm into a sphere half a radius below it. By the prose it would go 15 nm deep.
+///
+/// Proof: `the_tip_comes_slowly_turns_and_leaves`, `the_tip_of_the_paper_goes_7_44_nm_deep`.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

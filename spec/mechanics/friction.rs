@@ -122,9 +122,13 @@ pub fn dynamic_friction<R: Real>(mu_d: R, f_n: R) -> R {
 ///
 /// # Reading
 ///
-/// Erratum: the signs belong to a force $-k\boldsymbol{\xi} - \eta\dot{\boldsymbol{\xi}}$. With Eq. 12 the printed spring pulls the other way in the step after a slip: driven steadily, friction would
-/// jump from $f_{\mathrm{C,s}}$ to $-f_{\mathrm{C,d}}$ at every slip and be $(f_{\mathrm{C,s}} - f_{\mathrm{C,d}})/2$ on average, zero if the two are equal. The spring is meant to continue with the force that was applied,
+/// Erratum: the signs belong to a force $-k\boldsymbol{\xi} - \eta\dot{\boldsymbol{\xi}}$. The spring is meant to continue with the force that was applied, which with Eq. 12 is
 /// $\boldsymbol{\xi}' = \frac{1}{k} \big(f_{\mathrm{C,d}} \mathbf{f}_0 / \lVert \mathbf{f}_0 \rVert - \eta\dot{\boldsymbol{\xi}}\big)$. Without stiffness there is no spring, and its length is zero.
+///
+/// Effect: the printed spring pulls the other way in the step after a slip. Driven steadily, friction would
+/// jump from $f_{\mathrm{C,s}}$ to $-f_{\mathrm{C,d}}$ at every slip and be $(f_{\mathrm{C,s}} - f_{\mathrm{C,d}})/2$ on average, zero if the two are equal.
+///
+/// Proof: `the_spring_goes_on_with_the_force_that_was_applied_which_the_printed_one_reverses`, `a_steady_drive_is_held_by_half_the_difference_of_static_and_dynamic_friction_as_printed`.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

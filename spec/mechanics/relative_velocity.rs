@@ -15,8 +15,11 @@ use crate::{Real, Vec3, equation};
 /// # Reading
 ///
 /// Erratum: both angular velocities have the wrong sign for the normal of Eq. 3. The contact point lies at $+a\mathbf{n}$ from the centre of i and at $-a\mathbf{n}$ from that of j, so
-/// $\mathbf{v}_{ij} = \mathbf{v}_j - \mathbf{v}_i - \boldsymbol{\omega}_j \times a_j \mathbf{n} - \boldsymbol{\omega}_i \times a_i \mathbf{n}$. With the printed signs a pair that rotates as one body slides,
-/// and a necked pair that is pushed aside accelerates without bound.
+/// $\mathbf{v}_{ij} = \mathbf{v}_j - \mathbf{v}_i - \boldsymbol{\omega}_j \times a_j \mathbf{n} - \boldsymbol{\omega}_i \times a_i \mathbf{n}$.
+///
+/// Effect: with the printed signs a pair that rotates as one body slides, and a necked pair that is pushed aside accelerates without bound.
+///
+/// Proof: `a_pair_that_turns_as_one_body_has_no_relative_velocity_which_the_printed_signs_give_it`.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

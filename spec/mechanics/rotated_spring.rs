@@ -144,9 +144,12 @@ pub fn rotated_spring<R: Real>(xi: Vec3<R>, n: Vec3<R>) -> Vec3<R> {
 /// # Reading
 ///
 /// Erratum: the text rotates all three springs to be orthogonal to the normal. The torsion spring lies along the normal; its projection
-/// onto the contact plane is only rounding, or the rotation of the normal in one step, and rescaling it to the full length makes a spring in an arbitrary direction, or none: the torsion is
-/// lost and never resisted, and the remaining spring bends the pair. It must stay parallel.
+/// onto the contact plane is only rounding, or the rotation of the normal in one step, and rescaling it to the full length makes a spring in an arbitrary direction, or none. It must stay parallel.
 /// Then only its signed length needs to be remembered, $\xi_\mathrm{o} = \boldsymbol{\xi} \cdot \mathbf{n}$, which rotation does not change; the models do that.
+///
+/// Effect: as printed the torsion is lost and never resisted, and the remaining spring bends the pair. Aggregates all of whose contacts are necks, which would be rigid, then compact under a coating by 9 %.
+///
+/// Proof: `a_torsion_spring_turns_with_its_pair_which_the_published_step_forgets`.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

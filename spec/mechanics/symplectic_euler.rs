@@ -20,6 +20,10 @@ use crate::{Real, Vec3, equation};
 /// $\boldsymbol{\omega}_{n+1} = \boldsymbol{\omega}_n + (\mathbf{T}_n / I) \Delta t$ with [`moment_of_inertia`](crate::mechanics::sphere::moment_of_inertia).
 /// Force and torque are those at the positions and velocities of step `n`, dashpots included.
 ///
+/// Effect: the units of the printed line do not balance. Taken in SI it would hardly turn spheres of nanometres, whose moments of inertia are about $10^{-42}$ kg m².
+///
+/// Proof: `the_spin_gains_torque_times_time_which_the_printed_line_gets_wrong`.
+///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `x` | $\mathbf{x}_n$ | m (3) | any | position |

@@ -17,7 +17,7 @@ const TERMS: i32 = 61;
 ///
 /// # Reading
 ///
-/// The printed terms cancel: for spheres a hundred radii apart five of the sixteen digits of a double remain, at a thousand radii none. With the two denominators
+/// Cancellation: for spheres a hundred radii apart the printed terms leave five of the sixteen digits of a double, at a thousand radii none. With the two denominators
 /// $p < q$ and $t = (q - p)/(q + p) = 4 r_1 r_2/(p + q)$ the bracket is $2t/(1 - t^2) - 2 \operatorname{artanh} t = 4 \sum_{k \ge 1} \frac{k}{2k + 1} t^{2k + 1}$, a sum of positive terms that is
 /// used below $t = 1/2$; above, the printed form loses a factor of six at most.
 ///

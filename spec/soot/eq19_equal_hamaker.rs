@@ -41,8 +41,8 @@ pub fn equal_hamaker_energy<R: Real>(r: R, delta: R, a: R) -> R {
 ///
 /// # Reading
 ///
-/// The coefficient of the normal: positive, so that i is attracted by j. Over one denominator it is
-/// $\frac{32 A r^6}{3 \delta^2 (4r + \delta)^2 (2r + \delta)^3}$, which does not cancel; the printed form has no correct digit at a thousand radii.
+/// Cancellation: the printed form has no correct digit at a thousand radii. Over one denominator it is
+/// $\frac{32 A r^6}{3 \delta^2 (4r + \delta)^2 (2r + \delta)^3}$, which does not cancel. It is the coefficient of the normal: positive, so that i is attracted by j.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

@@ -8,13 +8,8 @@
 //!
 //! # Errata
 //!
-//! The paper is followed to the letter unless it contradicts itself. Errata, each with a law that fails for the printed
-//! reading:
-//!
-//! * Eq. 4: both angular velocities have the wrong sign for the normal of Eq. 3, see [`eq04_relative_velocity`].
-//! * Step 2 of Section 2.1.1: a torsion spring cannot be turned into the contact plane, see [`rotated_torsion`](mechanics::rotated_spring::rotated_torsion).
-//! * Eq. 17 has the sign of another convention, see [`eq13_friction::slipped_spring`].
-//! * The printed forms of Eqs. 18 to 21 suffer from cancellation for spheres that are not close.
+//! The paper is followed to the letter unless it contradicts itself. A reading that begins with "Erratum" says what is wrong as printed, its effect, and which
+//! law fails for the printed form; one that begins with "Ambiguous", which reading of several is taken. `veridem book` collects them on one page.
 //!
 //! Choices where the text is ambiguous: the normal force of the caps ([`eq13_friction::static_friction`]), the saturation distance
 //! ([`eq19_equal_hamaker::saturated_hamaker`]), direction and meaning of Eq. 23, Eq. 25 against its prose, the hull ([`hull_volume`](mechanics::convex_hull::hull_volume)), the arms at a wall ([`def_wall`]).

@@ -88,9 +88,8 @@ pub fn layered_arm<R: Real>(r_i: R, h_n: R) -> R {
 ///
 /// # Reading
 ///
-/// Erratum. With $\mathbf{n}_{ij}$ from j to i, as Eqs. 3 and 8 need it, the contact point of i lies at $-l_i \mathbf{n}_{ij}$ and the
-/// torque of a force there is $+\mathbf{F}_t \times l_i \mathbf{n}_{ij}$. The printed sign creates angular momentum at the rate
-/// $(d + l_i + l_j) \, \mathbf{n}_{ij} \times \mathbf{F}_t$.
+/// Erratum: with $\mathbf{n}_{ij}$ from j to i, as Eqs. 3 and 8 need it, the contact point of i lies at $-l_i \mathbf{n}_{ij}$ and the
+/// torque of a force there is $+\mathbf{F}_t \times l_i \mathbf{n}_{ij}$.
 ///
 /// ```math
 /// \mathbf{M}_i = \mathbf{F}_t \times l_i \mathbf{n}_{ij} - \mathbf{M}_r, \quad
@@ -99,6 +98,10 @@ pub fn layered_arm<R: Real>(r_i: R, h_n: R) -> R {
 ///
 /// The rolling torque $\mathbf{M}_r$ points along $(\boldsymbol{\omega}_i - \boldsymbol{\omega}_j)_{\perp \mathbf{n}}$ and is zero where
 /// that vector is. There is no torque about the normal.
+///
+/// Effect: the printed sign creates angular momentum at the rate $(d + l_i + l_j) \, \mathbf{n}_{ij} \times \mathbf{F}_t$.
+///
+/// Proof: `the_torques_balance_the_couple_of_the_forces_which_the_printed_sign_does_not`.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

@@ -48,7 +48,7 @@ pub fn attraction_along_normal<R: Real>(f_cap: R, f_solv: R) -> R {
 ///
 /// # Reading
 ///
-/// Ambiguous. The formula is followed: its terms are positive where they attract. Eq. 4 with the negative amplitude of Eq. 5 would then repel bare surfaces that touch; in the convention
+/// Ambiguous: the formula is followed, its terms are positive where they attract. Eq. 4 with the negative amplitude of Eq. 5 would then repel bare surfaces that touch; in the convention
 /// of its source, where a force is positive when it repels, it attracts them. The stiffnesses that the authors' program derives by Eq. 9, and the paper's range of 20 to 45 GPa, result
 /// only with the latter, so [`Solvation::Israelachvili`] is the default and [`Solvation::Printed`] the named alternative: they differ by the sign of `f_solv`. As printed, two particles
 /// at the distance at which Eq. 9 balances the forces do not stay at rest: the attraction grows faster than the contact force, and they move to another distance.

@@ -21,10 +21,13 @@ pub enum Stiffness {
 ///
 /// # Reading
 ///
-/// Erratum: the star is missing, the radius is the $(R + h_n)^*$ of Eq. 8 that the equation inverts. For equal particles it makes no
-/// difference; a pair of unlike ones would not be in equilibrium. The paper tabulates a stiffness per size; here each pair of sizes
+/// Erratum: the star is missing, the radius is the $(R + h_n)^*$ of Eq. 8 that the equation inverts. The paper tabulates a stiffness per size; here each pair of sizes
 /// has its own, as in the authors' program, which alone is exact for all pairs. $F_{na}(0)$ is the component along the normal,
 /// negative because it attracts.
+///
+/// Effect: without the star two unlike particles are not in equilibrium at the distance of which the equation is derived. For equal ones it makes no difference.
+///
+/// Proof: `balances_repulsion_and_attraction_which_bare_radii_without_star_do_not`.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

@@ -11,8 +11,12 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// Erratum. Bare spheres in contact are further apart than the sum of their radii, and the printed area is negative in the whole range. The spheres
+/// Erratum: bare spheres in contact are further apart than the sum of their radii. The spheres
 /// that meet have the radii $R + h_n$ of Eq. 8: with them the area is positive exactly where there is an overlap.
+///
+/// Effect: the printed area is negative in the whole range of the contact, and friction in proportion to it would drive the sliding.
+///
+/// Proof: `positive_exactly_in_contact_which_bare_radii_are_not`.
 ///
 /// The printed difference cancels. With $a = R_i + h_n$ and $b = R_j + h_n$ it factors into
 ///

@@ -20,9 +20,12 @@ pub enum Slip {
 ///
 /// # Reading
 ///
-/// The formula as printed, valid for continued sliding in one direction. It is not a law for general motion: a function of the
-/// displacement alone loses nothing on a closed path, and below zero the floor gives the full force at once. The
-/// paper calls it a spring and a slider, which [`sliding_spring`] implements.
+/// Erratum: the formula is valid for continued sliding in one direction, and no law for general motion. The
+/// paper calls it a spring and a slider, which [`sliding_spring`] implements; here it is as printed.
+///
+/// Effect: a function of the displacement alone loses nothing on a closed path, and below zero the floor gives the full force at once.
+///
+/// Proof: `as_printed_it_is_not_odd_and_loses_nothing_on_a_closed_path_which_the_spring_does`.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

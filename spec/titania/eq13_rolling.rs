@@ -30,7 +30,7 @@ pub enum RollingOver {
 ///
 /// # Reading
 ///
-/// The left side is a vector and the right side is not: this is the magnitude, [`rolling_torque`] gives the direction.
+/// Ambiguous: the left side is a vector and the right side is not. This is the magnitude, [`rolling_torque`] gives the direction.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

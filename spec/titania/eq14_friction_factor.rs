@@ -11,7 +11,7 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// $C_C$ is a function of the Knudsen number in the parentheses, not a factor. The paper does not give it; with the coefficients of Davies,
+/// Ambiguous: $C_C$ is a function of the Knudsen number in the parentheses, not a factor. The paper does not give it; with the coefficients of Davies,
 /// $C_C = 1 + \text{Kn} (1.257 + 0.4 \, e^{-1.1/\text{Kn}})$.
 ///
 /// | name | symbol | unit | domain | meaning |

@@ -9,15 +9,8 @@
 //!
 //! # Errata
 //!
-//! The paper is followed to the letter unless it contradicts itself. Errata, each with a law that fails for the printed
-//! reading:
-//!
-//! * Eq. 2: the printed sign of the torque would create angular momentum; arms, see [`eq02_torque::moment_arm`].
-//! * Eq. 9 lacks the star of its radius.
-//! * Eq. 11 needs the radii of the contact spheres: with bare ones the area is negative.
-//! * Eq. 12 as a function of the displacement alone is not friction, see [`eq12_sliding::sliding_spring`].
-//! * Eq. 13 has no direction and no value at rest, see [`eq13_rolling::rolling_torque`].
-//! * Eq. 14: the slip correction is a function, not a factor.
+//! The paper is followed to the letter unless it contradicts itself. A reading that begins with "Erratum" says what is wrong as printed, its effect, and which
+//! law fails for the printed form; one that begins with "Ambiguous", which reading of several is taken. `veridem book` collects them on one page.
 //!
 //! # Choices
 //!

@@ -50,9 +50,12 @@ pub fn pair_accelerations<R: Real>(m_i: R, m_j: R, c_n: R, k_n: R, x_i: R, x_j: 
 ///
 /// # Reading
 ///
-/// Solved for the acceleration. The paper obtains it "by subtracting one to the other"; that holds only after each line
-/// of A.1 has been divided by its mass. Subtracted as printed, the lines do not close in `x_i - x_j` unless the masses
-/// are equal.
+/// Erratum: the paper obtains the equation "by subtracting one to the other"; that holds only after each line of A.1 has been divided by its mass.
+/// The equation itself is right; here it is solved for the acceleration.
+///
+/// Effect: subtracted as printed, the lines do not close in `x_i - x_j` unless the masses are equal.
+///
+/// Proof: `subtracting_before_dividing_is_wrong_for_unequal_masses`.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

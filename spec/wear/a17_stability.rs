@@ -13,8 +13,11 @@ use crate::{Real, equation};
 /// # Reading
 ///
 /// Erratum: the comparison must be strict. The function returns the right-hand side. At the limit both eigenvalues are -1,
-/// but the matrix has only one eigenvector, so its powers grow linearly and the energy without bound. The same holds for
-/// A.18.
+/// but the matrix has only one eigenvector. The same holds for A.18.
+///
+/// Effect: at the limit the motion grows linearly and the energy without bound.
+///
+/// Proof: `the_limit_itself_is_not_stable`.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

@@ -14,6 +14,10 @@ use crate::{Real, equation};
 /// Erratum: the area under Eq. 3 is this triangle only if `delta_f >= delta_e`. Otherwise the force ends at `delta_f`, before
 /// the peak, and the triangle is $\frac12 k_N \delta_f^2$. Both cases are $\frac12 \delta_f k_N \min(\delta_e, \delta_f)$.
 ///
+/// Effect: for spheres larger than the critical diameter the printed energy is too large, by $\delta_e / \delta_f$.
+///
+/// Proof: `the_printed_area_is_too_large_when_the_force_is_cut_off`.
+///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `k_n` | $k_N$ | N/m | > 0 | normal stiffness |

@@ -12,7 +12,13 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// Erratum: the paper calls it the natural frequency; it is the damped one, with which A.35 is exact. With
+/// Erratum: the paper calls it the natural frequency; it is the damped one, with which A.35 is exact.
+///
+/// Effect: none on what follows, which uses the damped frequency. The natural one is larger by $1 / \sqrt{1 - (c_N / c_c)^2}$.
+///
+/// Proof: `zero_at_critical_damping_and_only_there`, `undamped_it_is_the_natural_frequency`.
+///
+/// With
 /// $c_c = 2 \sqrt{k_N m_{\text{eff}}}$ it is $\sqrt{(c_c - c_N)(c_c + c_N)} / 2 m_{\text{eff}}$, which is evaluated because
 /// the printed difference suffers from cancellation close to critical damping. Beyond critical damping the frequency is
 /// imaginary and the motion a sum of two decays; the function then returns the magnitude, the deviation of their rates from

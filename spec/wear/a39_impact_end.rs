@@ -75,6 +75,10 @@ pub fn velocity_at_the_end<R: Real>(k_n: R, m_eff: R, c_n: R, v_0: R) -> R {
 /// Erratum: the minus sign is missing. The spheres separate in the direction from which they came:
 /// $v_f = -v_0 e^{-\pi c_N / 2 \omega m_{\text{eff}}}$.
 ///
+/// Effect: as printed the spheres would leave the impact through each other.
+///
+/// Proof: `the_velocity_turns_round`.
+///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `k_n` | $k_N$ | N/m | > 0 | normal stiffness |
@@ -104,6 +108,10 @@ pub fn final_velocity<R: Real>(k_n: R, m_eff: R, c_n: R, v_0: R) -> R {
 ///
 /// Erratum: the ratio is upside down. Section 2.2 defines it as final over initial velocity, and A.42 is below one:
 /// $\eta = -v_f / v_0$, with the minus sign of A.40.
+///
+/// Effect: as printed the ratio is above one; an impact would create energy.
+///
+/// Proof: `is_final_over_initial_velocity`.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

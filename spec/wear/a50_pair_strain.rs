@@ -14,6 +14,10 @@ use crate::{Real, equation};
 /// Erratum: the paper calls $\theta$ the polar angle, but in every formula from here to A.56 it is the latitude, which is
 /// zero on the equator. The neighbour lies at $2r (\cos\phi \cos\theta, \sin\phi \cos\theta, \sin\theta)$.
 ///
+/// Effect: with a polar angle a neighbour on the third axis would be taken for one in the plane of the other two.
+///
+/// Proof: `theta_is_a_latitude`.
+///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `r` | $r$ | m | > 0 | radius |

@@ -93,9 +93,12 @@ pub fn sliding_velocity<R: Real>(
 ///
 /// # Reading
 ///
-/// Erratum: "the force acts on the surface of the particles" would give arms of $r$, which do not add up to the distance between the
-/// centres; a force in the contact plane then creates angular momentum at the rate $\delta_N \mathbf{n} \times \mathbf{F}$. With a
-/// contact point halfway between the surfaces they do.
+/// Erratum: "the force acts on the surface of the particles" (Section 2.1, of Eq. 2) would give arms of $r$, which do not add up to the distance between the
+/// centres. With a contact point halfway between the surfaces they do.
+///
+/// Effect: with arms of $r$ a force in the contact plane creates angular momentum at the rate $\delta_N \mathbf{n} \times \mathbf{F}$.
+///
+/// Proof: `the_arms_add_up_to_the_distance_of_the_centres_which_the_radii_do_not`.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

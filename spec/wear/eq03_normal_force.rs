@@ -13,9 +13,12 @@ use crate::{Real, equation, piecewise};
 ///
 /// # Reading
 ///
-/// Erratum. For spheres larger than the critical diameter, Eq. 10 gives `delta_f < delta_e`; the first case, read literally,
-/// then reaches `delta_e` and the scaling of the strength has no effect. Figure A.2 shows the intended law: Hooke's law up to
-/// `min(delta_e, delta_f)`, nothing beyond `delta_f`.
+/// Erratum: for spheres larger than the critical diameter, Eq. 10 gives `delta_f < delta_e`, and the first case, read literally,
+/// reaches `delta_e`. Figure A.2 shows the intended law: Hooke's law up to `min(delta_e, delta_f)`, nothing beyond `delta_f`.
+///
+/// Effect: read literally the scaling of the strength has no effect; large spheres would hold as much as small ones.
+///
+/// Proof: `breaks_while_it_grows_if_the_fracture_separation_is_the_smaller_which_the_printed_cases_do_not`.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

@@ -11,8 +11,11 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// Erratum: a prime is missing. The cap is $F'_{m,T}$ of Eq. 5, which has no other use, and Figure 3 shows it. With the
-/// printed cap the force would not vanish at the fracture separation, where the interaction ends.
+/// Erratum: a prime is missing. The cap is $F'_{m,T}$ of Eq. 5, which has no other use, and Figure 3 shows it.
+///
+/// Effect: with the printed cap the force would not vanish at the fracture separation, where the interaction ends.
+///
+/// Proof: `vanishes_at_the_fracture_separation_which_the_printed_cap_does_not`.
 ///
 /// A cap alone is not enough: the sliding distance must not grow beyond it, see [`trimmed_distance`].
 ///

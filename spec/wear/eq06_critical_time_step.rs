@@ -16,6 +16,10 @@ use crate::{Real, equation};
 /// ([`sliding_limit`](super::def_stable_step::sliding_limit)) the limit is lower. This is the critical time step of which the
 /// paper takes fractions; the pair law reports the smallest of the three limits.
 ///
+/// Effect: a simulation at the printed limit gains energy without bound.
+///
+/// Proof: `not_stable_at_it_the_motion_grows_linearly`.
+///
 /// Eq. A.18 repeats it.
 ///
 /// | name | symbol | unit | domain | meaning |

@@ -11,8 +11,12 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// An approximation for weak damping (A.43, A.44): the actual restitution exceeds `eta` by about $(1 - \eta)^2 / 2$: 0.9512 for
-/// 0.95, 0.603 for 0.5. It is used as printed; [`damping_ratio`](super::def_restitution::damping_ratio) is exact.
+/// Erratum: the formula holds for weak damping only, as it inverts the approximation A.44 and not A.42. It is used as printed;
+/// [`damping_ratio`](super::def_restitution::damping_ratio) is exact.
+///
+/// Effect: the actual restitution exceeds `eta` by about $(1 - \eta)^2 / 2$: 0.9512 for 0.95, 0.603 for 0.5.
+///
+/// Proof: `more_comes_back_than_wanted_by_half_the_square_of_the_loss`.
 ///
 /// Eq. A.45 repeats it.
 ///

@@ -12,9 +12,12 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// Eq. 12 with the tangential stiffness, as if the spheres could not rotate. They can: solid spheres slide with 2/7 of
-/// the effective mass, so the damping ratio is $\sqrt{7/2}$ times as large, see [`sliding_damping_ratio`]. Used as
-/// printed.
+/// Erratum: the formula is Eq. 12 with the tangential stiffness, as if the spheres could not rotate. They can: solid spheres slide with 2/7 of
+/// the effective mass, see [`sliding_damping_ratio`]. Used as printed.
+///
+/// Effect: the damping ratio of sliding is $\sqrt{7/2}$ times as large as wanted.
+///
+/// Proof: `is_the_damping_ratio_of_the_mass_that_slides`.
 ///
 /// Eq. A.47 repeats it.
 ///

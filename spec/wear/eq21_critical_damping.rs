@@ -11,8 +11,12 @@ use crate::{Real, equation};
 ///
 /// # Reading
 ///
-/// Critical for the dashpot between the two particles. The paper measures its *global* damping, a drag on each particle, in
+/// Erratum: this value is critical for the dashpot between the two particles. The paper measures its *global* damping, a drag on each particle, in
 /// units of it; for a drag the critical value is [`critical_drag`], twice as large. As a unit it is used as printed.
+///
+/// Effect: a global damping of $0.2 c_c$ is a tenth of the critical one, not a fifth.
+///
+/// Proof: `a_drag_of_eq_21_lets_the_pair_overshoot`.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|

@@ -8,26 +8,8 @@
 //!
 //! # Errata
 //!
-//! The paper is followed to the letter unless it contradicts itself. Errata in the text, each with a law that fails for the printed
-//! reading:
-//!
-//! * Eq. 1 lacks the moment of inertia.
-//! * Eq. 2: arms of one radius would not conserve angular momentum, see [`def_kinematics::moment_arm`].
-//! * Eq. 3 with Eq. 10: large particles would not break earlier.
-//! * Eq. 4 lacks the prime of its cap; without slip a closed path would deliver work.
-//! * Eq. 6 itself is not stable, and not the tightest limit, see [`def_stable_step`].
-//! * Eqs. 12 and 13 hold for weak damping, the latter for spheres that cannot rotate, see [`def_restitution`].
-//! * Eq. 21 is critical for a dashpot, not for the drag it is used for.
-//!
-//! And in the appendix:
-//!
-//! * A.2 needs A.1 divided by the masses before the subtraction, see [`a01_pair_motion`].
-//! * A.17 and A.18 must be strict: the limit itself is unstable, see [`a17_stability`].
-//! * A.31 holds only if the force reaches its peak, see [`a31_fracture_energy`].
-//! * A.37 is the damped frequency, not the natural one, see [`a37_frequency`].
-//! * A.40 lacks a minus sign and A.41 is upside down, see [`a39_impact_end`].
-//! * A.43 to A.47 hold for weak damping, see [`a42_restitution`] and [`a45_damping`].
-//! * A.50 to A.56 use the polar angle as a latitude, see [`a50_pair_strain`].
+//! The paper is followed to the letter unless it contradicts itself. A reading that begins with "Erratum" says what is wrong as printed, its effect, and which
+//! law fails for the printed form; one that begins with "Ambiguous", which reading of several is taken. `veridem book` collects them on one page.
 
 pub mod a01_pair_motion;
 pub mod a04_time_step;
