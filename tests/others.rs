@@ -1,5 +1,5 @@
 //! Values that other projects publish with their tests, computed with these laws. Each is compared to the digits in which it is printed, or to a
-//! bound with its reason.
+//! bound with its reason. The documentation of a test names the source, and in its last line the equations; the book shows it with them.
 
 use std::f64::consts::PI;
 use veridem::geometry::Sphere;
@@ -42,6 +42,8 @@ fn dashpot(m: f64, k: f64, e: f64) -> f64 {
 }
 
 /// MercuryDPM, `Drivers/SelfTests/Interactions/TorsionFrictionSelfTest`: a sphere twists between two fixed ones.
+///
+/// Equations: `soot-contact`, `soot-10`, `soot-12`, `soot-17`.
 #[test]
 fn torsion_slips_swings_and_decays_as_in_mercury_dpm() {
     let (k, eta, dt) = (12496.0268, 17.83375, 4e-4);
@@ -62,6 +64,8 @@ fn torsion_slips_swings_and_decays_as_in_mercury_dpm() {
 }
 
 /// 4C, unit tests of `particle_interaction_dem_contact_tangential`.
+///
+/// Equations: `soot-rotated`, `soot-12`, `soot-13`, `soot-17`.
 #[test]
 fn a_tangential_spring_turns_sticks_and_slips_as_in_4c() {
     let n = Vec3([1.0, 2.0, 4.0]) * (1.0 / 21f64.sqrt());
@@ -81,6 +85,8 @@ fn a_tangential_spring_turns_sticks_and_slips_as_in_4c() {
 }
 
 /// azplugins, `test_pair.py` and `test_wall.py`: the attraction of its colloids, whose weak repulsion, of other physics, changes the fifth digit for two spheres and the fourth for the plane (its force: the third).
+///
+/// Equations: `soot-18`, `soot-hamaker-force`, `soot-21`, `soot-22`.
 #[test]
 fn spheres_and_planes_attract_as_in_azplugins() {
     near(-hamaker_energy(1.5, 0.75, 0.75, 100.0), 1.26583, 1e-4);
@@ -90,6 +96,8 @@ fn spheres_and_planes_attract_as_in_azplugins() {
 }
 
 /// LAMMPS, `unittest/granular/tests/dem01-hooke-twosphere-e08-3d-si.yaml`: the dashpot may pull.
+///
+/// Equations: `wear-contact`, `wear-2`, `wear-3`, `mechanics-kick`, `mechanics-drift`.
 #[test]
 fn two_spheres_rebound_as_in_lammps() {
     let (r, k, dt) = (0.0025, 1e6, 3e-8);
@@ -154,6 +162,8 @@ impl Ball {
 
 /// LAMMPS, `dem04-hookehistory-oblique-3d-si.yaml`. There the dashpot pulls at the end of the impact, and the arm of the friction is the radius, not
 /// the distance from the contact: at the deepest, 0.4 % more.
+///
+/// Equations: `soot-wall`, `soot-17`, `soot-verlet-begin`, `soot-verlet-end`.
 #[test]
 fn an_oblique_impact_ends_as_in_lammps() {
     let springs = Springs { k_n: 2e7, k_t: 5.7e6, eta_n: dashpot(Ball::mass(), 2e7, 0.98), ..NO_SPRINGS };
@@ -165,6 +175,8 @@ fn an_oblique_impact_ends_as_in_lammps() {
 }
 
 /// LAMMPS, `dem05-hookehistory-slip-3d-si.yaml`. While the ball slides its velocity knows nothing of the arm; when it rolls the spring swings about 5/7 of the speed.
+///
+/// Equations: `soot-wall`, `soot-17`, `soot-verlet-begin`, `soot-verlet-end`.
 #[test]
 fn a_ball_slips_until_it_rolls_as_in_lammps() {
     let springs = Springs { k_n: 1e4, k_t: 2.8e3, ..NO_SPRINGS };
@@ -183,6 +195,8 @@ fn a_ball_slips_until_it_rolls_as_in_lammps() {
 
 /// LAMMPS, `dem07-rolling-mu02-3d-si.yaml`. There the ball lies on a soft Hertzian contact, whose load is the printed torque over `mu R`: 0.1 % more than the
 /// weight, and less with time.
+///
+/// Equations: `soot-wall`, `soot-verlet-begin`, `soot-verlet-end`.
 #[test]
 fn rolling_resistance_brakes_a_ball_as_in_lammps() {
     let (springs, mu) = (Springs { k_n: 1e4, k_r: 1e4, ..NO_SPRINGS }, 0.2);
@@ -196,6 +210,8 @@ fn rolling_resistance_brakes_a_ball_as_in_lammps() {
 }
 
 /// ZENO, validation of version 5: the capacity of touching spheres of radii 1 and 1/4 in radii of the larger.
+///
+/// Equations: `titania-capacity`, `titania-return`, `titania-return-cosine`.
 #[test]
 fn a_small_sphere_on_a_large_one_adds_to_its_capacity_as_in_zeno() {
     let at = |x: f64, radius: f64| Sphere { centre: Vec3([x, 0.0, 0.0]), radius };
@@ -236,7 +252,9 @@ fn largest(forces: &[(Vec3<f64>, Wrench<f64>)]) -> f64 {
     forces.iter().map(|(force, _)| force.norm()).fold(0.0, f64::max)
 }
 
-/// Tests 1 and 2. The reference counts the sliding of one surface; here both together slide at that velocity.
+/// ON-DEM, `testingInteractions`, tests 1 and 2. The reference counts the sliding of one surface; here both together slide at that velocity.
+///
+/// Equations: `soot-contact`, `soot-8`, `soot-12`, `soot-17`.
 #[test]
 fn a_sheared_contact_is_elastic_and_then_slips_as_in_on_dem() {
     let swing = |amplitude: f64| sheared(Vec3::zero(), |_| UP, move |t: f64| X * (amplitude * t.sin()));
@@ -249,7 +267,9 @@ fn a_sheared_contact_is_elastic_and_then_slips_as_in_on_dem() {
     near(largest(&swing(0.08)), SLIP, 1e-12);
 }
 
-/// Test 3: the pair turns about the direction of shear, and the friction stays along it.
+/// ON-DEM, `testingInteractions`, test 3: the pair turns about the direction of shear, and the friction stays along it.
+///
+/// Equations: `soot-contact`, `soot-8`, `soot-rotated`, `soot-12`, `soot-17`.
 #[test]
 fn friction_across_the_plane_in_which_a_pair_turns_grows_as_in_on_dem() {
     let turning = sheared(X, |t| Vec3([0.0, -t.sin(), t.cos()]), |_| X * 0.02);
@@ -260,8 +280,10 @@ fn friction_across_the_plane_in_which_a_pair_turns_grows_as_in_on_dem() {
     }
 }
 
-/// Test 4: the pair spins about its normal. The springs of the papers stay fixed in space and are relaxed after each turn; an objective law, as that of the
+/// ON-DEM, `testingInteractions`, test 4: the pair spins about its normal. The springs of the papers stay fixed in space and are relaxed after each turn; an objective law, as that of the
 /// network, slips from t = 2.5 on.
+///
+/// Equations: `soot-contact`, `soot-8`, `soot-rotated`, `soot-12`.
 #[test]
 fn springs_do_not_follow_a_pair_that_spins_about_its_normal_unlike_in_on_dem() {
     let spinning = sheared(UP, |_| UP, |t| Vec3([t.cos(), t.sin(), 0.0]) * 0.02);
