@@ -108,7 +108,7 @@ const PUBLIC: [(&str, &[&str]); 22] = [
         ],
     ),
     ("output", &["aggregate", "columns", "frames"]),
-    ("papers", &["soot", "titania", "wear"]),
+    ("papers", &["shown", "soot", "titania", "wear"]),
     ("proofs", &[]),
     ("random", &[]),
     ("reproduce", &[]),

@@ -2,8 +2,12 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
+use veridem::book::files;
+use veridem::equations::{Entry, Registry};
 use veridem::golden::{documented, index};
+use veridem::papers::PAPERS;
 use veridem_spec::equation::Equation;
+use veridem_spec::finding::{Finding, Kind};
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -166,6 +170,29 @@ fn a_law_that_would_not_run_is_noticed() {
 }
 
 #[test]
+fn every_erratum_states_its_effect_and_the_laws_that_fail_for_it() {
+    let documented = documented().unwrap();
+    let mut errata = 0;
+    for (equation, document) in &documented {
+        let labelled = ["Erratum", "Ambiguous", "Cancellation"].iter().any(|word| document.reading.starts_with(word));
+        let Some(finding) = Finding::of(document) else {
+            assert!(!labelled, "{}: the label of its reading ends with a colon", equation.id);
+            continue;
+        };
+        if finding.kind == Kind::Erratum {
+            errata += 1;
+            assert!(!finding.effect.is_empty() && !finding.proof.is_empty(), "{}: no effect or no proof", equation.id);
+        }
+        let beside = documented.iter().filter(|(other, _)| other.file == equation.file);
+        let laws: BTreeSet<&str> = beside.flat_map(|(_, document)| document.laws.iter().map(String::as_str)).collect();
+        for law in finding.proof {
+            assert!(laws.contains(law), "{}: `{law}` is no law in spec/{}", equation.id, equation.file);
+        }
+    }
+    assert!(errata > 20, "{errata} errata");
+}
+
+#[test]
 fn every_number_of_a_paper_is_carried_by_exactly_one_equation() {
     let mut ids = BTreeSet::new();
     for paper in veridem_spec::papers() {
@@ -187,4 +214,26 @@ fn the_index_is_up_to_date() {
     let now = index(root(), &documented().unwrap()).unwrap();
     let kept = std::fs::read_to_string(root().join(veridem::golden::INDEX)).unwrap();
     assert!(now == kept, "run `veridem golden regenerate`");
+}
+
+/// The book with all its pages, of which each is made of what the repository has.
+#[test]
+fn the_book_shows_laws_values_of_others_claims_and_links() {
+    let registry = Registry::new();
+    let pages: BTreeMap<String, String> = files(root(), &registry, PAPERS).unwrap().into_iter().collect();
+    for Entry { equation, document } in &registry.0 {
+        let page = &pages[&format!("{}.html", equation.id)];
+        for law in &document.laws {
+            assert!(page.contains(&law[1..].replace('_', " ")), "{}: {law}", equation.id);
+        }
+        // Beside its laws, what the page of proofs says, and what holds by construction.
+        let count = page.matches("class=\"status\"").count();
+        assert!(count > document.laws.len() + 1, "{}: {count} statements", equation.id);
+    }
+    let shows = |page: &str, text: &str| pages[page].contains(text);
+    assert!(shows("soot-18.html", "azplugins") && !shows("soot-1.html", "azplugins"));
+    assert!(shows("wear-published-contact.html", "href=\"wear-contact.html\""));
+    assert!(shows("claims-wear.html", "<a href=\"wear-19.html\">Eq. 19, Table 4</a>"));
+    assert!(shows("wear-19.html", "Table 4") && !shows("wear-4.html", "Table 4"));
+    assert!(shows("tables.html", "73 GPa"));
 }

@@ -1,15 +1,23 @@
-//! The book: a page for each equation, in the order of the papers. Pages need no network and no server.
+//! The book: a page for each equation, in the order of the papers, and pages of what was found. Pages need no network and no server.
 
+mod claims;
 mod curve;
-mod page;
-mod start;
+mod equation;
+mod errata;
+mod facts;
+mod frame;
+mod laws;
+mod tables;
 mod text;
 
-use crate::equations;
+use crate::equations::Registry;
 use crate::error::{AtPath, Error};
 use crate::golden::INDEX;
+use crate::papers::Papers;
+use crate::proofs::PAGE as PROOFS;
 use crate::spec::document::Document;
 use crate::spec::equation::Equation;
+use facts::{Other, Statement, Table};
 use std::path::Path;
 
 /// An equation and what is known of it.
@@ -22,8 +30,13 @@ struct Entry<'a> {
     origin: String,
     /// The number of independently computed vectors.
     independent: usize,
+    /// What it is used for.
+    role: String,
     /// The files in which it is used.
     users: Vec<String>,
+    statements: Vec<Statement>,
+    /// The bound of its rounding error, and whether it is proved.
+    rounding: String,
 }
 
 /// A chapter: the equations of a paper, or those that papers share.
@@ -32,42 +45,186 @@ struct Chapter<'a> {
     /// Authors and year; empty if it is no paper.
     reference: &'a str,
     entries: Vec<Entry<'a>>,
+    /// The table of its claims.
+    claims: Table,
+    /// What is to be said of its claims, as Markdown.
+    discussion: String,
+}
+
+/// All that the pages show.
+struct Book<'a> {
+    chapters: Vec<Chapter<'a>>,
+    others: Vec<Other>,
+    /// The ids of the contact laws whose forces are drawn.
+    laws: Vec<&'static str>,
+    /// The pages of the repository that the book has as they are: file, title, Markdown.
+    documents: Vec<(&'a str, &'a str, String)>,
 }
 
 /// Files that all pages share, by name.
-const SHARED: [(&str, &str); 2] = [("book.css", include_str!("book.css")), ("book.js", include_str!("book.js"))];
+const SHARED: [(&str, &str); 3] = [
+    ("book.css", include_str!("book.css")),
+    ("search.js", include_str!("search.js")),
+    ("curve.js", include_str!("curve.js")),
+];
 
-/// The files of the book by name, from the repository at `root`; `reference` gives authors and year of a paper by its name.
+/// The pages of the repository on claims, and on how laws were tested; the tests with values of others.
+const FINDINGS: &str = "docs/findings.md";
+const VERIFICATION: &str = "docs/verification.md";
+const OTHERS: &str = "tests/others.rs";
+
+/// The files of the book by name, from the repository at `root`.
 ///
 /// # Errors
 ///
-/// If the index or golden vectors cannot be read.
-pub fn files(
-    root: &Path,
-    registry: &equations::Registry,
-    reference: impl Fn(&str) -> &'static str,
-) -> Result<Vec<(String, String)>, Error> {
-    let users = start::users(root).at(&root.join(INDEX))?;
-    let mut chapters: Vec<Chapter> = vec![];
-    for equations::Entry { equation, document } in &registry.0 {
-        let name = equation.id.split('-').next().unwrap_or_default();
-        let used = users.get(equation.id).cloned().unwrap_or_default();
-        let entry = start::entry(equation, document, &root.join("golden"), used).map_err(Error::Verification)?;
-        match chapters.last_mut().filter(|chapter| chapter.name == name) {
-            Some(chapter) => chapter.entries.push(entry),
-            None => chapters.push(Chapter { name, reference: reference(name), entries: vec![entry] }),
-        }
-    }
+/// If the index, golden vectors, pages or cases of the repository cannot be read.
+pub fn files(root: &Path, registry: &Registry, papers: Papers) -> Result<Vec<(String, String)>, Error> {
+    let book = Book::of(root, registry, papers)?;
     let mut files: Vec<(String, String)> =
         SHARED.iter().map(|(name, content)| (name.to_string(), content.to_string())).collect();
-    files.push(("entries.js".into(), page::entries(&chapters)));
-    files.push(("index.html".into(), page::contents(&chapters)));
-    let all: Vec<(&Chapter, &Entry)> =
-        chapters.iter().flat_map(|chapter| chapter.entries.iter().map(move |entry| (chapter, entry))).collect();
-    for (k, (chapter, entry)) in all.iter().enumerate() {
-        let neighbour = |place: Option<usize>| place.and_then(|place| all.get(place)).map(|(_, entry)| *entry);
-        let neighbours = [neighbour(k.checked_sub(1)), neighbour(Some(k + 1))];
-        files.push((page::file(entry.equation.id), page::equation(chapter, entry, neighbours)));
+    files.push(("index.html".into(), frame::contents(&book)));
+    files.push(("errata.html".into(), errata::page(&book)));
+    files.push(("laws.html".into(), laws::page(&book, papers)));
+    let (tables, numbers) = tables::page(root, papers)?;
+    files.push(("tables.html".into(), tables));
+    files.push(("entries.js".into(), frame::entries(&book, numbers)));
+    for chapter in book.papers() {
+        files.push((chapter.claims_page(), claims::page(&book, chapter)));
     }
+    for (file, title, markdown) in &book.documents {
+        files.push((file.to_string(), frame::whole(title, text::markdown(markdown, &|_| None))));
+    }
+    files.extend(equation::pages(&book));
+    files.extend(equation::sources(&book));
     Ok(files)
+}
+
+impl<'a> Book<'a> {
+    fn of(root: &Path, registry: &'a Registry, papers: Papers) -> Result<Self, Error> {
+        let read = |name: &str| std::fs::read_to_string(root.join(name)).at(&root.join(name));
+        let (index, proofs, findings) = (Table::of(&read(INDEX)?), read(PROOFS)?, read(FINDINGS)?);
+        let about_proofs = proofs.split("\n| ").next().unwrap_or_default().to_string();
+        let proofs = Table::of(&proofs);
+        let mut chapters: Vec<Chapter> = vec![];
+        for crate::equations::Entry { equation, document } in &registry.0 {
+            let name = equation.id.split('-').next().unwrap_or_default();
+            let (start, origin, independent) =
+                facts::start(equation, document, &root.join("golden")).map_err(Error::Verification)?;
+            let row = index.row(equation.id);
+            let users = index.cell(row, "used in").split(", ").filter(|user| !user.is_empty());
+            let entry = Entry {
+                equation,
+                document,
+                start,
+                origin,
+                independent,
+                role: index.cell(row, "role").into(),
+                users: users.map(String::from).collect(),
+                statements: facts::statements(equation, document, &proofs),
+                rounding: facts::rounding(equation, &proofs),
+            };
+            match chapters.last_mut().filter(|chapter| chapter.name == name) {
+                Some(chapter) => chapter.entries.push(entry),
+                None => chapters.push(Chapter {
+                    name,
+                    reference: papers.find(name).map_or("", |paper| paper.reference()),
+                    entries: vec![entry],
+                    claims: Table::of(claims::part(&findings, &format!("\n## Claims of the {name} paper\n"))),
+                    discussion: claims::discussion(&findings, name),
+                }),
+            }
+        }
+        let others = facts::others(&read(OTHERS)?).map_err(Error::Verification)?;
+        for other in &others {
+            let unknown = other.equations.iter().find(|id| registry.0.iter().all(|entry| entry.equation.id != **id));
+            if other.equations.is_empty() || unknown.is_some() {
+                let what = unknown.map_or("no equation".into(), |id| format!("`{id}`, which is no equation"));
+                return Err(Error::Verification(format!(
+                    "{OTHERS}: the documentation of `{}` names {what}",
+                    other.test
+                )));
+            }
+        }
+        let documents =
+            vec![("verification.html", "Verification", read(VERIFICATION)?), ("proofs.html", "Proofs", about_proofs)];
+        let laws = papers.0.iter().flat_map(|paper| paper.shown_laws()).map(|law| law.id).collect();
+        Ok(Self { chapters, others, laws, documents })
+    }
+
+    /// The chapters that are papers.
+    fn papers(&self) -> impl Iterator<Item = &Chapter<'a>> {
+        self.chapters.iter().filter(|chapter| !chapter.reference.is_empty())
+    }
+
+    /// All equations with their chapters, in order.
+    fn entries(&self) -> impl Iterator<Item = (&Chapter<'a>, &Entry<'a>)> {
+        self.chapters.iter().flat_map(|chapter| chapter.entries.iter().map(move |entry| (chapter, entry)))
+    }
+
+    /// The page of the function that the documentation of a chapter links to.
+    fn target(&self, chapter: &Chapter, path: &str) -> Option<String> {
+        let mut words = path.rsplit("::");
+        let (function, module) = (words.next()?, words.next().unwrap_or_default());
+        let is_in = |entry: &Entry| entry.equation.file.ends_with(&format!("/{module}.rs"));
+        let mut found: Vec<(&Chapter, &Entry)> =
+            self.entries().filter(|(_, entry)| entry.equation.function == function).collect();
+        if found.iter().any(|(_, entry)| is_in(entry)) {
+            found.retain(|(_, entry)| is_in(entry));
+        }
+        if found.iter().any(|(of, _)| of.name == chapter.name) {
+            found.retain(|(of, _)| of.name == chapter.name);
+        }
+        match found[..] {
+            [(_, entry)] => Some(entry.page()),
+            _ => None,
+        }
+    }
+}
+
+impl Chapter<'_> {
+    fn title(&self) -> &str {
+        if self.reference.is_empty() { "Mechanics that the papers share" } else { self.reference }
+    }
+
+    /// The name of the page of its claims.
+    fn claims_page(&self) -> String {
+        format!("claims-{}.html", self.name)
+    }
+}
+
+impl Entry<'_> {
+    /// The name of its page.
+    fn page(&self) -> String {
+        format!("{}.html", self.equation.id)
+    }
+
+    /// The name of the page with its source.
+    fn source_page(&self) -> String {
+        format!("{}.html", self.equation.file.replace('/', "."))
+    }
+
+    /// The numbers of the equation, as a paper prints them, or its name.
+    fn label(&self) -> String {
+        let id = self.equation.id;
+        match self.equation.covers {
+            [] => id.split_once('-').map_or(id, |(_, name)| name).replace('-', " "),
+            numbers => format!("Eq. {}", numbers.iter().map(|number| printed(number)).collect::<Vec<_>>().join(", ")),
+        }
+    }
+
+    /// Whether a text such as `Eqs. 8, 10 and 11, Table 4` names its number.
+    fn is_named_in(&self, text: &str) -> bool {
+        let words: Vec<&str> = text.split([' ', ',']).filter(|word| !word.is_empty() && *word != "and").collect();
+        let is_kind = |word: &&&str| !word.contains(|c: char| c.is_ascii_digit());
+        let of_equations = |k: usize| words[..k].iter().rev().find(is_kind).is_some_and(|kind| kind.starts_with("Eq"));
+        let named = |number: &&str| {
+            (1..words.len()).any(|k| words[k].trim_end_matches('.') == printed(number) && of_equations(k))
+        };
+        self.equation.covers.iter().any(named)
+    }
+}
+
+/// A number as the paper prints it: `A17` is A.17.
+fn printed(number: &str) -> String {
+    number.replace('A', "A.")
 }

@@ -14,15 +14,14 @@ pub(super) struct Arguments {
     /// The folder to write
     #[arg(long)]
     out: PathBuf,
-    /// The repository, with the folders golden and spec
+    /// The repository, of which the pages tell
     #[arg(long, default_value = ".")]
     root: PathBuf,
 }
 
 /// Writes the pages and prints the path of the first.
 pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
-    let reference = |name: &str| papers.find(name).map_or("", |paper| paper.reference());
-    let files = files(&arguments.root, &Registry::new(), reference)?;
+    let files = files(&arguments.root, &Registry::new(), papers)?;
     create_folder(&arguments.out)?;
     for (name, content) in &files {
         write_atomically(&arguments.out.join(name), content.as_bytes())?;

@@ -2,6 +2,8 @@
 
 mod path;
 mod quantities;
+#[cfg(feature = "cli")]
+pub mod shown;
 pub mod soot;
 pub mod titania;
 pub mod wear;
@@ -55,6 +57,9 @@ pub trait Paper: Sync {
     /// The chapters of its claims.
     #[cfg(feature = "cli")]
     const CHAPTERS: &'static [Chapter] = &[];
+    /// Its tables of parameters.
+    #[cfg(feature = "cli")]
+    const TABLES: &'static [shown::Table] = &[];
     /// The golden trajectories that belong to it.
     #[cfg(feature = "verify")]
     const TRAJECTORIES: &'static [Trajectory] = &[];
@@ -91,6 +96,11 @@ pub trait Paper: Sync {
     /// The contact laws that other languages have beside the equations, which may hold the whole law already.
     #[cfg(feature = "cli")]
     fn exported_laws() -> Vec<Exported> {
+        Vec::new()
+    }
+    /// The contact laws whose forces are drawn.
+    #[cfg(feature = "cli")]
+    fn shown_laws() -> Vec<shown::Law> {
         Vec::new()
     }
     /// The start of a run of an imported aggregate with default values, for a paper that has aggregates.
@@ -136,6 +146,12 @@ pub trait AnyPaper: Sync {
     /// [`Paper::CHAPTERS`].
     #[cfg(feature = "cli")]
     fn chapters(&self) -> &'static [Chapter];
+    /// [`Paper::TABLES`].
+    #[cfg(feature = "cli")]
+    fn tables(&self) -> &'static [shown::Table];
+    /// [`Paper::shown_laws`].
+    #[cfg(feature = "cli")]
+    fn shown_laws(&self) -> Vec<shown::Law>;
     /// [`Paper::TRAJECTORIES`].
     #[cfg(feature = "verify")]
     fn trajectories(&self) -> &'static [Trajectory];
@@ -180,6 +196,14 @@ impl<P: Paper> AnyPaper for P {
     #[cfg(feature = "cli")]
     fn chapters(&self) -> &'static [Chapter] {
         P::CHAPTERS
+    }
+    #[cfg(feature = "cli")]
+    fn tables(&self) -> &'static [shown::Table] {
+        P::TABLES
+    }
+    #[cfg(feature = "cli")]
+    fn shown_laws(&self) -> Vec<shown::Law> {
+        P::shown_laws()
     }
     #[cfg(feature = "verify")]
     fn trajectories(&self) -> &'static [Trajectory] {

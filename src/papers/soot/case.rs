@@ -150,7 +150,8 @@ section! {
     }
 }
 
-fn published_contact() -> FourSprings {
+/// The published springs of a frictional contact.
+pub(super) fn published_contact() -> FourSprings {
     four_springs(["1e4 N/m"; 4], ["5e-9 kg/s", "1e-9 kg/s", "2.5e-10 kg/s", "2.5e-10 kg/s"])
 }
 

@@ -9,6 +9,8 @@ mod energy;
 mod lammps;
 mod place;
 mod sample;
+#[cfg(feature = "cli")]
+mod shown;
 mod stage;
 mod study;
 pub mod tip;
@@ -70,6 +72,8 @@ impl Paper for Soot {
     ];
     #[cfg(feature = "cli")]
     const CHAPTERS: &'static [Chapter] = claims::CHAPTERS;
+    #[cfg(feature = "cli")]
+    const TABLES: &'static [super::shown::Table] = shown::TABLES;
     #[cfg(feature = "verify")]
     const TRAJECTORIES: &'static [Trajectory] = trajectories::TRAJECTORIES;
 
@@ -107,6 +111,10 @@ impl Paper for Soot {
         let (kept, energy) = plan.kept(spheres, necks, interrupt)?;
         let refusal = energy.allowed(plan.sample.initial_energy).err().map(|error| error.to_string());
         Ok(Some(AtStart { paper: Self::NAME, necks: kept.len(), springs: energy.stored, refusal }))
+    }
+    #[cfg(feature = "cli")]
+    fn shown_laws() -> Vec<super::shown::Law> {
+        shown::laws()
     }
     fn study(case: Case) -> Box<dyn Runnable> {
         let Model::Soot(model) = &case.model;

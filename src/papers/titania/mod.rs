@@ -12,6 +12,8 @@ mod lammps;
 mod law;
 pub mod pair;
 mod pull;
+#[cfg(feature = "cli")]
+mod shown;
 mod stage;
 mod study;
 #[cfg(feature = "verify")]
@@ -78,6 +80,8 @@ impl Paper for Titania {
     ];
     #[cfg(feature = "cli")]
     const CHAPTERS: &'static [Chapter] = claims::CHAPTERS;
+    #[cfg(feature = "cli")]
+    const TABLES: &'static [super::shown::Table] = shown::TABLES;
     #[cfg(feature = "verify")]
     const TRAJECTORIES: &'static [Trajectory] = trajectories::TRAJECTORIES;
 
@@ -107,6 +111,10 @@ impl Paper for Titania {
     fn exported_laws() -> Vec<Exported> {
         let title = "With the parameters of Laube et al. 2018, at half humidity and 300 K, in SI; radii are those of the contact spheres.";
         exported_law(&titania::Titania::paper(1e-9, 1e-9, 1e-9), "titania-law", title).into()
+    }
+    #[cfg(feature = "cli")]
+    fn shown_laws() -> Vec<super::shown::Law> {
+        shown::laws()
     }
     fn study(case: Case) -> Box<dyn Runnable> {
         match case::checked(&case) {

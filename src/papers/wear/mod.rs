@@ -10,6 +10,8 @@ pub mod fate;
 pub mod junction;
 mod lammps;
 pub mod protocol;
+#[cfg(feature = "cli")]
+mod shown;
 pub mod stages;
 mod study;
 #[cfg(feature = "verify")]
@@ -61,6 +63,8 @@ impl Paper for Wear {
     ];
     #[cfg(feature = "cli")]
     const CHAPTERS: &'static [Chapter] = claims::CHAPTERS;
+    #[cfg(feature = "cli")]
+    const TABLES: &'static [super::shown::Table] = shown::TABLES;
     #[cfg(feature = "verify")]
     const TRAJECTORIES: &'static [Trajectory] = trajectories::TRAJECTORIES;
 
@@ -85,6 +89,10 @@ impl Paper for Wear {
     }
     fn saves(case: &mut Case) -> Vec<(String, &mut PathBuf)> {
         case::saves(case)
+    }
+    #[cfg(feature = "cli")]
+    fn shown_laws() -> Vec<super::shown::Law> {
+        shown::laws()
     }
     fn study(case: Case) -> Box<dyn Runnable> {
         match material(&case).readings {
