@@ -6,7 +6,7 @@ use crate::figures::Report;
 use crate::interrupt::Interrupt;
 use crate::output::{command_line, create_folder, with_suffix, write_atomically};
 use crate::papers::{AnyPaper, Papers};
-use crate::reproduce::{Chapter, Claim, Evidence, Extent, Setting, Verdict};
+use crate::reproduce::{Chapter, Claim, Evidence, Extent, Line, Setting, Verdict, lines};
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
@@ -16,7 +16,11 @@ use std::time::Instant;
 #[derive(clap::Args)]
 pub(super) struct Arguments {
     /// The paper
-    paper: String,
+    #[arg(required_unless_present = "list")]
+    paper: Option<String>,
+    /// List the claims of a paper, or of all: the command that measures each with its recorded result, or why nothing does
+    #[arg(long, conflicts_with_all = ["full", "only", "out"])]
+    list: bool,
     /// Compute the paper's sizes: hours instead of ten minutes; chapters that consist of runs resume where they were
     /// stopped, others start again
     #[arg(long)]
@@ -61,7 +65,8 @@ fn chosen(paper: &dyn AnyPaper, only: Option<&str>) -> Result<Vec<&'static Chapt
 
 /// Computes the claims and writes table, figures and report.
 pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> Result<(), Error> {
-    let paper = papers.find(&arguments.paper).expect("the command line knows the papers");
+    let found = arguments.paper.as_deref().map(|name| papers.find(name).expect("the command line knows the papers"));
+    let (Some(paper), false) = (found, arguments.list) else { return list(found, papers, manner) };
     let chapters = chosen(paper, arguments.only.as_deref())?;
     let extent = if arguments.full { Extent::Full } else { Extent::Reduced };
     let folder = || Path::new("run").join(format!("reproduce-{}", paper.name()));
@@ -100,6 +105,28 @@ pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> 
         return Err(Error::Verification(format!("{failed} claims that follow from the equations alone do not hold")));
     }
     Ok(())
+}
+
+/// Prints the list of claims.
+fn list(paper: Option<&'static dyn AnyPaper>, papers: Papers, manner: OutputMode) -> Result<(), Error> {
+    let papers = paper.map_or_else(|| papers.0.to_vec(), |paper| vec![paper]);
+    if manner.json {
+        let all: Vec<Line> = papers.iter().flat_map(|paper| lines(paper.name(), paper.listed())).collect();
+        return print(&(serde_json::to_string_pretty(&all).expect("a list is plain data") + "\n"));
+    }
+    let page = |paper: &&dyn AnyPaper| {
+        let head = format!("# {}\n\n| {} |\n|{}\n", paper.reference(), LIST.join(" | "), "---|".repeat(LIST.len()));
+        head + &lines(paper.name(), paper.listed()).iter().map(listed).collect::<String>()
+    };
+    print(&papers.iter().map(page).collect::<Vec<_>>().join("\n"))
+}
+
+const LIST: [&str; 6] = ["id", "where", "claim", "paper", "command", "recorded result"];
+
+fn listed(line: &Line) -> String {
+    let commands: Vec<String> = line.commands.iter().map(|command| format!("`{command}`")).collect();
+    let Line { id, place, claim, paper, result, .. } = line;
+    format!("| {id} | {place} | {claim} | {paper} | {} | {result} |\n", commands.join(", "))
 }
 
 fn write_chapter(title: &str, chapter: &Evidence, page: &mut Report, out: &Path) -> Result<(), Error> {

@@ -20,7 +20,7 @@ use crate::initial::aggregate::necks::{Neck, NeckLength};
 use crate::interrupt::Interrupt;
 use crate::output::Column;
 #[cfg(feature = "cli")]
-use crate::reproduce::Chapter;
+use crate::reproduce::{Chapter, Listed};
 use crate::run::{Job, Paths, Runnable};
 #[cfg(feature = "cli")]
 use crate::spec::languages::Exported;
@@ -60,6 +60,9 @@ pub trait Paper: Sync {
     /// Its tables of parameters.
     #[cfg(feature = "cli")]
     const TABLES: &'static [shown::Table] = &[];
+    /// The list of its claims.
+    #[cfg(feature = "cli")]
+    const LISTED: &'static [Listed] = &[];
     /// The golden trajectories that belong to it.
     #[cfg(feature = "verify")]
     const TRAJECTORIES: &'static [Trajectory] = &[];
@@ -152,6 +155,9 @@ pub trait AnyPaper: Sync {
     /// [`Paper::shown_laws`].
     #[cfg(feature = "cli")]
     fn shown_laws(&self) -> Vec<shown::Law>;
+    /// [`Paper::LISTED`].
+    #[cfg(feature = "cli")]
+    fn listed(&self) -> &'static [Listed];
     /// [`Paper::TRAJECTORIES`].
     #[cfg(feature = "verify")]
     fn trajectories(&self) -> &'static [Trajectory];
@@ -204,6 +210,10 @@ impl<P: Paper> AnyPaper for P {
     #[cfg(feature = "cli")]
     fn shown_laws(&self) -> Vec<shown::Law> {
         P::shown_laws()
+    }
+    #[cfg(feature = "cli")]
+    fn listed(&self) -> &'static [Listed] {
+        P::LISTED
     }
     #[cfg(feature = "verify")]
     fn trajectories(&self) -> &'static [Trajectory] {

@@ -1,7 +1,11 @@
 //! The papers' claims, tested: `veridem reproduce`.
 
+mod listed;
+mod record;
 mod setting;
 
+pub use listed::{Line, Listed, lines};
+pub use record::{Row, recorded};
 pub use setting::Setting;
 
 use crate::error::Error;

@@ -35,7 +35,7 @@ use crate::output::aggregate::{CONVEXITY, COORDINATION, GYRATION_RADIUS};
 use crate::output::columns::{KINETIC, TIME};
 use crate::papers::path::{self, PathPlan};
 #[cfg(feature = "cli")]
-use crate::reproduce::Chapter;
+use crate::reproduce::{Chapter, Listed};
 use crate::run::Runnable;
 use crate::spec::mechanics::sphere::sphere_mass;
 use crate::spec::soot::{Along, Lagging, Printed, Programmed, Reading};
@@ -74,6 +74,8 @@ impl Paper for Soot {
     const CHAPTERS: &'static [Chapter] = claims::CHAPTERS;
     #[cfg(feature = "cli")]
     const TABLES: &'static [super::shown::Table] = shown::TABLES;
+    #[cfg(feature = "cli")]
+    const LISTED: &'static [Listed] = claims::LISTED;
     #[cfg(feature = "verify")]
     const TRAJECTORIES: &'static [Trajectory] = trajectories::TRAJECTORIES;
 

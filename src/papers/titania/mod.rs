@@ -34,7 +34,7 @@ use crate::golden::Trajectory;
 use crate::output::Column;
 use crate::output::columns::TIME;
 #[cfg(feature = "cli")]
-use crate::reproduce::Chapter;
+use crate::reproduce::{Chapter, Listed};
 use crate::run::Runnable;
 use crate::spec::Necked;
 #[cfg(feature = "cli")]
@@ -82,6 +82,8 @@ impl Paper for Titania {
     const CHAPTERS: &'static [Chapter] = claims::CHAPTERS;
     #[cfg(feature = "cli")]
     const TABLES: &'static [super::shown::Table] = shown::TABLES;
+    #[cfg(feature = "cli")]
+    const LISTED: &'static [Listed] = claims::LISTED;
     #[cfg(feature = "verify")]
     const TRAJECTORIES: &'static [Trajectory] = trajectories::TRAJECTORIES;
 

@@ -29,7 +29,7 @@ use crate::golden::Trajectory;
 use crate::output::Column;
 use crate::output::columns::STEP;
 #[cfg(feature = "cli")]
-use crate::reproduce::Chapter;
+use crate::reproduce::{Chapter, Listed};
 use crate::run::Runnable;
 use crate::spec::wear as spec;
 use case::{Case, Experiment, Model, Readings, Sample};
@@ -65,6 +65,8 @@ impl Paper for Wear {
     const CHAPTERS: &'static [Chapter] = claims::CHAPTERS;
     #[cfg(feature = "cli")]
     const TABLES: &'static [super::shown::Table] = shown::TABLES;
+    #[cfg(feature = "cli")]
+    const LISTED: &'static [Listed] = claims::LISTED;
     #[cfg(feature = "verify")]
     const TRAJECTORIES: &'static [Trajectory] = trajectories::TRAJECTORIES;
 

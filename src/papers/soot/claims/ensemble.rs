@@ -61,7 +61,8 @@ pub struct Ensemble {
 ///
 /// If a run fails.
 pub fn ensembles(protocol: &Protocol, kinds: &[Kind], setting: &Setting) -> Result<Vec<Ensemble>, Error> {
-    let runs = setting.run_all(&points(protocol, kinds, setting.read)?)?;
+    let keys: Vec<_> = kinds.iter().map(keys).collect();
+    let runs = setting.run_all(&points(protocol, &keys, setting.read)?)?;
     let courses = runs.folders.iter().map(|folder| folder.as_ref().map(course).transpose());
     let courses: Vec<Option<Course>> = courses.collect::<Result<_, Error>>()?;
     let whole: Vec<&[Option<Course>]> =
@@ -73,20 +74,29 @@ pub fn ensembles(protocol: &Protocol, kinds: &[Kind], setting: &Setting) -> Resu
     Ok(kinds.iter().enumerate().map(|(k, &kind)| Ensemble::of(kind, &of_kind(k))).collect())
 }
 
+/// The keys of a kind.
+fn keys(kind: &Kind) -> Vec<(&'static str, String)> {
+    vec![("sample.aggregate.neck_fraction", kind.neck_fraction.to_string()), ("model.soot.torsion", word(kind.torsion))]
+}
+
 /// All kinds of the first aggregate, then of the next, so that a stopped computation has complete sets.
-fn points(protocol: &Protocol, kinds: &[Kind], read: Reader) -> Result<Vec<Point>, Error> {
+///
+/// # Errors
+///
+/// If a key or value is wrong.
+pub fn points(protocol: &Protocol, kinds: &[Vec<(&str, String)>], read: Reader) -> Result<Vec<Point>, Error> {
     let mut base: Value = serde_yaml::from_str(CASE).expect("the case is well formed");
     let look = format!("{LOOK} ns");
-    for (key, value) in protocol.keys.iter().copied().chain([("output.series", &*look), ("output.frames", "1 µs")]) {
+    let output = [("output.series", &*look), ("output.frames", "1 µs")];
+    for (key, value) in output.into_iter().chain(protocol.keys.iter().copied()) {
         set(&mut base, key, value, read)?;
     }
     let seeds = (1..=protocol.aggregates).map(|seed| seed.to_string());
     let members = seeds.flat_map(|seed| kinds.iter().map(move |kind| (seed.clone(), kind)));
     members
         .map(|(seed, kind)| {
-            let (fraction, torsion) = (kind.neck_fraction.to_string(), word(kind.torsion));
-            let keys =
-                [("seed", &*seed), ("sample.aggregate.neck_fraction", &*fraction), ("model.soot.torsion", &*torsion)];
+            let own = kind.iter().map(|(key, value)| (*key, &**value));
+            let keys: Vec<(&str, &str)> = [("seed", &*seed)].into_iter().chain(own).collect();
             Point::new(Path::new(FILE), &base, &keys, read)
         })
         .collect()

@@ -1,5 +1,7 @@
 //! Claims that follow from the equations alone.
 
+mod elements;
+
 use crate::case::section::defaults;
 use crate::geometry::{SphereExtent, gyration_radius};
 use crate::initial::aggregate::necks::{NeckLength, necks};
@@ -47,6 +49,7 @@ pub fn chapter() -> Evidence {
     claims.extend(tip());
     claims.extend(attraction(m));
     claims.extend(NECKS.map(|(necks, step, name)| time_step(m, necks, step, name)));
+    claims.extend(elements::claims());
     Evidence { claims: claims.into_iter().map(Claim::exact).collect(), ..Evidence::default() }
 }
 

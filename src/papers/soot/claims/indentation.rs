@@ -1,5 +1,7 @@
 //! Section 3.1: deposition and indentation of aggregates.
 
+mod controls;
+
 use crate::case::Limits;
 use crate::case::quantity::{Scaled, quantity};
 use crate::case::section::defaults;
@@ -22,12 +24,19 @@ use std::ops::ControlFlow;
 const LOOK: f64 = 0.5;
 /// Number of aggregates.
 const AGGREGATES: u64 = 20;
+/// Number of them that are indented with another attraction, and half as large.
+const VARIED: u64 = 8;
+/// The Hamaker constant of the paper, and three times as much.
+const HAMAKER: [&str; 2] = ["1e-19 J", "3e-19 J"];
 /// Number of curves in the figure.
 const DRAWN: usize = 4;
 
 /// The protocol of every aggregate. Everything else is as in the authors' published inputs.
+#[derive(Clone, Copy)]
 struct Protocol {
+    aggregates: u64,
     spheres: u64,
+    hamaker: &'static str,
     keep_necks: f64,
     indentation: &'static str,
 }
@@ -50,17 +59,26 @@ pub fn chapter(setting: &Setting) -> Result<Evidence, Error> {
     let reduced = "aggregates of 60 spheres instead of 120, 90 % of the necks kept instead of 98 %, so that more are removed, \
                    indentations of 200 ns instead of 500 ns";
     let protocol = Protocol {
+        aggregates: AGGREGATES,
         spheres: extent.of(60, 120),
+        hamaker: HAMAKER[0],
         keep_necks: extent.of(0.9, 0.98),
         indentation: extent.of("200 ns", "500 ns"),
     };
-    let seeds: Vec<u64> = (1..=AGGREGATES).collect();
-    let members = seeds
-        .into_par_iter()
-        .with_max_len(1)
-        .map(|seed| member(&plan(&protocol, seed), setting.interrupt))
-        .collect::<Result<Vec<_>, Error>>()?;
-    Ok(Evidence { note: extent.of(reduced, "").into(), claims: claims(&members), figures: vec![figure(&members)] })
+    let members = members(&protocol, setting.interrupt)?;
+    let varied = Protocol { aggregates: VARIED, ..protocol };
+    let sticky = self::members(&Protocol { hamaker: HAMAKER[1], ..varied }, setting.interrupt)?;
+    let small = self::members(&Protocol { spheres: protocol.spheres / 2, ..varied }, setting.interrupt)?;
+    let mut claims = claims(&members);
+    claims.extend(controls::claims(&members, &sticky, &small));
+    Ok(Evidence { note: extent.of(reduced, "").into(), claims, figures: vec![figure(&members)] })
+}
+
+/// The aggregates of a protocol, which differ in their seed.
+fn members(protocol: &Protocol, interrupt: &Interrupt) -> Result<Vec<Member>, Error> {
+    let seeds: Vec<u64> = (1..=protocol.aggregates).collect();
+    let member = |seed| member(&plan(protocol, seed), interrupt);
+    seeds.into_par_iter().with_max_len(1).map(member).collect()
 }
 
 fn plan(protocol: &Protocol, seed: u64) -> Plan<Along> {
@@ -68,7 +86,12 @@ fn plan(protocol: &Protocol, seed: u64) -> Plan<Along> {
     Plan {
         seed,
         max_overlap: defaults::<Limits>().overlap,
-        soot: Soot { necks: Some(NeckSet::S), cutoff: quantity("42 nm"), ..defaults() },
+        soot: Soot {
+            necks: Some(NeckSet::S),
+            cutoff: quantity("42 nm"),
+            hamaker_constant: quantity(protocol.hamaker),
+            ..defaults()
+        },
         reading: Along,
         sample: Aggregate { spheres: protocol.spheres, neck_fraction: 1.0, ..defaults() },
         stages: vec![

@@ -1,9 +1,14 @@
 //! The claims of the soot paper.
 
+mod closures;
 pub mod ensemble;
 pub mod exact;
 pub mod indentation;
+mod listed;
+mod pathway;
 pub mod restructuring;
+
+pub use listed::LISTED;
 
 use crate::reproduce::Chapter;
 
@@ -26,5 +31,11 @@ pub const CHAPTERS: &[Chapter] = &[
         about: "restructuring of coated aggregates, Section 3.2",
         title: "Restructuring",
         compute: |setting| restructuring::chapter(setting),
+    },
+    Chapter {
+        name: "pathway",
+        about: "what decides how aggregates restructure, Sections 3.2 and 4",
+        title: "Paths of restructuring",
+        compute: |setting| pathway::chapter(setting),
     },
 ];

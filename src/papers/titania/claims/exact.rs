@@ -10,7 +10,8 @@ use crate::spec::titania::def_rayleigh::rayleigh_time;
 use crate::spec::titania::def_water::water_layer;
 use crate::spec::titania::eq04_solvation::solvation_force;
 use crate::spec::titania::eq05_amplitude::amplitude;
-use crate::spec::{PairModel, Vec3};
+use crate::spec::titania::eq11_contact_area::contact_area;
+use crate::spec::{Contact, PairModel, Vec3};
 
 /// Thickness of the water layer that the paper states, with its error, nm.
 const LAYER: (f64, f64) = (0.41, 0.03);
@@ -30,6 +31,7 @@ fn film() -> Spectroscopy {
 pub(super) fn chapter() -> Evidence {
     let mut claims = water();
     claims.extend(solvation());
+    claims.extend(friction());
     claims.extend([(4.0, "8.0"), (8.0, "32.0")].map(|(r, figure)| {
         let claim = format!("damping coefficient of particles with bare radii of {r} nm, {ALONE}");
         Claim::number("Eq. 7", claim, figure, damping(r), "pN s/m", 6.0).exact()
@@ -75,6 +77,37 @@ fn solvation() -> Vec<Claim> {
     let amplitudes = [(4.0, "-20.6"), (8.0, "-30.2")]
         .map(|(r, figure)| Claim::number("Eq. 5", claim(r), figure, of(r), "nN", 6.0).exact());
     amplitudes.into_iter().chain([decays.exact()]).collect()
+}
+
+/// Table 1: the constants of friction, found from the forces of two particles with bare radii of 4 nm that are pressed together by 0.1 nm.
+fn friction() -> Vec<Claim> {
+    let (titania, none) = (paper(), Vec3::zero());
+    let (law, (r, m)) = (titania.law(), titania.particle(8.0 + titania.core_gap.value));
+    let (constants, distance) = (law.coefficients(r, r, m, m), law.equilibrium(r, r) - 0.1);
+    let act = |spring: f64, spin: f64| {
+        let turning = Vec3::new(0.0, 0.0, spin);
+        let contact = Contact::new(Vec3::new(distance, 0.0, 0.0), none, turning, -turning, r, r);
+        law.pair(&contact, &constants, Vec3::new(0.0, spring, 0.0), 1e-4)
+    };
+    let (area, _) = contact_area(4.0, 4.0, titania.layer.value, distance);
+    // The longest spring that is left as it was.
+    let (mut held, mut slipped) = (0.1, 0.9);
+    while slipped - held > 1e-9 {
+        let middle = 0.5 * (held + slipped);
+        if act(middle, 0.0).memory.norm() < middle { slipped = middle } else { held = middle }
+    }
+    let peak = act(held, 0.0).wrench.force.0[1].abs();
+    // So fast that the torque could not stop the particles within the step.
+    let torque = act(0.0, 1e9).wrench.torque_i.norm();
+    let rolling = torque / (effective_radius(r, r).1 * area);
+    let number = |claim: &str, figure: &str, value: f64, unit: &str| {
+        Claim::number("Table 1", format!("{claim}, from the forces of two particles"), figure, value, unit, 4.0).exact()
+    };
+    vec![
+        number("period of stick and slip", "0.50", held, "nm"),
+        number("shear strength of sliding", "0.65", peak / area * 1e-3, "GPa"),
+        number("shear strength of rolling", "0.25", rolling * 1e-3, "GPa"),
+    ]
 }
 
 /// Damping coefficient of two equal particles of a bare radius (nm), pN s/m.

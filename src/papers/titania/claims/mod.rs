@@ -6,7 +6,10 @@ mod approach;
 mod dragging;
 mod exact;
 mod film;
+mod listed;
 pub mod spectroscopy;
+
+pub use listed::LISTED;
 
 use super::Plan;
 use super::case::Titania;

@@ -1,5 +1,7 @@
 //! Sections 3.2 and 3.3: amorphous samples.
 
+mod harmony;
+
 use super::experiment::{Pull, Relaxed, elasticity, relax, strength};
 use super::lattice::range;
 use super::{PATCH_DENSITY, patch_material};
@@ -55,7 +57,7 @@ pub fn chapter(setting: &Setting) -> Result<Evidence, Error> {
     let shown: Vec<Shown> = shown.into_iter().flatten().collect();
     claims(&shown, &mut chapter);
     figures(&shown, &mut chapter);
-    harmony(setting, &mut chapter)?;
+    harmony::harmony(setting, &mut chapter)?;
     Ok(chapter)
 }
 
@@ -179,30 +181,4 @@ fn figures(shown: &[Shown], chapter: &mut Evidence) {
         let plot = Plot { title: caption.clone(), x: Axis::log("d_0 / d_c"), y, curves };
         chapter.figures.push(Figure { name: name.into(), caption, svg: plot.svg() });
     }
-}
-
-/// Section 3.3, Fig. A.9: the same large spheres in every discretisation.
-fn harmony(setting: &Setting, chapter: &mut Evidence) -> Result<(), Error> {
-    let length = 240.0 * d_c();
-    let (coarse, fine) = setting.extent.of((12.0, 24.0), (25.0, 100.0));
-    let material = patch_material(0.15, 0.5);
-    let tensile = |&(n, d_l): &(f64, f64)| {
-        let d_0 = length / n;
-        let sizes = Sizes { d_0, d_s: 0.75 * d_0, d_l };
-        let sample =
-            relax(sizes, [length, length, 3.0 * d_0.max(d_l)], &material, PATCH_DENSITY, 1, setting.interrupt)?.system;
-        Ok(strength(&sample, d_0, &material, Pull::Tension, 0.5, setting.interrupt)?.peak)
-    };
-    let largest = 1.25 * length / coarse;
-    let cases = [(coarse, largest), (fine, 1.25 * length / fine), (fine, largest)];
-    let found: Vec<f64> = cases.par_iter().map(tensile).collect::<Result<_, Error>>()?;
-    let (varying, fixed) = (found[1] / found[0] - 1.0, found[2] / found[0] - 1.0);
-    chapter.claims.push(Claim::new(
-        "Fig. A.9",
-        format!("tensile strength for L = 240 d_c, d_0 from L/{coarse} to L/{fine}: the change at constant d_l is less than half the change at d_l = 1.25 d_0"),
-        "roughly equal",
-        format!("{:+.0} % at constant d_l, {:+.0} % at d_l = 1.25 d_0", 100.0 * fixed, 100.0 * varying),
-        fixed.abs() < 0.5 * varying.abs(),
-    ));
-    Ok(())
 }

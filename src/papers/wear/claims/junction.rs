@@ -1,5 +1,7 @@
 //! Section 4: shearing of silica junctions, and its cost (Table 6).
 
+mod critical;
+
 use super::experiment::{Relaxed, relax, shear_junction};
 use super::{SILICA_DENSITY, silica};
 use crate::error::Error;
@@ -59,6 +61,8 @@ pub fn chapter(setting: &Setting) -> Result<Evidence, Error> {
             run.fate == paper,
         ));
     }
+    loads(&sheared, setting, &mut chapter)?;
+    chapter.claims.push(critical::claim(setting)?);
     cost(&sheared, &mut chapter);
     figures(&sheared, &mut chapter);
     Ok(chapter)
@@ -74,16 +78,60 @@ fn figure(d_0: f64) -> &'static str {
     }
 }
 
-/// Both junctions, from one relaxed sample.
-fn both(d_0: f64, seed: u64, interrupt: &Interrupt) -> Result<Vec<Sheared>, Error> {
+/// A relaxed sample.
+fn sample(d_0: f64, seed: u64, interrupt: &Interrupt) -> Result<Relaxed, Error> {
     let sizes = Sizes { d_0, d_s: 0.75 * d_0, d_l: 7.5 };
-    let relaxed = relax(sizes, [60.0, 40.0, 40.0], &silica(), SILICA_DENSITY, seed, interrupt)?;
-    [10.0, 20.0].into_par_iter().map(|diameter| shear(&relaxed, d_0, seed, diameter, interrupt)).collect()
+    relax(sizes, [60.0, 40.0, 40.0], &silica(), SILICA_DENSITY, seed, interrupt)
 }
 
-fn shear(relaxed: &Relaxed, d_0: f64, seed: u64, diameter: f64, interrupt: &Interrupt) -> Result<Sheared, Error> {
+/// Both junctions, from one relaxed sample.
+fn both(d_0: f64, seed: u64, interrupt: &Interrupt) -> Result<Vec<Sheared>, Error> {
+    let relaxed = sample(d_0, seed, interrupt)?;
+    let shear = |diameter| shear(&relaxed, d_0, seed, diameter, LOAD, interrupt);
+    [10.0, 20.0].into_par_iter().map(shear).collect()
+}
+
+/// Normal load of the paper, MPa, and smaller ones.
+const LOAD: f64 = 100.0;
+const SMALLER: [f64; 2] = [50.0, 10.0];
+
+/// The same junctions of d_0 = 3 nm under smaller loads.
+fn loads(sheared: &[Sheared], setting: &Setting, chapter: &mut Evidence) -> Result<(), Error> {
+    let (d_0, seed) = (3.0, 1);
+    let relaxed = sample(d_0, seed, setting.interrupt)?;
+    let under: Vec<(f64, &Sheared)> = SMALLER
+        .into_iter()
+        .flat_map(|load| sheared.iter().filter(|run| run.d_0 == d_0 && run.seed == seed).map(move |run| (load, run)))
+        .collect();
+    let shear = |&(load, run): &(f64, &Sheared)| shear(&relaxed, d_0, seed, run.diameter, load, setting.interrupt);
+    let found: Vec<Sheared> = under.par_iter().map(shear).collect::<Result<_, Error>>()?;
+    for ((load, full), run) in under.into_iter().zip(found) {
+        let shown = |run: &Sheared| {
+            let turns = run.rows.last().map_or(0.0, |row| row.turns);
+            format!("{:?}, {turns:.2} turns", run.fate).to_lowercase()
+        };
+        chapter.claims.push(Claim::new(
+            "Section 4",
+            format!("junction of D = {} nm at d_0 = {d_0} nm under a normal load of {load} MPa: the fate is that under {LOAD} MPa", run.diameter),
+            "similar results",
+            format!("{}; under {LOAD} MPa {}", shown(&run), shown(full)),
+            run.fate == full.fate,
+        ));
+    }
+    Ok(())
+}
+
+fn shear(
+    relaxed: &Relaxed,
+    d_0: f64,
+    seed: u64,
+    diameter: f64,
+    load: f64,
+    interrupt: &Interrupt,
+) -> Result<Sheared, Error> {
     let material = silica();
-    let case = format!("{{diameter: {diameter} nm, shear_velocity: 10 m/s, normal_stress: 100 MPa, duration: 10 ns}}");
+    let case =
+        format!("{{diameter: {diameter} nm, shear_velocity: 10 m/s, normal_stress: {load} MPa, duration: 10 ns}}");
     let case: case::Junction = serde_yaml::from_str(&case).expect("the section is complete");
     let stage = stages::junction(&case, d_0, material.young_modulus);
     let (mut pictures, mut steps, mut spheres): (Vec<(f64, String)>, u64, usize) = (Vec::new(), 0, 0);

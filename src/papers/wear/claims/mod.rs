@@ -5,6 +5,9 @@ pub mod exact;
 pub mod experiment;
 pub mod junction;
 pub mod lattice;
+mod listed;
+
+pub use listed::LISTED;
 
 use crate::reproduce::Chapter;
 use crate::spec::wear::Material;
