@@ -235,15 +235,20 @@ def torques(x_i: ArrayLike, x_j: ArrayLike, r_i: ArrayLike | str, r_j: ArrayLike
 
     Reading
     -------
-    Erratum. With $\\mathbf{n}_{ij}$ from j to i, as Eqs. 3 and 8 need it, the contact point of i lies at $-l_i \\mathbf{n}_{ij}$ and the
-    torque of a force there is $+\\mathbf{F}_t \\times l_i \\mathbf{n}_{ij}$. The printed sign creates angular momentum at the rate
-    $(d + l_i + l_j) \\, \\mathbf{n}_{ij} \\times \\mathbf{F}_t$.
+    Erratum: with $\\mathbf{n}_{ij}$ from j to i, as Eqs. 3 and 8 need it, the contact point of i lies at $-l_i \\mathbf{n}_{ij}$ and the
+    torque of a force there is $+\\mathbf{F}_t \\times l_i \\mathbf{n}_{ij}$.
 
+    $$
     \\mathbf{M}_i = \\mathbf{F}_t \\times l_i \\mathbf{n}_{ij} - \\mathbf{M}_r, \\quad
     \\mathbf{M}_j = \\mathbf{F}_t \\times l_j \\mathbf{n}_{ij} + \\mathbf{M}_r
+    $$
 
     The rolling torque $\\mathbf{M}_r$ points along $(\\boldsymbol{\\omega}_i - \\boldsymbol{\\omega}_j)_{\\perp \\mathbf{n}}$ and is zero where
     that vector is. There is no torque about the normal.
+
+    Effect: the printed sign creates angular momentum at the rate $(d + l_i + l_j) \\, \\mathbf{n}_{ij} \\times \\mathbf{F}_t$.
+
+    Proof: `the_torques_balance_the_couple_of_the_forces_which_the_printed_sign_does_not`.
 
     Laws
     ----
@@ -279,7 +284,7 @@ def attraction(f_cap: ArrayLike | str, f_solv: ArrayLike | str, n: ArrayLike, *,
 
     Reading
     -------
-    Ambiguous. The formula is followed: its terms are positive where they attract. Eq. 4 with the negative amplitude of Eq. 5 would then repel bare surfaces that touch; in the convention
+    Ambiguous: the formula is followed, its terms are positive where they attract. Eq. 4 with the negative amplitude of Eq. 5 would then repel bare surfaces that touch; in the convention
     of its source, where a force is positive when it repels, it attracts them. The stiffnesses that the authors' program derives by Eq. 9, and the paper's range of 20 to 45 GPa, result
     only with the latter, so [`Solvation::Israelachvili`] is the default and [`Solvation::Printed`] the named alternative: they differ by the sign of `f_solv`. As printed, two particles
     at the distance at which Eq. 9 balances the forces do not stay at rest: the attraction grows faster than the contact force, and they move to another distance.
@@ -1160,10 +1165,13 @@ def stiffness(f_na_0: float | str, delta_n_0: float | str, r_i: float | str, r_j
 
     Reading
     -------
-    Erratum: the star is missing, the radius is the $(R + h_n)^*$ of Eq. 8 that the equation inverts. For equal particles it makes no
-    difference; a pair of unlike ones would not be in equilibrium. The paper tabulates a stiffness per size; here each pair of sizes
+    Erratum: the star is missing, the radius is the $(R + h_n)^*$ of Eq. 8 that the equation inverts. The paper tabulates a stiffness per size; here each pair of sizes
     has its own, as in the authors' program, which alone is exact for all pairs. $F_{na}(0)$ is the component along the normal,
     negative because it attracts.
+
+    Effect: without the star two unlike particles are not in equilibrium at the distance of which the equation is derived. For equal ones it makes no difference.
+
+    Proof: `balances_repulsion_and_attraction_which_bare_radii_without_star_do_not`.
 
     Laws
     ----
@@ -1354,12 +1362,18 @@ def contact_area(r_i: ArrayLike | str, r_j: ArrayLike | str, h_n: ArrayLike | st
 
     Reading
     -------
-    Erratum. Bare spheres in contact are further apart than the sum of their radii, and the printed area is negative in the whole range. The spheres
+    Erratum: bare spheres in contact are further apart than the sum of their radii. The spheres
     that meet have the radii $R + h_n$ of Eq. 8: with them the area is positive exactly where there is an overlap.
+
+    Effect: the printed area is negative in the whole range of the contact, and friction in proportion to it would drive the sliding.
+
+    Proof: `positive_exactly_in_contact_which_bare_radii_are_not`.
 
     The printed difference cancels. With $a = R_i + h_n$ and $b = R_j + h_n$ it factors into
 
+    $$
     A_{ij} = \\frac{\\pi}{4 d^2} (a + b - d)(d - a + b)(d + a - b)(d + a + b)
+    $$
 
     of which the first factor is the overlap. It is zero for spheres that do not meet.
 
@@ -1443,9 +1457,12 @@ def sawtooth(tau_s: ArrayLike | str, a: ArrayLike | str, delta_t: ArrayLike | st
 
     Reading
     -------
-    The formula as printed, valid for continued sliding in one direction. It is not a law for general motion: a function of the
-    displacement alone loses nothing on a closed path, and below zero the floor gives the full force at once. The
-    paper calls it a spring and a slider, which [`sliding_spring`] implements.
+    Erratum: the formula is valid for continued sliding in one direction, and no law for general motion. The
+    paper calls it a spring and a slider, which [`sliding_spring`] implements; here it is as printed.
+
+    Effect: a function of the displacement alone loses nothing on a closed path, and below zero the floor gives the full force at once.
+
+    Proof: `as_printed_it_is_not_odd_and_loses_nothing_on_a_closed_path_which_the_spring_does`.
 
     Laws
     ----
@@ -1572,7 +1589,7 @@ def rolling_resistance(r_i: float | str, r_j: float | str, h_n: float | str, tau
 
     Reading
     -------
-    The left side is a vector and the right side is not: this is the magnitude, [`rolling_torque`] gives the direction.
+    Ambiguous: the left side is a vector and the right side is not. This is the magnitude, [`rolling_torque`] gives the direction.
 
     Laws
     ----
@@ -2523,7 +2540,7 @@ def friction_factor(mu: ArrayLike | str, lam: ArrayLike | str, r_h: ArrayLike | 
 
     Reading
     -------
-    $C_C$ is a function of the Knudsen number in the parentheses, not a factor. The paper does not give it; with the coefficients of Davies,
+    Ambiguous: $C_C$ is a function of the Knudsen number in the parentheses, not a factor. The paper does not give it; with the coefficients of Davies,
     $C_C = 1 + \\text{Kn} (1.257 + 0.4 \\, e^{-1.1/\\text{Kn}})$.
 
     Laws

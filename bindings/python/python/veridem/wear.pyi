@@ -174,6 +174,10 @@ def symplectic_euler(x: ArrayLike, v: ArrayLike, omega: ArrayLike, force: ArrayL
     $\\boldsymbol{\\omega}_{n+1} = \\boldsymbol{\\omega}_n + (\\mathbf{T}_n / I) \\Delta t$ with [`moment_of_inertia`](crate::mechanics::sphere::moment_of_inertia).
     Force and torque are those at the positions and velocities of step `n`, dashpots included.
 
+    Effect: the units of the printed line do not balance. Taken in SI it would hardly turn spheres of nanometres, whose moments of inertia are about $10^{-42}$ kg m².
+
+    Proof: `the_spin_gains_torque_times_time_which_the_printed_line_gets_wrong`.
+
     Laws
     ----
     * exact for a constant force up to half a step
@@ -361,9 +365,12 @@ def moment_arm(r: float | str, delta_n: float | str, *, check: bool = True) -> f
 
     Reading
     -------
-    Erratum: "the force acts on the surface of the particles" would give arms of $r$, which do not add up to the distance between the
-    centres; a force in the contact plane then creates angular momentum at the rate $\\delta_N \\mathbf{n} \\times \\mathbf{F}$. With a
-    contact point halfway between the surfaces they do.
+    Erratum: "the force acts on the surface of the particles" (Section 2.1, of Eq. 2) would give arms of $r$, which do not add up to the distance between the
+    centres. With a contact point halfway between the surfaces they do.
+
+    Effect: with arms of $r$ a force in the contact plane creates angular momentum at the rate $\\delta_N \\mathbf{n} \\times \\mathbf{F}$.
+
+    Proof: `the_arms_add_up_to_the_distance_of_the_centres_which_the_radii_do_not`.
 
     Laws
     ----
@@ -440,9 +447,12 @@ def normal_force(k_n: float | str, delta_e: float | str, delta_f: float | str, d
 
     Reading
     -------
-    Erratum. For spheres larger than the critical diameter, Eq. 10 gives `delta_f < delta_e`; the first case, read literally,
-    then reaches `delta_e` and the scaling of the strength has no effect. Figure A.2 shows the intended law: Hooke's law up to
-    `min(delta_e, delta_f)`, nothing beyond `delta_f`.
+    Erratum: for spheres larger than the critical diameter, Eq. 10 gives `delta_f < delta_e`, and the first case, read literally,
+    reaches `delta_e`. Figure A.2 shows the intended law: Hooke's law up to `min(delta_e, delta_f)`, nothing beyond `delta_f`.
+
+    Effect: read literally the scaling of the strength has no effect; large spheres would hold as much as small ones.
+
+    Proof: `breaks_while_it_grows_if_the_fracture_separation_is_the_smaller_which_the_printed_cases_do_not`.
 
     Laws
     ----
@@ -528,8 +538,11 @@ def tangential_force(k_t: float | str, delta_t: float | str, f_mt_rescaled: floa
 
     Reading
     -------
-    Erratum: a prime is missing. The cap is $F'_{m,T}$ of Eq. 5, which has no other use, and Figure 3 shows it. With the
-    printed cap the force would not vanish at the fracture separation, where the interaction ends.
+    Erratum: a prime is missing. The cap is $F'_{m,T}$ of Eq. 5, which has no other use, and Figure 3 shows it.
+
+    Effect: with the printed cap the force would not vanish at the fracture separation, where the interaction ends.
+
+    Proof: `vanishes_at_the_fracture_separation_which_the_printed_cap_does_not`.
 
     A cap alone is not enough: the sliding distance must not grow beyond it, see [`trimmed_distance`].
 
@@ -906,6 +919,10 @@ def critical_time_step(m: float | str, k_n: float | str, *, check: bool = True) 
     ([`sliding_limit`](super::def_stable_step::sliding_limit)) the limit is lower. This is the critical time step of which the
     paper takes fractions; the pair law reports the smallest of the three limits.
 
+    Effect: a simulation at the printed limit gains energy without bound.
+
+    Proof: `not_stable_at_it_the_motion_grows_linearly`.
+
     Eq. A.18 repeats it.
 
     Laws
@@ -1272,8 +1289,12 @@ def normal_damping(eta: float | str, k_n: float | str, m_eff: float | str, *, ch
 
     Reading
     -------
-    An approximation for weak damping (A.43, A.44): the actual restitution exceeds `eta` by about $(1 - \\eta)^2 / 2$: 0.9512 for
-    0.95, 0.603 for 0.5. It is used as printed; [`damping_ratio`](super::def_restitution::damping_ratio) is exact.
+    Erratum: the formula holds for weak damping only, as it inverts the approximation A.44 and not A.42. It is used as printed;
+    [`damping_ratio`](super::def_restitution::damping_ratio) is exact.
+
+    Effect: the actual restitution exceeds `eta` by about $(1 - \\eta)^2 / 2$: 0.9512 for 0.95, 0.603 for 0.5.
+
+    Proof: `more_comes_back_than_wanted_by_half_the_square_of_the_loss`.
 
     Eq. A.45 repeats it.
 
@@ -1445,9 +1466,12 @@ def tangential_damping(eta: float | str, k_t: float | str, m_eff: float | str, *
 
     Reading
     -------
-    Eq. 12 with the tangential stiffness, as if the spheres could not rotate. They can: solid spheres slide with 2/7 of
-    the effective mass, so the damping ratio is $\\sqrt{7/2}$ times as large, see [`sliding_damping_ratio`]. Used as
-    printed.
+    Erratum: the formula is Eq. 12 with the tangential stiffness, as if the spheres could not rotate. They can: solid spheres slide with 2/7 of
+    the effective mass, see [`sliding_damping_ratio`]. Used as printed.
+
+    Effect: the damping ratio of sliding is $\\sqrt{7/2}$ times as large as wanted.
+
+    Proof: `is_the_damping_ratio_of_the_mass_that_slides`.
 
     Eq. A.47 repeats it.
 
@@ -1993,8 +2017,12 @@ def critical_damping(k_n: float | str, m: float | str, *, check: bool = True) ->
 
     Reading
     -------
-    Critical for the dashpot between the two particles. The paper measures its *global* damping, a drag on each particle, in
+    Erratum: this value is critical for the dashpot between the two particles. The paper measures its *global* damping, a drag on each particle, in
     units of it; for a drag the critical value is [`critical_drag`], twice as large. As a unit it is used as printed.
+
+    Effect: a global damping of $0.2 c_c$ is a tenth of the critical one, not a fifth.
+
+    Proof: `a_drag_of_eq_21_lets_the_pair_overshoot`.
 
     Laws
     ----
@@ -2507,9 +2535,12 @@ def relative_acceleration(m_eff: float | str, c_n: float | str, k_n: float | str
 
     Reading
     -------
-    Solved for the acceleration. The paper obtains it "by subtracting one to the other"; that holds only after each line
-    of A.1 has been divided by its mass. Subtracted as printed, the lines do not close in `x_i - x_j` unless the masses
-    are equal.
+    Erratum: the paper obtains the equation "by subtracting one to the other"; that holds only after each line of A.1 has been divided by its mass.
+    The equation itself is right; here it is solved for the acceleration.
+
+    Effect: subtracted as printed, the lines do not close in `x_i - x_j` unless the masses are equal.
+
+    Proof: `subtracting_before_dividing_is_wrong_for_unequal_masses`.
 
     Laws
     ----
@@ -3148,8 +3179,11 @@ def pair_time_step_limit(m_eff: float | str, k_n: float | str, *, check: bool = 
     Reading
     -------
     Erratum: the comparison must be strict. The function returns the right-hand side. At the limit both eigenvalues are -1,
-    but the matrix has only one eigenvector, so its powers grow linearly and the energy without bound. The same holds for
-    A.18.
+    but the matrix has only one eigenvector. The same holds for A.18.
+
+    Effect: at the limit the motion grows linearly and the energy without bound.
+
+    Proof: `the_limit_itself_is_not_stable`.
 
     Laws
     ----
@@ -3485,6 +3519,10 @@ def work_of_separation(k_n: float | str, delta_e: float | str, delta_f: float | 
     Erratum: the area under Eq. 3 is this triangle only if `delta_f >= delta_e`. Otherwise the force ends at `delta_f`, before
     the peak, and the triangle is $\\frac12 k_N \\delta_f^2$. Both cases are $\\frac12 \\delta_f k_N \\min(\\delta_e, \\delta_f)$.
 
+    Effect: for spheres larger than the critical diameter the printed energy is too large, by $\\delta_e / \\delta_f$.
+
+    Proof: `the_printed_area_is_too_large_when_the_force_is_cut_off`.
+
     Laws
     ----
     * is the area under the force
@@ -3637,8 +3675,10 @@ def impact_separation(k_n: float | str, m_eff: float | str, c_n: float | str, v_
     Exact with the damped frequency A.37, and continued beyond critical damping, where the frequency is imaginary. With
     $\\beta = c_N / 2 m_{\\text{eff}}$ and $\\omega$ the magnitude,
 
+    $$
     \\frac{x}{v_0} = \\begin{cases} e^{-\\beta t} \\sin(\\omega t) / \\omega & c_N < c_c \\\\ t\\, e^{-\\beta t} & c_N = c_c \\\\
       e^{-\\beta t} \\sinh(\\omega t) / \\omega & c_N > c_c \\end{cases}
+    $$
 
     The last case is computed as $e^{-(\\beta - \\omega) t} \\tau / \\omega (1 + \\tau)$ with $\\tau = \\tanh(\\omega t)$, since
     $\\sinh = e^{\\omega t} \\tau / (1 + \\tau)$, and $\\beta - \\omega$ as $k_N / m_{\\text{eff}} (\\beta + \\omega)$: nothing
@@ -3728,7 +3768,13 @@ def damped_frequency(k_n: float | str, m_eff: float | str, c_n: float | str, *, 
 
     Reading
     -------
-    Erratum: the paper calls it the natural frequency; it is the damped one, with which A.35 is exact. With
+    Erratum: the paper calls it the natural frequency; it is the damped one, with which A.35 is exact.
+
+    Effect: none on what follows, which uses the damped frequency. The natural one is larger by $1 / \\sqrt{1 - (c_N / c_c)^2}$.
+
+    Proof: `zero_at_critical_damping_and_only_there`, `undamped_it_is_the_natural_frequency`.
+
+    With
     $c_c = 2 \\sqrt{k_N m_{\\text{eff}}}$ it is $\\sqrt{(c_c - c_N)(c_c + c_N)} / 2 m_{\\text{eff}}$, which is evaluated because
     the printed difference suffers from cancellation close to critical damping. Beyond critical damping the frequency is
     imaginary and the motion a sum of two decays; the function then returns the magnitude, the deviation of their rates from
@@ -3886,6 +3932,10 @@ def final_velocity(k_n: float | str, m_eff: float | str, c_n: float | str, v_0: 
     Erratum: the minus sign is missing. The spheres separate in the direction from which they came:
     $v_f = -v_0 e^{-\\pi c_N / 2 \\omega m_{\\text{eff}}}$.
 
+    Effect: as printed the spheres would leave the impact through each other.
+
+    Proof: `the_velocity_turns_round`.
+
     Laws
     ----
     * the closed form is the velocity at the end
@@ -3922,6 +3972,10 @@ def velocity_ratio(v_0: float | str, v_f: float | str, *, check: bool = True) ->
     -------
     Erratum: the ratio is upside down. Section 2.2 defines it as final over initial velocity, and A.42 is below one:
     $\\eta = -v_f / v_0$, with the minus sign of A.40.
+
+    Effect: as printed the ratio is above one; an impact would create energy.
+
+    Proof: `is_final_over_initial_velocity`.
 
     Laws
     ----
@@ -4233,6 +4287,10 @@ def separation_x(r: float | str, epsilon_x: float | str, phi: float | str, theta
     Erratum: the paper calls $\\theta$ the polar angle, but in every formula from here to A.56 it is the latitude, which is
     zero on the equator. The neighbour lies at $2r (\\cos\\phi \\cos\\theta, \\sin\\phi \\cos\\theta, \\sin\\theta)$.
 
+    Effect: with a polar angle a neighbour on the third axis would be taken for one in the plane of the other two.
+
+    Proof: `theta_is_a_latitude`.
+
     Laws
     ----
     * theta is a latitude
@@ -4472,8 +4530,10 @@ def surrounded_energy(r: float | str, k_n: float | str, k_t: float | str, epsilo
     -------
     The integral of A.50 to A.55, evaluated: with the latitude and its weight $\\cos\\theta$ it is
 
+    $$
     U = 4 \\pi r^2 \\left[\\frac{3 k_N + 2 k_T}{15} (\\varepsilon_x^2 + \\varepsilon_z^2) +
       \\frac{2 (k_N - k_T)}{15} \\varepsilon_x \\varepsilon_z\\right]
+    $$
 
     Laws
     ----
