@@ -5,6 +5,7 @@ mod problems;
 use crate::error::Error;
 use crate::spec::Vec3;
 use crate::system::{Domain, Motion, Particles, Surface, System};
+use std::collections::BTreeSet;
 
 /// A system under construction. Spheres are named by their id, counted from zero in the order in which they are added.
 ///
@@ -120,6 +121,7 @@ impl Builder {
             members.iter().for_each(|&id| system.particles.v[id as usize] = v);
         }
         for (members, motion) in self.walls {
+            let members: BTreeSet<u32> = members.into_iter().collect();
             system.add_wall(motion, |particles, p| members.contains(&particles.id[p]));
         }
         Ok(System { necks: self.necks, surfaces: self.surfaces, ..system })

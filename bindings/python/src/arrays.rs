@@ -1,7 +1,7 @@
 //! Arguments as arrays of numbers, and how they are broadcast against each other.
 
-use crate::errors::wrong;
-use numpy::{PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
+use crate::errors::{caught, wrong};
+use numpy::{IntoPyArray, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArray, PyUntypedArrayMethods};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
@@ -78,6 +78,7 @@ fn slice<'a>(array: &'a PyReadonlyArrayDyn<'_, f64>) -> PyResult<&'a [f64]> {
 /// An array of real numbers in the order of C, copied if it is not one already.
 fn array<'py>(value: &Bound<'py, PyAny>, name: &str) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
     let py = value.py();
+    refuse_masked(value, name)?;
     if let Ok(array) = value.cast::<PyArrayDyn<f64>>()
         && array.is_c_contiguous()
         && array.is_aligned()
@@ -92,6 +93,30 @@ fn array<'py>(value: &Bound<'py, PyAny>, name: &str) -> PyResult<Bound<'py, PyAr
         return Err(PyTypeError::new_err(format!("`{name}`: found {found}, expected real numbers")));
     }
     ordered(&array)
+}
+
+/// Refuses an array some of whose numbers are masked: a computation would take what is under the mask.
+fn refuse_masked(value: &Bound<'_, PyAny>, name: &str) -> PyResult<()> {
+    static MASKED: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
+    if value.is_exact_instance_of::<PyUntypedArray>() {
+        return Ok(());
+    }
+    let class = MASKED.import(value.py(), "numpy.ma", "MaskedArray")?;
+    if value.is_instance(class)? && value.getattr("mask")?.call_method0("any")?.extract()? {
+        return Err(wrong(format!("`{name}`: some of its numbers are masked, expected numbers everywhere")));
+    }
+    Ok(())
+}
+
+/// Real numbers, or vectors of a fixed size, as an array of their own.
+#[pyfunction]
+pub(crate) fn numbers<'py>(value: &Bound<'py, PyAny>, name: &str, size: usize) -> PyResult<Bound<'py, PyAny>> {
+    caught(|| {
+        let numbers = Numbers::of(value, name, size)?;
+        let components = (size > 1).then_some(size);
+        let shape: Vec<usize> = numbers.shape(size).iter().copied().chain(components).collect();
+        Ok(numbers.slice()?.to_vec().into_pyarray(value.py()).reshape(shape)?.into_any())
+    })
 }
 
 /// The array as numbers of this processor, in the order of C and aligned.

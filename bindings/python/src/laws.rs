@@ -4,6 +4,7 @@ use crate::simulation::Steps;
 use std::path::Path;
 use std::sync::Arc;
 use veridem::error::{Error, Problem};
+use veridem::interrupt::Interrupt;
 use veridem::papers::{CaseOf, Paper, parse, soot, titania, wear};
 use veridem::simulation::{Settings, Simulation};
 use veridem::system::System;
@@ -38,7 +39,9 @@ pub(crate) trait AnyLaw: Send + Sync {
     fn constants(&self, joined: bool, arguments: &[&[f64]], results: Results<'_, '_>);
     fn pairs(&self, dt: f64, instructions: Instructions, arguments: &[&[f64]], results: Results<'_, '_>);
     fn stored(&self, instructions: Instructions, arguments: &[&[f64]], results: Results<'_, '_>);
-    fn simulation(&self, system: System, settings: Settings) -> Result<Box<dyn Steps>, Error>;
+    /// Number of materials of surfaces.
+    fn surfaces(&self) -> usize;
+    fn simulation(&self, system: System, settings: Settings, interrupt: &Interrupt) -> Result<Box<dyn Steps>, Error>;
 }
 
 impl<M: PairModel + Clone + Send + 'static> AnyLaw for M {
@@ -72,8 +75,11 @@ impl<M: PairModel + Clone + Send + 'static> AnyLaw for M {
     fn stored(&self, instructions: Instructions, arguments: &[&[f64]], results: Results<'_, '_>) {
         in_rows(StoredKernel { model: self }, instructions, arguments, results);
     }
-    fn simulation(&self, system: System, settings: Settings) -> Result<Box<dyn Steps>, Error> {
-        Ok(Box::new(Simulation::new(self.clone(), system, settings)?))
+    fn surfaces(&self) -> usize {
+        M::SURFACES
+    }
+    fn simulation(&self, system: System, settings: Settings, interrupt: &Interrupt) -> Result<Box<dyn Steps>, Error> {
+        Ok(Box::new(Simulation::new_unless(self.clone(), system, settings, interrupt)?))
     }
 }
 

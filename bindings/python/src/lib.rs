@@ -13,6 +13,7 @@ mod law;
 mod laws;
 mod runs;
 mod simulation;
+mod system;
 mod work;
 
 use pyo3::prelude::*;
@@ -41,6 +42,7 @@ fn _veridem(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(runs::results, module)?)?;
     module.add_function(wrap_pyfunction!(runs::frame_files, module)?)?;
     module.add_function(wrap_pyfunction!(runs::frame, module)?)?;
+    module.add_function(wrap_pyfunction!(arrays::numbers, module)?)?;
     module.add_function(wrap_pyfunction!(aggregates::grow, module)?)?;
     module.add_function(wrap_pyfunction!(aggregates::import, module)?)?;
     module.add_function(wrap_pyfunction!(aggregates::shape, module)?)?;

@@ -1,19 +1,21 @@
 //! Simulations that are stepped from Python.
 
-use crate::arrays::Numbers;
-use crate::errors::{broken, caught, exception, wrong};
+use crate::errors::{broken, caught, exception};
 use crate::law::Law;
-use crate::work::pool;
+use crate::system::Parts;
+use crate::work::{interruptible, limit, pool};
 use numpy::{IntoPyArray, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::ThreadPool;
+use std::sync::mpsc::Sender;
 use std::sync::{Mutex, MutexGuard, TryLockError};
 use std::time::{Duration, Instant};
 use veridem::error::Error;
+use veridem::interrupt::Interrupt;
 use veridem::run::advance_until;
 use veridem::simulation::{Integrator, Ledger, Settings, Simulation};
-use veridem::system::{Domain, Particles, System};
+use veridem::system::{Body, Particles, Surface, System, Wall};
 use veridem_spec::{Flat, PairModel, Vec3};
 
 /// Interval at which Python is asked whether a signal has come.
@@ -126,50 +128,21 @@ impl PySimulation {
     fn new(
         py: Python<'_>,
         law: &Bound<'_, Law>,
-        vectors: [Bound<'_, PyAny>; 3],
-        sizes: [Bound<'_, PyAny>; 2],
-        necks: Vec<(u32, u32)>,
-        domain: Option<([f64; 3], [bool; 3])>,
+        parts: Parts<'_>,
         settings: [f64; 4],
         integration: [bool; 2],
         threads: Option<usize>,
     ) -> PyResult<Self> {
         caught(|| {
             let ([dt, skin, damping, max_overlap], [verlet, synchronous]) = (settings, integration);
-            let [x, v, w] = [0, 1, 2].map(|k| spheres(&vectors[k], ["positions", "velocities", "spins"][k], 3));
-            let [r, m] = [0, 1].map(|k| spheres(&sizes[k], ["radii", "masses"][k], 1));
-            let (x, v, w, r, m) = (x?, v?, w?, r?, m?);
-            let count = x.len() / 3;
-            let mut builder = System::builder();
-            for k in 0..count {
-                let vector = |of: &[f64], name: &str| match of.len() {
-                    3 => Ok([of[0], of[1], of[2]]),
-                    length if length == 3 * count => Ok([of[3 * k], of[3 * k + 1], of[3 * k + 2]]),
-                    length => Err(unlike(name, length / 3, count)),
-                };
-                let number = |of: &[f64], name: &str| match of.len() {
-                    1 => Ok(of[0]),
-                    length if length == count => Ok(of[k]),
-                    length => Err(unlike(name, length, count)),
-                };
-                builder = builder
-                    .sphere(vector(&x, "positions")?, number(&r, "radii")?, number(&m, "masses")?)
-                    .velocity(vector(&v, "velocities")?)
-                    .spin(vector(&w, "spins")?);
-            }
-            for (i, j) in necks {
-                builder = builder.neck(i, j);
-            }
-            if let Some((sides, periodic)) = domain {
-                builder = builder.domain(Domain { sides, periodic });
-            }
-            let system = builder.build().map_err(exception)?;
+            let law = law.get().law.clone();
+            let system = parts.system(law.surfaces())?;
             let integrator = if verlet { Integrator::VelocityVerlet } else { Integrator::HalfStep };
             let settings = Settings { synchronous_start: synchronous, ..Settings::new(dt) };
             let settings = settings.integrator(integrator).skin(skin).damping(damping).max_overlap(max_overlap);
-            let (pool, law) = (pool(threads)?, law.get().law.clone());
-            let names = law.names();
-            let steps = py.detach(|| pool.install(|| law.simulation(system, settings))).map_err(exception)?;
+            let (pool, names) = (pool(threads)?, law.names());
+            let begin = |interrupt: &Interrupt, _: &Sender<()>| law.simulation(system, settings, interrupt);
+            let steps = interruptible(py, &pool, &limit(None)?, begin, |()| Ok(()))?;
             Ok(Self { steps: Mutex::new(steps), pool, dt, stored: names.stored, losses: names.losses })
         })
     }
@@ -259,9 +232,60 @@ impl PySimulation {
                 energies.set_item(format!("lost: {name}"), energy)?;
             }
             energies.set_item("lost: drag", ledger.lost_drag)?;
+            if !self.held(py)?.system().surfaces.is_empty() {
+                for (name, energy) in self.stored.iter().zip(&ledger.surfaces.stored) {
+                    energies.set_item(format!("stored at surfaces: {name}"), energy)?;
+                }
+                for (name, energy) in self.losses.iter().zip(&ledger.surfaces.lost) {
+                    energies.set_item(format!("lost at surfaces: {name}"), energy)?;
+                }
+            }
+            energies.set_item("work", ledger.work())?;
             energies.set_item("residual", ledger.physical_residual())?;
             energies.set_item("turnover", ledger.turnover())?;
             Ok(energies)
+        })
+    }
+
+    /// Of every wall its velocity (m/s), its displacement (nm), and force (pN) and torque (pN nm) of the spheres on it in the last step.
+    #[getter]
+    fn walls<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        caught(|| {
+            let walls = self.held(py)?.system().walls.clone();
+            let rows = |of: fn(&Wall) -> Vec3<f64>| walls.iter().map(of).collect();
+            let columns = [
+                ("velocity", rows(|wall| wall.velocity)),
+                ("displacement", rows(|wall| wall.travel)),
+                ("force", rows(|wall| wall.force)),
+                ("torque", rows(|wall| wall.torque)),
+            ];
+            columns_of(py, columns)
+        })
+    }
+
+    /// Of every surface its velocity (m/s), its displacement (nm), and the force (pN) of the spheres on it in the last step.
+    #[getter]
+    fn surfaces<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        caught(|| {
+            let surfaces = self.held(py)?.system().surfaces.clone();
+            let rows = |of: fn(&Surface) -> Vec3<f64>| surfaces.iter().map(of).collect();
+            let columns = [
+                ("velocity", rows(|surface| surface.velocity)),
+                ("displacement", rows(|surface| surface.way)),
+                ("force", rows(|surface| surface.force.total())),
+            ];
+            columns_of(py, columns)
+        })
+    }
+
+    /// Of every rigid body the place (nm) and velocity (m/s) of its centre of mass.
+    #[getter]
+    fn bodies<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        caught(|| {
+            let mut bodies = self.held(py)?.system().bodies.clone();
+            bodies.sort_unstable_by_key(|body| body.id);
+            let rows = |of: fn(&Body) -> Vec3<f64>| bodies.iter().map(of).collect();
+            columns_of(py, [("position", rows(|body| body.pose.x)), ("velocity", rows(|body| body.v))])
         })
     }
 
@@ -285,15 +309,15 @@ impl PySimulation {
     }
 }
 
-/// The numbers of all spheres, or of one that stands for all.
-fn spheres(value: &Bound<'_, PyAny>, name: &str, size: usize) -> PyResult<Vec<f64>> {
-    let numbers = Numbers::of(value, name, size)?;
-    if numbers.shape(size).len() > 1 {
-        return Err(wrong(format!("`{name}`: expected one row for each sphere")));
+/// Vectors as arrays, by name.
+fn columns_of<'py, const N: usize>(
+    py: Python<'py>,
+    columns: [(&str, Vec<Vec3<f64>>); N],
+) -> PyResult<Bound<'py, PyDict>> {
+    let dict = PyDict::new(py);
+    for (name, rows) in columns {
+        let numbers: Vec<f64> = rows.iter().flat_map(|row| row.0).collect();
+        dict.set_item(name, numbers.into_pyarray(py).reshape([rows.len(), 3])?)?;
     }
-    Ok(numbers.slice()?.to_vec())
-}
-
-fn unlike(name: &str, found: usize, expected: usize) -> PyErr {
-    wrong(format!("`{name}` are of {found} spheres, `positions` of {expected}"))
+    Ok(dict)
 }

@@ -1,5 +1,11 @@
 """Aggregates are grown, imported and measured."""
 
+import os
+import signal
+import subprocess
+import sys
+import time
+
 import numpy as np
 import pytest
 import veridem
@@ -43,6 +49,39 @@ def test_an_aggregate_can_be_simulated(grown):
     law = veridem.Law("soot")
     simulation = veridem.Simulation(law, grown.positions, grown.radii, 20.0, dt=1e-6, necks=grown.necks(), threads=1)
     assert simulation.step(100).pairs.ids.shape[1] == 2
+
+
+@pytest.mark.skipif(os.name == "nt", reason="signals")
+@pytest.mark.parametrize(
+    "work",
+    [
+        "veridem.Aggregate.grow(2_000_000, radius=14.0, fractal_dimension=1.8, prefactor=1.3)",
+        "veridem.Aggregate.grow(3000, radius=14.0, fractal_dimension=2.6, prefactor=1.3, method='spheres')",
+        "veridem.Aggregate(np.random.default_rng(1).uniform(0, 3e4, (300_000, 3)), 14.0).shape",
+        "veridem.Aggregate.read(sys.argv[1], unit=1.0, radius=14.0)",
+    ],
+)
+def test_ctrl_c_ends_what_takes_long(work, tmp_path):
+    file = tmp_path / "many.csv"
+    if "read" in work:
+        places = np.random.default_rng(1).uniform(0, 3e3, (2_000_000, 3))
+        np.savetxt(file, places, "%.1f", ",", header="x,y,z", comments="")
+    program = f"import sys, numpy as np, veridem\nprint('begun', flush=True)\n{work}\nprint('done')"
+    child = subprocess.Popen([sys.executable, "-c", program, file], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    child.stdout.readline()
+    time.sleep(0.5)
+    child.send_signal(signal.SIGINT)
+    rest, errors = child.communicate(timeout=60)
+    assert "KeyboardInterrupt" in errors and "done" not in rest and "defect" not in errors
+
+
+def test_aggregates_are_of_real_numbers_that_are_there():
+    with pytest.raises(ValueError, match="masked"):
+        veridem.Aggregate(np.ma.masked_array([[0, 0, 0.0]], [[0, 0, 1]]), 1.0)
+    with pytest.raises(TypeError, match="expected real numbers"):
+        veridem.Aggregate([[0, 0, 1j]], 1.0)
+    with pytest.raises(ValueError, match="one row for each sphere"):
+        veridem.Aggregate([0, 0, 1], 1.0)
 
 
 def test_wrong_files_and_recipes_are_told(tmp_path):

@@ -124,6 +124,13 @@ def test_any_array_of_real_numbers_will_do(delta_n):
     assert np.array_equal(normal_force(10, 1, 3, delta_n), expected)
 
 
+def test_masked_numbers_are_refused():
+    masked = np.ma.masked_array([0.5, 2.0], [False, True])
+    with pytest.raises(ValueError, match="`delta_n`: some of its numbers are masked"):
+        normal_force(10, 1, 3, masked)
+    assert normal_force(10, 1, 3, masked[:1]).tolist() == normal_force(10, 1, 3, np.ma.masked_array([0.5])).tolist() == [5.0]
+
+
 def test_arguments_are_left_as_they_are():
     delta_n = np.linspace(-1, 4, 12)
     delta_n.flags.writeable = False

@@ -117,6 +117,26 @@ def test_a_folder_that_cannot_be_written_is_an_os_error(tmp_path):
         veridem.open(tmp_path / "missing")
 
 
+@pytest.mark.skipif(os.name == "nt", reason="limits")
+def test_a_full_disk_is_an_os_error_and_leaves_a_run_that_is_resumed(done, tmp_path):
+    """A limit on the size of files stands for a full disk: writing fails in the same way, at a place that can be chosen."""
+    out = tmp_path / "run"
+    case = {**CASE, "output": {**CASE["output"], "checkpoints": "10 ps", "series": "1 steps", "frames": "50 ps"}}
+    program = f"""
+import resource, veridem
+resource.setrlimit(resource.RLIMIT_FSIZE, (200_000, resource.RLIM_INFINITY))
+try:
+    veridem.run({case!r}, {str(out)!r}, progress=False)
+except OSError as error:
+    print(type(error).__name__, error.errno, error.filename)
+"""
+    child = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=300)
+    assert child.returncode == 0 and "OSError 27" in child.stdout and str(out) in child.stdout, child.stdout + child.stderr
+    assert veridem.open(out).status in ("interrupted", "failed")
+    run = veridem.resume(out, **QUIET)
+    assert run.status == "finished" and run.frames[-1].positions.tolist() == done.frames[-1].positions.tolist()
+
+
 def test_a_run_that_is_stopped_by_time_is_resumed_with_the_same_bits(done, tmp_path):
     with pytest.raises(veridem.Stopped, match="veridem.resume") as told:
         veridem.run(CASE, tmp_path / "run", max_time=0.0, **QUIET)

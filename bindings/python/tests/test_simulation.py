@@ -123,6 +123,99 @@ def test_spheres_may_be_in_a_periodic_box(law):
     assert simulation.pairs.gap.tolist() == [pytest.approx(-1.0)]
 
 
+def test_a_loaded_wall_moves_with_its_load_and_a_driven_one_keeps_its_velocity(law):
+    """Two layers that are far apart: nothing but the load acts."""
+    places = [[x, y, z] for z in (0.0, 40.0) for x in (0.0, 6.0) for y in (0.0, 6.0)]
+    walls = [veridem.Wall(range(4), velocity=(0, 3, 0)), veridem.Wall(range(4, 8), load=(None, None, 2.0))]
+    simulation = veridem.Simulation(law, places, 3.0, 0.25, dt=1e-5, walls=walls, threads=1).step(1000)
+    assert np.allclose(simulation.walls.displacement[0], [0, 0.03, 0]) and np.allclose(simulation.positions[:4, 1], [0.03, 6.03] * 2)
+    # Force over mass, ag m/s per ns: half a step behind.
+    assert simulation.walls.velocity[1].tolist() == pytest.approx([0, 0, 2.0 / 1.0 * 1e-2])
+    assert simulation.energies["work"] == pytest.approx(0.5 * 1.0 * 0.02**2, rel=1e-2)
+
+
+def test_spheres_between_walls_are_sheared(block):
+    """The force on a wall that holds is that of the spheres on the wall that moves, once nothing moves in between."""
+    upper = [k for k in range(64) if k % 4 == 3]
+    lower = [k for k in range(64) if k % 4 == 0]
+    walls = [veridem.Wall(lower), veridem.Wall(np.array(upper), velocity=(5, 0, 0))]
+    simulation = block(walls=walls, damping=1e4, threads=1).step(2000)
+    force = simulation.walls.force
+    assert force[1, 0] < 0 < force[0, 0] and simulation.energies["work"] > 0
+    energies = simulation.energies
+    assert abs(energies["residual"]) < 1e-2 * energies["turnover"]
+
+
+def test_a_sphere_falls_on_a_plane_and_on_triangles():
+    law = veridem.Law("soot")
+    corners = np.array([[-99, -99, 0], [99, -99, 0], [0, 99, 0]], dtype=float)
+    ends = []
+    for surface in (veridem.Plane((0, 0, 0), (0, 0, 2)), veridem.Mesh([corners], material="substrate")):
+        settings = {"dt": 1e-5, "velocities": [0, 0, -5], "surfaces": [surface], "threads": 1}
+        simulation = veridem.Simulation(law, [[0, 0, 15.0]], 14.0, 20.0, **settings)
+        lowest = []
+        simulation.step(60_000, lambda now: lowest.append(now.positions[0, 2]), every=100)
+        assert 13.0 < min(lowest) < 14.0 and simulation.surfaces.displacement.tolist() == [[0, 0, 0]]
+        energies = simulation.energies
+        assert any(name.startswith("lost at surfaces") for name in energies)
+        assert abs(energies["residual"]) < 1e-2 * energies["turnover"]
+        ends.append(simulation.positions)
+    assert np.allclose(*ends)
+
+
+def test_a_surface_moves_as_its_reversal_says():
+    law = veridem.Law("soot")
+    plane = veridem.Plane((0, 0, 100), (0, 0, -1), material="tip", reversal=(1.5, 0.1, 10.8))
+    simulation = veridem.Simulation(law, [[0, 0, 0]], 14.0, 20.0, dt=1e-5, surfaces=[plane], threads=1).step(100)
+    expected = veridem.soot.tip_velocity(0.001, 1.5, 0.1, 10.8)
+    assert simulation.surfaces.velocity[0, 2] == pytest.approx(expected, rel=1e-3)
+
+
+def test_bodies_move_as_one(law):
+    pair = [[0, 0, 0], [6, 0, 0], [20, 0, 0]]
+    velocities = [[0, 2, 0], [0, 2, 0], [0, 0, 0]]
+    simulation = veridem.Simulation(law, pair, 3.0, 0.25, dt=1e-5, velocities=velocities, bodies=[[0, 1]], threads=1).step(500)
+    assert np.allclose(simulation.bodies.position, [[3, 0.01, 0]]) and np.allclose(simulation.bodies.velocity, [[0, 2, 0]])
+    assert np.allclose(simulation.positions[:2], [[0, 0.01, 0], [6, 0.01, 0]])
+
+
+@pytest.mark.parametrize(
+    ("wrong", "message"),
+    [
+        ({"walls": [veridem.Wall([0, 9])]}, "no sphere 9"),
+        ({"walls": [veridem.Wall([])]}, "no spheres"),
+        ({"walls": [veridem.Wall([0], velocity=(np.nan, 0, 0))]}, "finite"),
+        ({"walls": [veridem.Wall([0], load=(None, np.inf, None))]}, "finite"),
+        ({"walls": [veridem.Wall([0]), veridem.Wall([0])]}, "belongs to wall 0"),
+        ({"bodies": [[0, 0]]}, "given twice"),
+        ({"bodies": [[]]}, "no spheres"),
+        ({"surfaces": [veridem.Plane((0, 0, 0), (0, 0, 0))]}, "normal is zero"),
+        ({"surfaces": [veridem.Plane((0, 0, np.nan), (0, 0, 1))]}, "finite numbers"),
+        ({"surfaces": [veridem.Plane((0, 0, -9), (0, 0, 1), reversal=(1, 0, 1))]}, "a rate above 0"),
+        ({"surfaces": [veridem.Plane((0, 0, -9), (0, 0, 1), material="glass")]}, "'substrate' or 'tip'"),
+        ({"surfaces": [veridem.Mesh(np.zeros((2, 3)))]}, "(number, 3, 3)"),
+        ({"surfaces": [veridem.Mesh(np.zeros((1, 3, 3)))]}, "no triangle with an area"),
+        ({"surfaces": [veridem.Mesh(np.empty((0, 3, 3)))]}, "no triangle"),
+    ],
+    ids=str,
+)
+def test_wrong_walls_bodies_and_surfaces_are_told(wrong, message):
+    with pytest.raises(ValueError) as told:
+        veridem.Simulation(veridem.Law("soot"), [[0, 0, 0], [40, 0, 0]], 14.0, 20.0, dt=1e-6, **wrong)
+    assert message in str(told.value)
+
+
+def test_laws_without_surfaces_and_integrators_without_walls_say_so(law, collision):
+    with pytest.raises(ValueError, match="this law has no such surfaces"):
+        collision(surfaces=[veridem.Plane((0, 0, -9), (0, 0, 1))])
+    for held in ({"walls": [veridem.Wall([0])]}, {"bodies": [[0]]}):
+        for start in ({"integrator": "velocity-verlet"}, {"synchronous": True}):
+            with pytest.raises(ValueError, match="bodies and walls need"):
+                collision(velocities=[0, 0, 0], **held, **start)
+    with pytest.raises(TypeError, match="expected Plane or Mesh"):
+        collision(surfaces=[((0, 0, 0), (0, 0, 1))])
+
+
 @pytest.mark.parametrize(
     ("wrong", "error", "message"),
     [
@@ -132,6 +225,10 @@ def test_spheres_may_be_in_a_periodic_box(law):
         ({"masses": 0.0}, ValueError, "mass"),
         ({"positions": [[0, 0, 0], [0, 0, 0]]}, ValueError, ""),
         ({"positions": [[0, 0, np.nan], [7, 0, 0]]}, ValueError, ""),
+        ({"positions": np.ma.masked_array([[0, 0, 0], [7.0, 0, 0]], [[0, 1, 0], [0, 0, 0]])}, ValueError, "masked"),
+        ({"radii": np.array([3j, 3j])}, TypeError, "expected real numbers"),
+        ({"radii": "3 nm"}, TypeError, "expected real numbers"),
+        ({"masses": np.array([1, None])}, TypeError, "expected real numbers"),
         ({"velocities": [[0, 0, 0]] * 3}, ValueError, "`velocities` are of 3"),
         ({"positions": np.zeros((2, 2, 3))}, ValueError, "one row for each sphere"),
         ({"necks": [(0, 7)]}, ValueError, "no sphere 7"),
@@ -144,7 +241,7 @@ def test_spheres_may_be_in_a_periodic_box(law):
         ({"box": (1e-5, 9, 9), "periodic": (True, False, False)}, veridem.Halted, "`periodic side` is 0.00001"),
         ({"box": (0, 9, 9)}, ValueError, "side 0 is 0"),
         ({"threads": 0}, ValueError, "`threads`"),
-        ({"necks": [(0, -1)]}, OverflowError, ""),
+        ({"necks": [(0, -1)]}, ValueError, "there is no sphere -1"),
     ],
     ids=str,
 )

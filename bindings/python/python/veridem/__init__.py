@@ -8,12 +8,13 @@ from ._cases import Case, check, resume, run, sweep
 from ._equations import eq, equations
 from ._laws import Law, Pairs
 from ._runs import Frame, Frames, Result, Run, open
-from ._simulation import Contacts, Simulation
+from ._simulation import Bodies, Contacts, Mesh, Plane, Simulation, Surfaces, Wall, Walls
 from ._veridem import Equation, Quantity, __version__
 from .errors import BrokenInvariant, Error, Halted, InputError, Problem, RunsFailed, Stopped, VerificationFailed
 
 __all__ = [
     "Aggregate",
+    "Bodies",
     "BrokenInvariant",
     "Case",
     "Contacts",
@@ -24,7 +25,9 @@ __all__ = [
     "Halted",
     "InputError",
     "Law",
+    "Mesh",
     "Pairs",
+    "Plane",
     "Problem",
     "Quantity",
     "Result",
@@ -32,7 +35,10 @@ __all__ = [
     "RunsFailed",
     "Simulation",
     "Stopped",
+    "Surfaces",
     "VerificationFailed",
+    "Wall",
+    "Walls",
     "__version__",
     "check",
     "eq",

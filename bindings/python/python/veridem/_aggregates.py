@@ -19,8 +19,11 @@ class Aggregate:
     def __init__(self, positions: ArrayLike, radii: ArrayLike) -> None:
         import numpy as np
 
-        self.positions: NDArray[np.float64] = np.array(positions, dtype=float)
-        self.radii: NDArray[np.float64] = np.broadcast_to(np.array(radii, dtype=float), self.positions.shape[:1]).copy()
+        self.positions: NDArray[np.float64] = _veridem.numbers(positions, "positions", 3)
+        if self.positions.ndim != 2:
+            raise ValueError("`positions`: expected one row for each sphere")
+        sizes = _veridem.numbers(radii, "radii", 1)
+        self.radii: NDArray[np.float64] = np.broadcast_to(sizes, self.positions.shape[:1]).copy()
 
     @classmethod
     def grow(

@@ -1,7 +1,7 @@
 """The compiled part of the package."""
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, final
 
 import numpy as np
@@ -28,6 +28,7 @@ __all__ = [
     "results",
     "frame_files",
     "frame",
+    "numbers",
     "grow",
     "import_",
     "shape",
@@ -112,15 +113,14 @@ class Simulation:
     def __new__(
         cls,
         law: Law,
-        vectors: Sequence[ArrayLike],
-        sizes: Sequence[ArrayLike],
-        necks: Sequence[tuple[int, int]],
-        domain: tuple[Sequence[float], Sequence[bool]] | None,
+        parts: Mapping[str, Any],
         settings: Sequence[float],
         integration: Sequence[bool],
         threads: int | None,
     ) -> Simulation: ...
     def advance(self, last: int) -> None: ...
+    @property
+    def bodies(self) -> dict[str, NDArray[np.float64]]: ...
     @property
     def dt(self) -> float: ...
     @property
@@ -140,7 +140,11 @@ class Simulation:
     @property
     def steps(self) -> int: ...
     @property
+    def surfaces(self) -> dict[str, NDArray[np.float64]]: ...
+    @property
     def time(self) -> float: ...
+    @property
+    def walls(self) -> dict[str, NDArray[np.float64]]: ...
     @property
     def velocities(self) -> NDArray[np.float64]: ...
 
@@ -180,6 +184,7 @@ def events(run: str | os.PathLike[str]) -> list[tuple[str, float, str]]: ...
 def results(run: str | os.PathLike[str]) -> list[tuple[str, Any, str, float | None, float | None, str | None]]: ...
 def frame_files(run: str | os.PathLike[str]) -> list[str | os.PathLike[str]]: ...
 def frame(file: str | os.PathLike[str]) -> dict[str, Any]: ...
+def numbers(value: ArrayLike, name: str, size: int) -> NDArray[np.float64]: ...
 def grow(
     number: int, law: Sequence[float], sizes: Sequence[float], one_by_one: bool, seed: int
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
