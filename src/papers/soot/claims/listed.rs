@@ -74,7 +74,7 @@ pub const LISTED: &[Listed] = &[
         claim: "few necks: local compaction; nearly all necks: global compaction; the convexity varies more",
         paper: "local, global",
         rows: &[("restructuring", "varies more"), ("pathway", "local")],
-        open: "which spheres come to touch, local or far apart along the aggregate",
+        open: "75, 15 and 5 broken necks",
     },
     Listed {
         id: "D-T10",
@@ -129,8 +129,8 @@ pub const LISTED: &[Listed] = &[
         place: "Section 4",
         claim: "major restructuring with only one or two necks broken",
         paper: "major",
-        rows: &[("pathway", "broken")],
-        open: "a quarter of an hour of computing",
+        rows: &[("pathway", "major restructuring")],
+        open: "what decides with two broken necks: torsion, the reach of the coating, friction",
     },
     Listed {
         id: "D-T17",
