@@ -56,7 +56,7 @@ def test_an_aggregate_can_be_simulated(grown):
     "work",
     [
         "veridem.Aggregate.grow(2_000_000, radius=14.0, fractal_dimension=1.8, prefactor=1.3)",
-        "veridem.Aggregate.grow(3000, radius=14.0, fractal_dimension=2.6, prefactor=1.3, method='spheres')",
+        "veridem.Aggregate.grow(30_000, radius=14.0, fractal_dimension=2.6, prefactor=1.3, method='spheres')",
         "veridem.Aggregate(np.random.default_rng(1).uniform(0, 3e4, (300_000, 3)), 14.0).shape",
         "veridem.Aggregate.read(sys.argv[1], unit=1.0, radius=14.0)",
     ],
