@@ -8,7 +8,7 @@ use veridem::run::advance;
 use veridem::simulation::{Integrator, Ledger, Settings, Simulation};
 use veridem::spec::Vec3;
 use veridem::spec::soot::Soot;
-use veridem::system::{Particles, System};
+use veridem::system::{Motion, Particles, System};
 
 const BOTH: [Integrator; 2] = [Integrator::HalfStep, Integrator::VelocityVerlet];
 
@@ -158,4 +158,19 @@ fn velocity_verlet_goes_on_from_a_snapshot_with_the_same_bits() {
     let mut resumed = Simulation::resume(dry(), settings, half).expect("a valid snapshot");
     advance(&mut resumed, 6_000 - 4_321).expect("a stable step");
     assert!(resumed.snapshot() == whole);
+}
+
+#[test]
+fn velocity_verlet_and_synchronous_starts_refuse_walls_and_bodies_by_name() {
+    let synchronous = Settings { synchronous_start: true, ..with(Integrator::HalfStep, 1e-5) };
+    for settings in [with(Integrator::VelocityVerlet, 1e-5), synchronous] {
+        let apart = System { necks: Vec::new(), ..pair([0.0; 3], [0.0; 3]) };
+        let (mut walled, mut rigid) = (apart.clone(), apart);
+        walled.add_wall([Motion::Velocity(0.0); 3], |_, p| p == 0);
+        rigid.add_body(&[0, 1]);
+        for (system, name) in [(walled, "number of walls"), (rigid, "number of rigid bodies")] {
+            let halt = Simulation::new(undamped(), system, settings.clone()).err().expect("a refusal");
+            assert!(halt.to_string().contains(&format!("`{name}` is 1, expected 0 with velocity Verlet")), "{halt}");
+        }
+    }
 }

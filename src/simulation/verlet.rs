@@ -80,16 +80,18 @@ impl<M: PairModel> Simulation<M> {
 
     /// Evaluates the present forces, at the start and after necks have broken, without advancing springs.
     pub(super) fn hold(&mut self) -> Result<(), Halt> {
-        let free = self.system.walls.is_empty() && self.system.bodies.is_empty();
-        let damping = self.settings.damping;
-        if damping != 0.0 {
-            let expected = "0 with velocity Verlet, and where the velocities at the start are those at its time";
-            return Err(self.halt(Reason::Setting { name: "damping", value: damping, expected }));
+        // Forces at the start are known for free spheres that nothing but their partners and surfaces act on.
+        let expected = "0 with velocity Verlet, and where the velocities at the start are those at its time";
+        for (name, value) in [
+            ("damping", self.settings.damping),
+            ("number of walls", self.system.walls.len() as f64),
+            ("number of rigid bodies", self.system.bodies.len() as f64),
+            ("relaxation of the box", f64::from(u8::from(self.settings.relax_box.is_some()))),
+        ] {
+            if value != 0.0 {
+                return Err(self.halt(Reason::Setting { name, value, expected }));
+            }
         }
-        assert!(
-            free && self.settings.relax_box.is_none(),
-            "forces at the start are known for free spheres that nothing but their partners and surfaces act on"
-        );
         let springs: Vec<_> = self.blocks.iter().map(|block| block.pairs.memory.clone()).collect();
         let totals = self.evaluate(0.0)?;
         for (block, springs) in self.blocks.iter_mut().zip(springs) {
