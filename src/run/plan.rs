@@ -302,7 +302,7 @@ mod tests {
     }
 
     #[test]
-    fn a_system_that_fills_three_times_the_cores_is_better_off_in_lammps() {
+    fn a_system_that_fills_four_times_the_cores_is_better_off_in_lammps() {
         assert_eq!(beyond(159_999, 4), None);
         assert!(beyond(160_000, 4).is_some_and(|words| words.contains("more than 16 cores")));
     }

@@ -182,14 +182,14 @@ mod tests {
     #[test]
     fn every_energy_of_the_physical_balance_is_turned_over_whatever_its_sign() {
         for (name, set, discrete, physical) in ENTRIES {
-            for energy in [3.0, -3.0] {
+            // Kinetic energy and losses are not negative.
+            let signed = !(name.starts_with("kinetic") || name.starts_with("lost"));
+            for &energy in if signed { &[3.0, -3.0][..] } else { &[3.0] } {
                 let mut ledger = Ledger::default();
                 set(&mut ledger, energy);
                 assert_eq!(ledger.discrete_residual(), discrete * energy, "{name}");
                 assert_eq!(ledger.physical_residual(), physical * energy, "{name}");
-                // Kinetic energy and losses are not negative.
-                let turned = if physical == 0.0 { 0.0 } else { ledger.turnover().abs() };
-                assert_eq!(turned, 3.0 * physical.abs(), "{name}");
+                assert_eq!(ledger.turnover(), 3.0 * physical.abs(), "{name}");
             }
         }
     }
