@@ -1,34 +1,25 @@
 //! The claims of the papers with what was measured, from the page of findings.
 
-use super::facts::Table;
 use super::text::{inline, markdown};
 use super::{Book, Chapter, Entry};
+use crate::reproduce::{Row, claims_of};
 use maud::{Markup, html};
-
-/// What stands below a heading, up to the next of its level or above.
-pub(super) fn part<'a>(text: &'a str, heading: &str) -> &'a str {
-    let rest = text.split_once(heading).map_or("", |(_, rest)| rest);
-    let ends = ["\n# ", "\n## "].map(|end| rest.find(end).unwrap_or(rest.len()));
-    let end = if heading.starts_with("\n# ") { ends[0] } else { ends[0].min(ends[1]) };
-    &rest[..end]
-}
 
 /// What the page of findings says of a paper beside its table.
 pub(super) fn discussion(findings: &str, paper: &str) -> String {
-    let beside = part(findings, &format!("\n## Claims of the {paper} paper\n"));
-    let beside: String = beside.split_inclusive('\n').filter(|line| !line.starts_with('|')).collect();
-    format!("{}\n{}", beside.trim(), part(findings, &format!("\n# The {paper} paper\n")))
+    let beside = claims_of(findings, paper).split_inclusive('\n').filter(|line| !line.starts_with('|'));
+    let reasons = findings.split_once(&format!("\n# The {paper} paper\n")).map_or("", |(_, rest)| rest);
+    format!("{}\n{}", beside.collect::<String>().trim(), reasons.split("\n# ").next().unwrap_or_default())
 }
 
 /// The rows of claims about an equation.
-pub(super) fn rows_on<'a>(chapter: &'a Chapter, entry: &Entry) -> Vec<&'a Vec<String>> {
-    let table: &Table = &chapter.claims;
-    table.rows.iter().filter(|row| entry.is_named_in(table.cell(row, "where"))).collect()
+pub(super) fn rows_on<'a>(chapter: &'a Chapter, entry: &Entry) -> Vec<&'a Row> {
+    chapter.claims.iter().filter(|row| entry.is_named_in(&row.place)).collect()
 }
 
 /// The page of a paper.
 pub(super) fn page(book: &Book, chapter: &Chapter) -> String {
-    let rows: Vec<_> = chapter.claims.rows.iter().collect();
+    let rows: Vec<_> = chapter.claims.iter().collect();
     let body = html! {
         h1 { "What the paper claims, and what was measured" }
         p.note { (chapter.title()) }
@@ -40,7 +31,7 @@ pub(super) fn page(book: &Book, chapter: &Chapter) -> String {
 }
 
 /// Rows of claims as a table, with links to the equations that they name.
-pub(super) fn table(book: &Book, chapter: &Chapter, rows: &[&Vec<String>]) -> Markup {
+pub(super) fn table(book: &Book, chapter: &Chapter, rows: &[&Row]) -> Markup {
     let names = ["where", "claim", "paper", "measured", "verdict", "chapter"];
     let linked = |place: &str| {
         let mut entries = chapter.entries.iter().filter(|entry| entry.is_named_in(place));
@@ -51,14 +42,12 @@ pub(super) fn table(book: &Book, chapter: &Chapter, rows: &[&Vec<String>]) -> Ma
         div.wide { table.claims {
             thead { tr { @for name in names { th { (name) } } } }
             tbody { @for row in rows {
-                tr { @for name in names {
-                    @let cell = chapter.claims.cell(row, name);
-                    @match name {
-                        "where" => td { (linked(cell)) },
-                        "verdict" => td.differs[cell != "holds"] { (cell.to_lowercase()) },
-                        _ => td { (inline(cell, &target)) },
-                    }
-                } }
+                tr {
+                    td { (linked(&row.place)) }
+                    @for cell in [&row.claim, &row.paper, &row.measured] { td { (inline(cell, &target)) } }
+                    td.differs[row.verdict != "holds"] { (row.verdict.to_lowercase()) }
+                    td { code { (row.chapter) } }
+                }
             } }
         } }
     }

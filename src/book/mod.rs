@@ -15,6 +15,7 @@ use crate::error::{AtPath, Error};
 use crate::golden::INDEX;
 use crate::papers::Papers;
 use crate::proofs::PAGE as PROOFS;
+use crate::reproduce::{Row, claims_of, rows};
 use crate::spec::document::Document;
 use crate::spec::equation::Equation;
 use facts::{Other, Statement, Table};
@@ -45,8 +46,8 @@ struct Chapter<'a> {
     /// Authors and year; empty if it is no paper.
     reference: &'a str,
     entries: Vec<Entry<'a>>,
-    /// The table of its claims.
-    claims: Table,
+    /// The recorded rows of its claims.
+    claims: Vec<Row>,
     /// What is to be said of its claims, as Markdown.
     discussion: String,
 }
@@ -129,7 +130,7 @@ impl<'a> Book<'a> {
                     name,
                     reference: papers.find(name).map_or("", |paper| paper.reference()),
                     entries: vec![entry],
-                    claims: Table::of(claims::part(&findings, &format!("\n## Claims of the {name} paper\n"))),
+                    claims: rows(claims_of(&findings, name)),
                     discussion: claims::discussion(&findings, name),
                 }),
             }

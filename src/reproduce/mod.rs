@@ -5,7 +5,7 @@ mod record;
 mod setting;
 
 pub use listed::{Line, Listed, lines};
-pub use record::{Row, recorded};
+pub use record::{Row, claims_of, recorded, rows};
 pub use setting::Setting;
 
 use crate::error::Error;

@@ -20,10 +20,20 @@ pub struct Row {
     pub chapter: String,
 }
 
-/// The rows of the table of a paper; none for a paper that the page does not know.
+/// The recorded rows of a paper; none for a paper that the page does not know.
 pub fn recorded(paper: &str) -> Vec<Row> {
+    rows(claims_of(FINDINGS, paper))
+}
+
+/// What a page of findings says of the claims of a paper: its table, and what stands beside it.
+pub fn claims_of<'a>(findings: &'a str, paper: &str) -> &'a str {
     let heading = format!("Claims of the {paper} paper\n");
-    let Some(part) = FINDINGS.split("\n## ").find(|part| part.starts_with(&heading)) else { return Vec::new() };
+    let part = findings.split("\n## ").find_map(|part| part.strip_prefix(&*heading)).unwrap_or_default();
+    part.split("\n# ").next().unwrap_or_default()
+}
+
+/// The rows of the tables in a part of a page of findings.
+pub fn rows(part: &str) -> Vec<Row> {
     part.lines().filter_map(row).filter(|row| row.chapter != "chapter").collect()
 }
 
