@@ -13,6 +13,17 @@ pub enum Kind {
     Cancellation,
 }
 
+impl Kind {
+    /// The word with which its reading begins.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Erratum => "Erratum",
+            Self::Ambiguous => "Ambiguous",
+            Self::Cancellation => "Cancellation",
+        }
+    }
+}
+
 /// A finding: the paragraphs of a reading that begins with `Erratum:`, `Ambiguous:` or `Cancellation:`.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Finding<'a> {
@@ -34,12 +45,8 @@ impl<'a> Finding<'a> {
 
     fn parse(reading: &'a str) -> Option<Self> {
         let (label, rest) = reading.split_once(": ")?;
-        let kind = match label {
-            "Erratum" => Kind::Erratum,
-            "Ambiguous" => Kind::Ambiguous,
-            "Cancellation" => Kind::Cancellation,
-            _ => return None,
-        };
+        let kind =
+            [Kind::Erratum, Kind::Ambiguous, Kind::Cancellation].into_iter().find(|kind| kind.label() == label)?;
         let mut finding = Self { kind, text: String::new(), effect: "", proof: vec![] };
         for paragraph in rest.split("\n\n") {
             if let Some(effect) = paragraph.strip_prefix("Effect: ") {

@@ -56,13 +56,8 @@ fn proof(entry: &Entry, finding: &Finding) -> Markup {
 pub(super) fn reading(book: &Book, chapter: &Chapter, entry: &Entry) -> Markup {
     let target = |path: &str| book.target(chapter, path);
     let Some(finding) = Finding::of(entry.document) else { return markdown(&entry.document.reading, &target) };
-    let name = match finding.kind {
-        Kind::Erratum => "Erratum",
-        Kind::Ambiguous => "Ambiguous",
-        Kind::Cancellation => "Cancellation",
-    };
     html! {
-        p { a href=(format!("errata.html#{}", entry.equation.id)) { (name) } }
+        p { a href=(format!("errata.html#{}", entry.equation.id)) { (finding.kind.label()) } }
         (after_colon(&finding.text, &target))
         @if !finding.effect.is_empty() { h3 { "Effect" } (after_colon(finding.effect, &target)) }
         @if !finding.proof.is_empty() { h3 { "Proof" } (proof(entry, &finding)) }
