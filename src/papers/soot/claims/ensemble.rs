@@ -25,6 +25,13 @@ pub struct Protocol<'a> {
     pub keys: &'a [(&'a str, &'a str)],
 }
 
+/// The keys of reduced protocols: necks of set S, which are stable at longer time steps.
+pub const COARSE: &[(&str, &str)] = &[
+    ("model.soot.necks", "S"),
+    ("experiment.restructuring.dt", "40 fs"),
+    ("experiment.restructuring.attraction_every", "1"),
+];
+
 /// Interval between measurements, ns.
 pub const LOOK: f64 = 0.5;
 

@@ -1,7 +1,7 @@
 //! Sections 3.2 and 4: how many necks have to break, which branches collapse, and what sets the time.
 
 use super::closures::{Closure, closures};
-use super::ensemble::{Protocol, points};
+use super::ensemble::{COARSE, Protocol, points};
 use crate::error::Error;
 use crate::figures::{Axis, Curve, Mark, Plot};
 use crate::geometry::Sphere;
@@ -13,19 +13,8 @@ use crate::output::{ReadFrame, RunFolder, Series};
 use crate::reproduce::{Claim, Evidence, Figure, Setting};
 use crate::spec::Vec3;
 
-/// The reduced protocol: necks of set S, which are stable at longer time steps.
-const REDUCED: Protocol = Protocol {
-    aggregates: 4,
-    keys: &[
-        ("model.soot.necks", "S"),
-        ("experiment.restructuring.dt", "40 fs"),
-        ("experiment.restructuring.attraction_every", "1"),
-        ("output.series", "0.1 ns"),
-        ("output.frames", "1 ns"),
-    ],
-};
-/// More aggregates, with necks of set P.
-const FULL: Protocol = Protocol { aggregates: 20, keys: &[("output.series", "0.1 ns"), ("output.frames", "1 ns")] };
+/// The output from which the chapter reads when spheres come to touch.
+const OUTPUT: [(&str, &str); 2] = [("output.series", "0.1 ns"), ("output.frames", "1 ns")];
 
 /// Necks of an aggregate of 150 spheres.
 const NECKS: u32 = 149;
@@ -141,7 +130,9 @@ fn half(curve: &[(f64, f64)]) -> f64 {
 /// If a run halts or fails, or is interrupted.
 pub(super) fn chapter(setting: &Setting) -> Result<Evidence, Error> {
     let kinds = kinds();
-    let protocol = setting.extent.of(REDUCED, FULL);
+    // The full protocol: more aggregates, with necks of set P.
+    let (aggregates, keys) = setting.extent.of((4, COARSE), (20, &[]));
+    let protocol = Protocol { aggregates, keys: &[keys, &OUTPUT].concat() };
     let setting = Setting { runs: setting.runs.join("pathway"), ..*setting };
     let runs = setting.run_all(&points(&protocol, &kinds, setting.read)?)?;
     let read = |folder: &Option<RunFolder>| folder.as_ref().map(|folder| Member::read(folder, setting.interrupt));

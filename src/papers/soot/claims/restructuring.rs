@@ -1,21 +1,14 @@
 //! Section 3.2: restructuring of coated aggregates.
 
-use super::ensemble::{Ensemble, Kind, LOOK, Protocol, ensembles, settled, terminal};
+use super::ensemble::{COARSE, Ensemble, Kind, LOOK, Protocol, ensembles, settled, terminal};
 use crate::error::Error;
 use crate::figures::{Axis, Curve, Mark, Plot};
 use crate::observe::statistics::Mean;
 use crate::papers::soot::case::Torsion;
 use crate::reproduce::{Claim, Evidence, Extent, Figure, Setting, near};
 
-/// The reduced protocol: necks of set S, which are stable at longer time steps.
-const REDUCED: Protocol = Protocol {
-    aggregates: 4,
-    keys: &[
-        ("model.soot.necks", "S"),
-        ("experiment.restructuring.dt", "40 fs"),
-        ("experiment.restructuring.attraction_every", "1"),
-    ],
-};
+/// The reduced protocol.
+const REDUCED: Protocol = Protocol { aggregates: 4, keys: COARSE };
 /// The paper's ensembles, with necks of set P, which its runs most probably have.
 const FULL: Protocol = Protocol { aggregates: 50, keys: &[] };
 
