@@ -251,7 +251,8 @@ impl PySimulation {
     #[getter]
     fn walls<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         caught(|| {
-            let walls = self.held(py)?.system().walls.clone();
+            let mut held = self.held(py)?;
+            let walls = &held.system().walls;
             let rows = |of: fn(&Wall) -> Vec3<f64>| walls.iter().map(of).collect();
             let columns = [
                 ("velocity", rows(|wall| wall.velocity)),
@@ -267,7 +268,8 @@ impl PySimulation {
     #[getter]
     fn surfaces<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         caught(|| {
-            let surfaces = self.held(py)?.system().surfaces.clone();
+            let mut held = self.held(py)?;
+            let surfaces = &held.system().surfaces;
             let rows = |of: fn(&Surface) -> Vec3<f64>| surfaces.iter().map(of).collect();
             let columns = [
                 ("velocity", rows(|surface| surface.velocity)),
