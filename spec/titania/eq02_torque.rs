@@ -88,7 +88,7 @@ pub fn layered_arm<R: Real>(r_i: R, h_n: R) -> R {
 ///
 /// # Reading
 ///
-/// Erratum: with $\mathbf{n}_{ij}$ from j to i, as Eqs. 3 and 8 need it, the contact point of i lies at $-l_i \mathbf{n}_{ij}$ and the
+/// Erratum: with $\mathbf{n}_{ij}$ from j to i, as Eqs. 3 and 8 require, the contact point of i lies at $-l_i \mathbf{n}_{ij}$ and the
 /// torque of a force there is $+\mathbf{F}_t \times l_i \mathbf{n}_{ij}$.
 ///
 /// ```math

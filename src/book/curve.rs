@@ -47,7 +47,7 @@ pub(super) fn script(text: &str) -> Markup {
     html! { script type="module" { (PreEscaped(format!("\n{text}\n"))) } }
 }
 
-/// Data as it may stand in a script.
+/// Data in a form that cannot end the script element that holds it.
 pub(super) fn literal(data: &Value) -> String {
     data.to_string().replace('<', "\\u003c")
 }

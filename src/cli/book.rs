@@ -14,7 +14,7 @@ pub(super) struct Arguments {
     /// The folder to write
     #[arg(long)]
     out: PathBuf,
-    /// The repository, of which the pages tell
+    /// The repository that the pages describe
     #[arg(long, default_value = ".")]
     root: PathBuf,
 }

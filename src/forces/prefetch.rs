@@ -1,4 +1,4 @@
-//! Asks for memory ahead of its use.
+//! Prefetches memory ahead of its use.
 
 /// Begins to load what the reference points to into the cache, where the processor has an instruction for it. Changes no result.
 #[inline(always)]

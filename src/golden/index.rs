@@ -55,7 +55,7 @@ pub fn index(root: &Path, equations: &[(Equation, Document)]) -> std::io::Result
     Ok(out)
 }
 
-/// A text in one line, as it may stand in a table.
+/// A text on one line, for a cell of a table.
 fn cell(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ").replace('|', "\\|")
 }

@@ -235,7 +235,7 @@ def torques(x_i: ArrayLike, x_j: ArrayLike, r_i: ArrayLike | str, r_j: ArrayLike
 
     Reading
     -------
-    Erratum: with $\\mathbf{n}_{ij}$ from j to i, as Eqs. 3 and 8 need it, the contact point of i lies at $-l_i \\mathbf{n}_{ij}$ and the
+    Erratum: with $\\mathbf{n}_{ij}$ from j to i, as Eqs. 3 and 8 require, the contact point of i lies at $-l_i \\mathbf{n}_{ij}$ and the
     torque of a force there is $+\\mathbf{F}_t \\times l_i \\mathbf{n}_{ij}$.
 
     $$
