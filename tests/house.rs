@@ -101,6 +101,7 @@ const PUBLIC: [(&str, &[&str]); 22] = [
             "packing",
             "patch",
             "rotation",
+            "shear_layer",
             "statistics",
             "strain",
             "stress",

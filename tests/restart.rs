@@ -72,6 +72,12 @@ fn a_junction_goes_on_with_the_same_bits_wherever_it_is_stopped() {
 }
 
 #[test]
+fn sliding_bodies_go_on_with_the_same_bits_wherever_they_are_stopped() {
+    // In the relaxation, and within the first and the last window of the sliding.
+    survives_stops("sliding", &[150, 230, 700]);
+}
+
+#[test]
 fn patch_tests_go_on_with_the_same_bits_wherever_they_are_stopped() {
     survives_stops("patch-hcp", &[130, 299, 300, 700]);
 }

@@ -9,6 +9,7 @@ pub mod morphology;
 pub mod packing;
 pub mod patch;
 pub mod rotation;
+pub mod shear_layer;
 pub mod statistics;
 pub mod strain;
 pub mod stress;

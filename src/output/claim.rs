@@ -259,6 +259,7 @@ mod tests {
             makes("series.csv")
                 && makes("series.shear.csv")
                 && makes("windows.csv")
+                && makes("profiles.csv")
                 && makes("series.csv.part")
                 && makes("frames/a.bin")
                 && makes("lock")

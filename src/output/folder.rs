@@ -1,6 +1,6 @@
 //! The layout of a run folder.
 
-use super::series::{SERIES, WINDOWS, is_table, stage_file};
+use super::series::{PROFILES, SERIES, WINDOWS, is_table, stage_file};
 use super::{Checkpoints, create_folder};
 use crate::error::{AtPath, Error};
 use std::path::{Path, PathBuf};
@@ -82,6 +82,10 @@ impl RunFolder {
     /// The means over windows.
     pub fn windows(&self) -> PathBuf {
         self.root.join(WINDOWS)
+    }
+    /// The profiles: a row for every layer.
+    pub fn profiles(&self) -> PathBuf {
+        self.root.join(PROFILES)
     }
     /// The tables, that of all stages first.
     ///

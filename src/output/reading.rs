@@ -1,6 +1,7 @@
 //! Reading of a run folder: its time series and its events.
 
-use super::series::{SERIES, WINDOWS, stage_file};
+use super::columns::TIME;
+use super::series::{PROFILES, SERIES, WINDOWS, stage_file};
 use super::{Column, RunFolder, read};
 use crate::error::Error;
 use serde::Deserialize;
@@ -63,7 +64,7 @@ impl ReadTable {
     }
 }
 
-/// The series of a run, as read: its tables, that of all stages first, and that of windows last if there is one.
+/// The series of a run, as read: its tables, that of all stages first.
 pub struct Series {
     /// The tables.
     pub tables: Vec<ReadTable>,
@@ -106,6 +107,20 @@ impl Series {
             }
         }
         Vec::new()
+    }
+
+    /// The points of one column of the profiles against another in one stage: the time of every profile, ns, and its points.
+    pub fn profiles(&self, stage: &str, x: Column, y: Column) -> Vec<(f64, Vec<(f64, f64)>)> {
+        let Some(table) = self.tables.iter().find(|table| table.file == PROFILES) else { return Vec::new() };
+        let [Some(time), Some(x), Some(y)] = [TIME, x, y].map(|column| table.place(&column.to_string())) else {
+            return Vec::new();
+        };
+        let rows: Vec<&Vec<String>> = table.rows.iter().filter(|row| row[0] == stage).collect();
+        let profile = |rows: &[&Vec<String>]| {
+            let points = rows.iter().filter_map(|row| Some((row[x].parse().ok()?, row[y].parse().ok()?))).collect();
+            Some((rows[0][time].parse().ok()?, points))
+        };
+        rows.chunk_by(|a, b| a[time] == b[time]).filter_map(profile).collect()
     }
 
     /// The last value of every column of the last stage that was written.

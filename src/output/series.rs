@@ -28,6 +28,8 @@ pub fn row<'a>(cells: impl IntoIterator<Item = &'a Cell>) -> String {
 pub(super) const SERIES: &str = "series.csv";
 /// The table of windows.
 pub(super) const WINDOWS: &str = "windows.csv";
+/// The table of profiles.
+pub(super) const PROFILES: &str = "profiles.csv";
 
 /// The name of a stage in the name of a file.
 pub(super) fn slug(stage: &str) -> String {
@@ -42,7 +44,8 @@ pub(super) fn stage_file(stage: &str) -> String {
 /// Whether a table of a run has this name.
 pub(super) fn is_table(name: &str) -> bool {
     let of_stage = name.strip_prefix("series.").and_then(|rest| rest.strip_suffix(".csv"));
-    [SERIES, WINDOWS].contains(&name) || of_stage.is_some_and(|stage| !stage.is_empty() && !stage.contains('.'))
+    [SERIES, WINDOWS, PROFILES].contains(&name)
+        || of_stage.is_some_and(|stage| !stage.is_empty() && !stage.contains('.'))
 }
 
 /// A table.
@@ -54,26 +57,28 @@ pub struct Table {
     pub columns: Vec<String>,
 }
 
-/// The tables of a run, each without empty cells: the columns that all stages have; for each stage that has more of them, those, behind step and time; and the windows.
+/// The tables of a run, each without empty cells: the columns that all stages have; for each stage that has more of them, those, behind step and time; the windows; and the profiles.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Layout {
-    /// The tables, that of all stages first and that of windows last, if there is one.
+    /// The tables, that of all stages first; those of windows and of profiles last, if there are any.
     pub tables: Vec<Table>,
     /// For every stage its table, if it has one, and where each of its cells goes: whether into that of all stages.
     stages: Vec<(Option<usize>, Vec<bool>)>,
-    windows: bool,
+    windows: Option<usize>,
+    profiles: Option<usize>,
 }
 
 impl Layout {
-    /// The tables of stages with these columns, and of windows with these.
-    pub fn new(names: &[String], stages: Vec<Vec<String>>, windows: Vec<String>) -> Self {
+    /// The tables of stages with these columns, of windows with these and of profiles with these.
+    pub fn new(names: &[String], stages: Vec<Vec<String>>, windows: Vec<String>, profiles: Vec<String>) -> Self {
         let first = stages.first().cloned().unwrap_or_default();
         let common: Vec<String> =
             first.into_iter().filter(|column| stages.iter().all(|columns| columns.contains(column))).collect();
         let mut layout = Self {
             tables: vec![Table { file: SERIES.into(), columns: common.clone() }],
             stages: Vec::new(),
-            windows: !windows.is_empty(),
+            windows: None,
+            profiles: None,
         };
         for (name, columns) in names.iter().zip(stages) {
             // A row of any stage fills the columns of all in their order.
@@ -88,11 +93,19 @@ impl Layout {
             }
             layout.stages.push((table, shared));
         }
-        if !windows.is_empty() {
-            let columns = [STAGE, STEP, TIME].iter().map(|column| column.to_string()).chain(windows).collect();
-            layout.tables.push(Table { file: WINDOWS.into(), columns });
-        }
+        layout.windows = layout.add(WINDOWS, windows);
+        layout.profiles = layout.add(PROFILES, profiles);
         layout
+    }
+
+    /// Adds a table of all stages with these columns, if there are any; returns its number.
+    fn add(&mut self, file: &str, own: Vec<String>) -> Option<usize> {
+        if own.is_empty() {
+            return None;
+        }
+        let columns = [STAGE, STEP, TIME].iter().map(|column| column.to_string()).chain(own).collect();
+        self.tables.push(Table { file: file.into(), columns });
+        Some(self.tables.len() - 1)
     }
 
     /// The lines of a row of a stage, whose first cells are its name, the step and the time, and the numbers of their tables.
@@ -106,7 +119,12 @@ impl Layout {
 
     /// The number of the table of windows.
     pub fn windows(&self) -> Option<usize> {
-        self.windows.then(|| self.tables.len() - 1)
+        self.windows
+    }
+
+    /// The number of the table of profiles.
+    pub fn profiles(&self) -> Option<usize> {
+        self.profiles
     }
 }
 
@@ -120,17 +138,18 @@ mod tests {
         let first = text(&["stage", "step", "time [ns]", "strain", "energy"]);
         let second = text(&["stage", "step", "time [ns]", "energy"]);
         let names = text(&["a", "b c"]);
-        let layout = Layout::new(&names, vec![first, second.clone()], text(&["size"]));
+        let layout = Layout::new(&names, vec![first, second.clone()], text(&["size"]), text(&["height"]));
         assert_eq!(
             layout.tables.iter().map(|table| &*table.file).collect::<Vec<_>>(),
-            [SERIES, "series.a.csv", WINDOWS]
+            [SERIES, "series.a.csv", WINDOWS, PROFILES]
         );
         assert_eq!(layout.tables[0].columns, second);
         assert_eq!(layout.tables[1].columns, ["step", "time [ns]", "strain"]);
-        assert_eq!(layout.windows(), Some(2));
+        assert_eq!((layout.windows(), layout.profiles()), (Some(2), Some(3)));
+        assert_eq!(layout.tables[3].columns, ["stage", "step", "time [ns]", "height"]);
         let cells = [Cell::Name("a".into()), Cell::Count(3), Cell::Number(0.5), Cell::Number(0.25), Cell::Number(7.0)];
         assert_eq!(layout.lines(0, &cells), [(0, "a,3,0.5,7".into()), (1, "3,0.5,0.25".into())]);
-        assert!(["series.csv", "series.b-c.csv", "windows.csv"].iter().all(|name| is_table(name)));
+        assert!(["series.csv", "series.b-c.csv", "windows.csv", "profiles.csv"].iter().all(|name| is_table(name)));
         assert!(!["series..csv", "series.a.b.csv", "mine.csv"].iter().any(|name| is_table(name)));
     }
 }

@@ -13,8 +13,8 @@ impl Papers {
         let mut page = String::from(
             "# Columns and results\n\n\
              Every quantity that a run writes: its name, its unit and its definition. `veridem schema --results` prints this page.\n\n\
-             `series.csv` has the columns that all stages of a run have, `series.<stage>.csv` those that only one stage has, and `windows.csv` the quantities that are measured over \
-             windows; every cell of every table holds a value. `results.yaml` has the results by name: value, unit, significant digits, spread (the standard error unless the definition says \
+             `series.csv` has the columns that all stages of a run have, `series.<stage>.csv` those that only one stage has, `windows.csv` the quantities that are measured over \
+             windows, and `profiles.csv` those by height, a row for every layer; every cell of every table holds a value. `results.yaml` has the results by name: value, unit, significant digits, spread (the standard error unless the definition says \
              otherwise), target, or the reason why one was not reached. In a sequence of stages the name of the stage stands before the name of a result, as in `indentation: necks`.\n",
         );
         section(&mut page, "Columns of every run", EVERY);

@@ -110,6 +110,12 @@ impl Record {
         self.tables[table].line(&crate::output::row(cells))
     }
 
+    /// Appends a row to the table of profiles.
+    pub(super) fn profile(&mut self, cells: &[Cell]) -> Result<(), Error> {
+        let table = self.layout.profiles().expect("a study with profiles has columns of them");
+        self.tables[table].line(&crate::output::row(cells))
+    }
+
     /// Appends an event.
     pub(super) fn event(&mut self, stage: &str, system: &System, event: &str) -> Result<(), Error> {
         let event = json!({ "stage": stage, "step": system.step, "time_ns": system.time, "event": event });

@@ -147,6 +147,9 @@ impl<S: Study> Sink<S> for Recorder<'_> {
         if let Some(cells) = stage.window().map_err(|halt| self.halt(stage, halt))? {
             self.record.window(&cells)?;
         }
+        for cells in stage.profile().map_err(|halt| self.halt(stage, halt))? {
+            self.record.profile(&cells)?;
+        }
         if last || taken.is_multiple_of(series) {
             self.row(stage)?;
             self.show(stage);

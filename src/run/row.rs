@@ -36,8 +36,8 @@ pub fn columns<S: Study>(study: &S, stage: usize) -> Vec<String> {
 pub(super) fn layout<S: Study>(study: &S) -> Layout {
     let names = study.names();
     let stages = (0..names.len()).map(|stage| columns(study, stage)).collect();
-    let windows = study.windows().iter().map(Column::to_string).collect();
-    Layout::new(&names, stages, windows)
+    let headers = |columns: Vec<Column>| columns.iter().map(Column::to_string).collect();
+    Layout::new(&names, stages, headers(study.windows()), headers(study.profiles()))
 }
 
 /// A row of the series, and its numbers that are shown as progress.
@@ -89,10 +89,25 @@ impl<S: Study> RunningStage<'_, S> {
     /// The first quantity that is not finite.
     pub fn window(&self) -> Result<Option<Vec<Cell>>, Halt> {
         let Some(own) = self.study.window(&self.watch, &self.simulation) else { return Ok(None) };
-        self.finite(&own, || self.study.windows().iter().map(Column::to_string).collect())?;
+        self.placed(own, S::windows).map(Some)
+    }
+
+    /// The rows of a profile that is due after this step, one for each layer.
+    ///
+    /// # Errors
+    ///
+    /// The first quantity that is not finite.
+    pub fn profile(&self) -> Result<Vec<Vec<Cell>>, Halt> {
+        let rows = self.study.profile(&self.watch, &self.simulation);
+        rows.into_iter().map(|own| self.placed(own, S::profiles)).collect()
+    }
+
+    /// A row with these cells behind stage, step and time.
+    fn placed(&self, own: Vec<Cell>, columns: impl FnOnce(&S) -> Vec<Column>) -> Result<Vec<Cell>, Halt> {
+        self.finite(&own, || columns(self.study).iter().map(Column::to_string).collect())?;
         let system = self.simulation.system();
         let place = [Cell::Name(self.name.clone()), Cell::Count(system.step), Cell::Number(system.time)];
-        Ok(Some(place.into_iter().chain(own).collect()))
+        Ok(place.into_iter().chain(own).collect())
     }
 
     /// Refuses cells that are not finite, by their columns.

@@ -120,6 +120,10 @@ pub trait Study {
     fn windows(&self) -> Vec<Column> {
         Vec::new()
     }
+    /// The columns of the table of profiles, which has a row for every layer of a system, the same in all stages that have any.
+    fn profiles(&self) -> Vec<Column> {
+        Vec::new()
+    }
     /// Starts observing a stage. Long computations poll `interrupt`.
     ///
     /// # Errors
@@ -163,6 +167,10 @@ pub trait Study {
     /// The cells of a window that has closed in this step, such as means over its steps.
     fn window(&self, _watch: &Self::Watch, _simulation: &Simulation<Self::Model>) -> Option<Vec<Cell>> {
         None
+    }
+    /// The cells of the layers of a profile that is due after this step.
+    fn profile(&self, _watch: &Self::Watch, _simulation: &Simulation<Self::Model>) -> Vec<Vec<Cell>> {
+        Vec::new()
     }
     /// The findings of a stage. Long computations poll `interrupt`.
     ///

@@ -8,7 +8,7 @@ use veridem::papers::PAPERS;
 
 /// The reductions: wherever a case has the section, the key gets the value. A shipped case of another kind is run as it is until its sections are
 /// added here.
-const REDUCED: [(&str, &str, &str); 35] = [
+const REDUCED: [(&str, &str, &str); 40] = [
     ("hcp", "size", "[6 d_0, 8 d_0, 3 d_0]"),
     ("amorphous", "largest", "1.5 d_0"),
     ("amorphous", "size", "[8 d_0, 8 d_0, 6 d_0]"),
@@ -21,6 +21,11 @@ const REDUCED: [(&str, &str, &str); 35] = [
     ("junction", "walls", "1.2 d_0"),
     ("junction", "shear_velocity", "100 m/s"),
     ("junction", "duration", "300 steps"),
+    ("sliding", "asperity_height", "1 d_0"),
+    ("sliding", "walls", "1.2 d_0"),
+    ("sliding", "shear_velocity", "200 m/s"),
+    ("sliding", "duration", "300 steps"),
+    ("sliding", "window", "0.3 d_0"),
     ("aggregate", "spheres", "20"),
     ("deposition", "velocity", "50 m/s"),
     ("deposition", "duration", "800 steps"),
@@ -50,7 +55,7 @@ const REDUCED: [(&str, &str, &str); 35] = [
 pub(crate) const OUTPUT: &str = "{series: 50 steps, frames: 400 steps, checkpoints: 150 steps}";
 
 /// Values of which variations draw one. Those that do not go together are refused by the reader and drawn again.
-const VARIED: [(&str, &str, &[&str]); 22] = [
+const VARIED: [(&str, &str, &[&str]); 23] = [
     ("wear", "restitution", &["0.3", "0.7", "1"]),
     ("wear", "scaling", &["0", "0.5", "1"]),
     ("wear", "readings", &["own", "as-published"]),
@@ -58,6 +63,7 @@ const VARIED: [(&str, &str, &[&str]); 22] = [
     ("hcp", "size", &["[4 d_0, 6 d_0, 3 d_0]", "[5 d_0, 9 d_0, 3 d_0]"]),
     ("amorphous", "volume_fraction", &["0.6", "0.7"]),
     ("junction", "normal_stress", &["0 MPa", "1 GPa"]),
+    ("sliding", "asperities", &["1", "2"]),
     ("soot", "torsion", &["spring", "as-printed", "as-published"]),
     ("soot", "capillary_force", &["0 nN", "3 nN"]),
     ("soot", "cutoff", &["30 nm", "100 nm"]),

@@ -34,6 +34,7 @@ pub(crate) fn files(py: Python<'_>, run: PathBuf) -> PyResult<Bound<'_, PyDict>>
         files.set_item("resolved", folder.resolved())?;
         files.set_item("series", folder.series())?;
         files.set_item("windows", folder.windows())?;
+        files.set_item("profiles", folder.profiles())?;
         files.set_item("report", folder.report())?;
         Ok(files)
     })

@@ -1,5 +1,6 @@
 //! The curves of a run: graphs of its record.
 
+use crate::case::units::significant;
 use crate::figures::graph::{ENERGIES, LEDGER};
 use crate::figures::{Axis, Curve, Graph, Mark, Plot};
 use crate::output::columns::{self, AT_SURFACES, TIME};
@@ -7,6 +8,9 @@ use crate::output::{Column, Event, Series, between};
 
 /// Largest number of marked events of a kind; more would hide the curve.
 const MOST_MARKS: usize = 200;
+
+/// Largest number of profiles of a stage in a graph: as many as can be told apart.
+const MOST_PROFILES: usize = 5;
 
 /// The plots of these graphs that have curves, and those of every run.
 pub(super) fn plots(graphs: &[Graph], series: &Series, events: &[Event]) -> Vec<Plot> {
@@ -28,7 +32,19 @@ fn plot(&Graph { name, stages, x, y, marks }: &Graph, series: &Series, events: &
             marks.iter().map(|word| Curve::new(*word, Mark::Points, marked(series, events, stage, word, x, y)));
         curves.extend(marked.filter(|curve| (1..=MOST_MARKS).contains(&curve.points.len())));
     }
+    for stage in &these {
+        let all = series.profiles(stage, x, y);
+        let named = |(time, points)| Curve::new(format!("{} ns", significant(time, 3)), Mark::Line, points);
+        curves.extend(spread(all, MOST_PROFILES).into_iter().map(named));
+    }
     Plot { title: name.into(), x: Axis::linear(&x.to_string()), y: Axis::linear(&y.to_string()), curves }
+}
+
+/// At most so many of a list, evenly spread and the last among them.
+fn spread<T>(all: Vec<T>, most: usize) -> Vec<T> {
+    let (n, kept) = (all.len(), all.len().min(most));
+    let mut next = (1..=kept).map(|k| (k * n).div_ceil(kept) - 1).peekable();
+    all.into_iter().enumerate().filter(|(at, _)| next.next_if_eq(at).is_some()).map(|(_, one)| one).collect()
 }
 
 /// Whether the name of a stage is `kind`, with or without a number.
@@ -81,6 +97,25 @@ fn lost(series: &Series) -> Vec<(f64, f64)> {
 mod tests {
     use super::*;
     use crate::output::ReadTable;
+
+    #[test]
+    fn profiles_are_spread_over_a_run_and_the_last_is_one_of_them() {
+        assert_eq!(spread((1..=12).collect(), 5), [3, 5, 8, 10, 12]);
+        assert_eq!(spread(vec![1, 2, 3], 5), [1, 2, 3]);
+        assert_eq!(spread(Vec::<u8>::new(), 5), []);
+        let columns = ["stage", "step", "time [ns]", "speed", "height"];
+        let rows = [
+            ["a", "1", "0.5", "0", "1"],
+            ["a", "1", "0.5", "3", "2"],
+            ["a", "2", "1", "4", "1"],
+            ["b", "3", "2", "7", "1"],
+        ];
+        let rows = rows.map(|row| row.map(String::from).to_vec()).to_vec();
+        let table = ReadTable { file: "profiles.csv".into(), columns: columns.map(String::from).to_vec(), rows };
+        let column = |name| Column { name, unit: "", about: "" };
+        let found = Series { tables: vec![table] }.profiles("a", column("speed"), column("height"));
+        assert_eq!(found, [(0.5, vec![(0.0, 1.0), (3.0, 2.0)]), (1.0, vec![(4.0, 1.0)])]);
+    }
 
     #[test]
     fn what_is_lost_adds_up_over_stages_and_each_keeps_its_own_curves() {

@@ -44,7 +44,7 @@ columns! {
         COORDINATION = "coordination";
         /// Number of necks.
         NECKS = "necks";
-        /// Whether the sphere is part of the third body in the last window: only in stages with a third body.
+        /// Whether the sphere is part of the third body in the last window, or has left both of two sliding bodies by its end: only in stages with a third body.
         THIRD_BODY = "third_body";
         /// Virial stress of the sphere by the forces of pairs and surfaces, positive in tension: xx, yy, zz, xy, xz, yz.
         STRESS = "stress" in "MPa";

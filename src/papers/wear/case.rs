@@ -133,6 +133,8 @@ choice! {
         Patch = "patch": Patch,
         /// Shearing of a junction between two bodies, Section 4.
         Junction = "junction": Junction,
+        /// Long sliding of two bodies, between which a third-body layer forms.
+        Sliding = "sliding": Sliding,
     }
 }
 
@@ -193,6 +195,30 @@ section! {
         normal_stress: InModuli,
         /// Duration of the shearing.
         duration: InSteps,
+        /// Time step.
+        dt: InCriticalSteps = Scaled::times(0.1),
+        /// Drag coefficient of every particle.
+        damping: InCriticalDampings = Scaled::times(0.0),
+    }
+}
+
+section! {
+    /// Long sliding of two bodies, cut out of the sample over its whole cross-section: the experiment of Pham-Ba & Molinari (2023) on the third-body layer.
+    pub struct Sliding {
+        /// Number of asperities of each body along the direction of sliding; at the beginning crests meet crests.
+        asperities: u64 = 1,
+        /// Height of the asperities from valley to crest; 0 for flat faces, which are welded together.
+        asperity_height: InDiameters = Scaled::times(2.0),
+        /// Thickness of each rigid wall.
+        walls: InDiameters = Scaled::times(1.5),
+        /// Velocity of the upper wall.
+        shear_velocity: Quantity<Velocity>,
+        /// Pressure on the upper wall.
+        normal_stress: InModuli,
+        /// Duration of the sliding.
+        duration: InSteps,
+        /// Sliding distance over which forces and velocities are averaged, and after which a profile is written.
+        window: InDiameters = Scaled::times(5.0),
         /// Time step.
         dt: InCriticalSteps = Scaled::times(0.1),
         /// Drag coefficient of every particle.

@@ -1,6 +1,6 @@
 //! Checks of a case of the wear paper beyond its grammar.
 
-use super::case::{Case, Deformation, Experiment, Sample};
+use super::case::{Case, Deformation, Experiment, Sample, Sliding};
 use super::derived::{Critical, Scales, dampings, material, spheres, time_steps};
 use crate::case::check::{Found, expect};
 use crate::case::units::{decimal, in_unit, rounded};
@@ -37,6 +37,9 @@ pub(super) fn doubts(case: &Case, found: &mut Found) {
         }
         Experiment::Junction(junction) => {
             Some(("experiment.junction.normal_stress", junction.normal_stress.value(modulus)))
+        }
+        Experiment::Sliding(sliding) => {
+            Some(("experiment.sliding.normal_stress", sliding.normal_stress.value(modulus)))
         }
     };
     let strength = own.tensile_strength.value;
@@ -163,6 +166,21 @@ fn experiment(case: &Case, found: &mut Found) {
             expect(found, bodies < height, &at("height"), &junction.height, &fits);
             expect(found, walls >= 0.5 * d_0, &at("walls"), &junction.walls, &thick);
             expect(found, junction.duration.number() > 0.0, &at("duration"), &junction.duration, "more than zero");
+        }
+        Experiment::Sliding(sliding) => {
+            let at = |key: &str| format!("experiment.sliding.{key}");
+            let Sliding { asperities, asperity_height, shear_velocity, window, duration, .. } = sliding;
+            let most = (length / (2.0 * d_0)).floor();
+            let each = format!("1 to {most}, each at least two of the most frequent diameters long");
+            expect(found, *asperities >= 1 && *asperities as f64 <= most, &at("asperities"), asperities, &each);
+            let (least, gap) = (asperity_height.number() >= 0.0, 2.0 * asperity_height.value(d_0));
+            expect(found, least, &at("asperity_height"), asperity_height, "zero or more");
+            let fits = format!("asperities that fit between the walls in the box of height {}", nm(height));
+            expect(found, gap + 2.0 * walls < height, &at("asperity_height"), asperity_height, &fits);
+            expect(found, walls >= 0.5 * d_0, &at("walls"), &sliding.walls, &thick);
+            expect(found, shear_velocity.value > 0.0, &at("shear_velocity"), shear_velocity, "more than zero");
+            expect(found, duration.number() > 0.0, &at("duration"), duration, "more than zero");
+            expect(found, window.number() > 0.0, &at("window"), window, "more than zero");
         }
     }
 }

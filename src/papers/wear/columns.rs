@@ -77,12 +77,54 @@ pub(super) fn windows() -> Vec<Column> {
     [&[SLID, SEPARATION], IN_WINDOW].concat()
 }
 
+columns! {
+    /// Columns of two sliding bodies.
+    pub(super) const SLIDING {
+        /// Displacement of the upper wall along the normal.
+        RISE = "rise" in "nm";
+    }
+}
+
+columns! {
+    /// Quantities of a window of the sliding of two bodies.
+    pub(super) const IN_SLIDING_WINDOW {
+        /// Mean friction force over mean normal force in the window.
+        FRICTION_COEFFICIENT = "friction coefficient";
+        /// Distance of the heights at which the mean velocity of the window is a tenth and nine tenths of that of the upper body, over 0.8: the height of a layer whose velocity is linear. A plane on which bodies slide gives the thickness of a layer of the profile.
+        SHEARED_THICKNESS = "thickness of the shear layer" in "nm";
+        /// Number of spheres that have left both bodies: each has moved relative to either body by more than the most frequent diameter since the beginning.
+        SPHERES_BETWEEN = "spheres of the third body";
+        /// Their mass over the density of the solid and the cross-section.
+        THIRD_BODY_THICKNESS = "thickness of the third body" in "nm";
+    }
+}
+
+columns! {
+    /// Columns of a profile: layers as thick as the most frequent diameter from the bottom of the box upwards, those without spheres left out.
+    pub(super) const PROFILE {
+        /// Height of the middle of the layer.
+        LAYER_HEIGHT = "height" in "nm";
+        /// Number of spheres with their centres in the layer at the end of the window.
+        LAYER_SPHERES = "spheres";
+        /// Their velocity in the direction of sliding, averaged over the window and by mass.
+        LAYER_VELOCITY = "mean velocity" in "m/s";
+        /// Their displacement in the direction of sliding since the beginning, averaged by mass.
+        LAYER_DISPLACEMENT = "mean displacement" in "nm";
+    }
+}
+
+/// Columns of a window of two sliding bodies.
+pub(super) fn sliding_windows() -> Vec<Column> {
+    [&[SLID, RISE, MEAN_FRICTION, MEAN_NORMAL_FORCE], IN_SLIDING_WINDOW].concat()
+}
+
 /// The columns of a stage.
-pub(super) fn columns_of(setup: &Setup) -> &'static [Column] {
+pub(super) fn columns_of(setup: &Setup) -> Vec<Column> {
     match setup {
-        Setup::None => RELAXATION,
-        Setup::Walls { .. } => TEST,
-        Setup::Junction(_) => JUNCTION,
+        Setup::None => RELAXATION.into(),
+        Setup::Walls { .. } => TEST.into(),
+        Setup::Junction(_) => JUNCTION.into(),
+        Setup::Bodies(_) => vec![SLID, RISE, FRICTION, NORMAL_FORCE],
     }
 }
 
@@ -137,6 +179,14 @@ pub(super) mod results {
             TURNS = "turns of the third body";
             /// Fraction of the third body's motion that a rigid motion explains, averaged over the same windows.
             RIGIDITY = "rigidity of the third body's motion";
+            /// Thickness of the shear layer between two sliding bodies, averaged over the windows in the second half of the sliding distance.
+            SHEARED_THICKNESS = "thickness of the shear layer" in "nm";
+            /// That thickness over the critical junction size d* (Eq. 22).
+            SHEARED_OVER_CRITICAL = "thickness of the shear layer over d*";
+            /// Thickness of a solid layer with the mass of all spheres that have left both bodies, in the last window.
+            THIRD_BODY_THICKNESS = "thickness of the third body" in "nm";
+            /// That thickness over d*.
+            THIRD_BODY_OVER_CRITICAL = "thickness of the third body over d*";
         }
     }
 }

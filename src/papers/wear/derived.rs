@@ -84,6 +84,7 @@ impl Scales {
         let walls = match &case.experiment {
             Experiment::Patch(patch) => &patch.walls,
             Experiment::Junction(junction) => &junction.walls,
+            Experiment::Sliding(sliding) => &sliding.walls,
         };
         Self { d_c, d_0, d_s, d_l, size, walls: walls.value(d_0) }
     }
@@ -147,6 +148,7 @@ pub(super) fn time_steps(case: &Case) -> Vec<(&'static str, &InCriticalSteps)> {
             patch.shear.as_ref().map(|test| ("experiment.patch.shear.dt", &test.dt)),
         ],
         Experiment::Junction(junction) => vec![Some(("experiment.junction.dt", &junction.dt))],
+        Experiment::Sliding(sliding) => vec![Some(("experiment.sliding.dt", &sliding.dt))],
     };
     experiments.into_iter().chain([relaxation]).flatten().collect()
 }
@@ -167,8 +169,15 @@ pub(super) fn dampings(case: &Case) -> Vec<(&'static str, &InCriticalDampings)> 
             patch.shear.as_ref().map(|test| ("experiment.patch.shear.damping", &test.damping)),
         ],
         Experiment::Junction(junction) => vec![Some(("experiment.junction.damping", &junction.damping))],
+        Experiment::Sliding(sliding) => vec![Some(("experiment.sliding.damping", &sliding.damping))],
     };
     experiments.into_iter().flatten().chain(relaxation).collect()
+}
+
+/// Critical junction size d*, nm, Eq. 22.
+pub(super) fn critical_size(material: &wear::Material) -> f64 {
+    let modulus = shear_modulus(material.young_modulus, material.poisson_ratio);
+    critical_length(material.surface_energy, modulus, material.shear_strength)
 }
 
 /// The derived values of a case, with units.
@@ -176,9 +185,8 @@ pub(super) fn derived(case: &Case) -> Vec<(String, String)> {
     let (scales, own) = (Scales::of(case), material(case));
     let material = own.spec();
     let Critical { dt, damping, limit } = Critical::of_case(case);
-    let wear::Material { young_modulus, poisson_ratio, tensile_strength, shear_strength, surface_energy, .. } =
-        material;
-    let d_star = critical_length(surface_energy, shear_modulus(young_modulus, poisson_ratio), shear_strength);
+    let wear::Material { tensile_strength, surface_energy, .. } = material;
+    let d_star = critical_size(&material);
     let r = 0.5 * scales.d_0;
     let mass = |d: f64| sphere_mass(own.density.value, 0.5 * d);
     let law = own.law(wear::Interaction::Full);

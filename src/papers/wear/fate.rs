@@ -47,18 +47,18 @@ pub struct Row {
 
 /// Friction and normal force of the spheres on the upper wall, pN, summed over steps.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-struct WallForces {
+pub(super) struct WallForces {
     sum: [f64; 2],
     steps: u64,
 }
 
 impl WallForces {
-    fn add(&mut self, wall: &Wall) {
+    pub(super) fn add(&mut self, wall: &Wall) {
         let [x, y, _] = wall.force.0;
         self.sum = [self.sum[0] - x, self.sum[1] + y];
         self.steps += 1;
     }
-    fn mean(&self) -> [f64; 2] {
+    pub(super) fn mean(&self) -> [f64; 2] {
         self.sum.map(|sum| sum / self.steps as f64)
     }
 }
@@ -152,7 +152,8 @@ impl Witness {
     }
 }
 
-fn by_id(system: &System) -> Vec<[f64; 3]> {
+/// The centres of all spheres, nm, in the order of their ids.
+pub(super) fn by_id(system: &System) -> Vec<[f64; 3]> {
     let p = &system.particles;
     let mut x = vec![[0.0; 3]; p.len()];
     for i in 0..p.len() {

@@ -24,13 +24,9 @@ impl JunctionPart {
     }
 }
 
-/// A junction: axis along y through the centre of the box, sheared along x.
+/// How two bodies cut out of a sample are held, pressed together and driven.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Junction {
-    /// Diameter of the cylinder, nm.
-    pub diameter: f64,
-    /// Distance between the two bodies, nm.
-    pub height: f64,
+pub struct Slide {
     /// Thickness of the rigid layers at the lower and the upper end, nm.
     pub wall: f64,
     /// Velocity of the upper wall along x, m/s.
@@ -39,19 +35,19 @@ pub struct Junction {
     pub pressure: f64,
 }
 
-impl Junction {
-    /// Removes the spheres whose centres lie between the bodies and outside the cylinder, opens the box along y, and makes
-    /// the two walls. Spheres get new ids, because their number has changed.
-    pub fn carve(&self, full: &System) -> System {
+impl Slide {
+    /// Keeps the spheres of which `body` says to which body they belong, by their centre; opens the box along y, and makes the two walls. Spheres get
+    /// new ids, because their number has changed.
+    pub fn carve(&self, full: &System, body: impl Fn(Vec3<f64>) -> Option<JunctionPart>) -> System {
         let sides = full.domain.sides;
         let places: Vec<u32> = (0..full.particles.len() as u32)
-            .filter(|&i| self.body(full.domain.folded(full.particles.x[i as usize]), sides).is_some())
+            .filter(|&i| body(full.domain.folded(full.particles.x[i as usize])).is_some())
             .collect();
         let mut particles = full.particles.pick(&places);
         for i in 0..particles.len() {
             particles.x[i] = full.domain.folded(particles.x[i]);
             particles.id[i] = i as u32;
-            particles.tag[i] = self.body(particles.x[i], sides).map_or(0, |body| body as u32);
+            particles.tag[i] = body(particles.x[i]).map_or(0, |body| body as u32);
         }
         let mut system = System::new(particles, Domain { sides, periodic: [true, false, true] });
         let held = Motion::Velocity(0.0);
@@ -60,6 +56,25 @@ impl Junction {
         let sheared = [Motion::Velocity(self.velocity), Motion::Load(force), held];
         system.add_wall(sheared, |p, i| p.x[i].0[1] > sides[1] - self.wall);
         system
+    }
+}
+
+/// A junction: axis along y through the centre of the box, sheared along x.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Junction {
+    /// Diameter of the cylinder, nm.
+    pub diameter: f64,
+    /// Distance between the two bodies, nm.
+    pub height: f64,
+    /// How the bodies are held, pressed together and driven.
+    pub slide: Slide,
+}
+
+impl Junction {
+    /// Removes the spheres whose centres lie between the bodies and outside the cylinder.
+    pub fn carve(&self, full: &System) -> System {
+        let sides = full.domain.sides;
+        self.slide.carve(full, |x| self.body(x, sides))
     }
 
     /// The body that a sphere centred at `x` belongs to; none if it is removed.
@@ -85,7 +100,8 @@ mod tests {
     use crate::spec::Real;
 
     fn carved() -> System {
-        let junction = Junction { diameter: 10.0, height: 5.0, wall: 1.5, velocity: 10.0, pressure: 100.0 };
+        let junction =
+            Junction { diameter: 10.0, height: 5.0, slide: Slide { wall: 1.5, velocity: 10.0, pressure: 100.0 } };
         junction.carve(&hcp(1.0, [24, 10, 12], 1.0))
     }
 

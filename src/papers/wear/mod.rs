@@ -1,5 +1,6 @@
 //! Pham-Ba & Molinari 2022: a solid of cohesive particles under patch tests, and the wear of a junction.
 
+pub mod bodies;
 pub mod case;
 mod check;
 #[cfg(feature = "cli")]
@@ -34,7 +35,8 @@ use crate::run::Runnable;
 use crate::spec::wear as spec;
 use case::{Case, Experiment, Model, Readings, Sample};
 use columns::{
-    MEAN_FRICTION, NORMAL_STRAIN, NORMAL_STRESS, SEPARATION, SHEAR_STRAIN, SHEAR_STRESS, SLID, TURNS, VOLUME_FRACTION,
+    LAYER_DISPLACEMENT, LAYER_HEIGHT, LAYER_VELOCITY, MEAN_FRICTION, NORMAL_STRAIN, NORMAL_STRESS, SEPARATION,
+    SHEAR_STRAIN, SHEAR_STRESS, SHEARED_THICKNESS, SLID, THIRD_BODY_THICKNESS, TURNS, VOLUME_FRACTION,
 };
 use std::path::PathBuf;
 
@@ -46,9 +48,13 @@ impl Paper for Wear {
     const REFERENCE: &'static str = "Pham-Ba & Molinari 2022";
     const TITLE: &'static str = "Adhesive wear with a coarse-grained discrete element model: claims and results";
     const GRAPHS: &'static [Graph] = &[
-        Graph { name: "friction", stages: &["shearing"], x: SLID, y: MEAN_FRICTION, marks: &[] },
+        Graph { name: "friction", stages: &["shearing", "sliding"], x: SLID, y: MEAN_FRICTION, marks: &[] },
         Graph { name: "separation", stages: &["shearing"], x: SLID, y: SEPARATION, marks: &[] },
         Graph { name: "turns", stages: &["shearing"], x: SLID, y: TURNS, marks: &[] },
+        Graph { name: "shear layer", stages: &["sliding"], x: SLID, y: SHEARED_THICKNESS, marks: &[] },
+        Graph { name: "third body", stages: &["sliding"], x: SLID, y: THIRD_BODY_THICKNESS, marks: &[] },
+        Graph { name: "velocity", stages: &["sliding"], x: LAYER_VELOCITY, y: LAYER_HEIGHT, marks: &[] },
+        Graph { name: "displacement", stages: &["sliding"], x: LAYER_DISPLACEMENT, y: LAYER_HEIGHT, marks: &[] },
         Graph { name: "compression", stages: &["compression"], x: NORMAL_STRAIN, y: NORMAL_STRESS, marks: &[] },
         Graph { name: "tension", stages: &["tension"], x: NORMAL_STRAIN, y: NORMAL_STRESS, marks: &[] },
         Graph { name: "shear", stages: &["shear"], x: SHEAR_STRAIN, y: SHEAR_STRESS, marks: &[] },
@@ -59,6 +65,12 @@ impl Paper for Wear {
         ("Columns of a patch test", columns::TEST),
         ("Columns of a sheared junction", columns::JUNCTION),
         ("Windows of 1 nm of sliding, with the columns `slid` and `separation`", columns::IN_WINDOW),
+        ("Columns of two sliding bodies, with the columns `slid`, `friction` and `normal force`", columns::SLIDING),
+        (
+            "Windows of sliding bodies, with the columns `slid`, `rise`, `mean friction` and `mean normal force`",
+            columns::IN_SLIDING_WINDOW,
+        ),
+        ("Profiles of sliding bodies, in `profiles.csv`", columns::PROFILE),
         ("Results", columns::results::ALL),
     ];
     #[cfg(feature = "cli")]

@@ -3,6 +3,7 @@
 //! A stage defines how the system is set up, which forces act, how it is advanced and when it ends. The caller decides what is
 //! observed and written.
 
+use super::bodies::Bodies;
 use super::case::{InCriticalDampings, InCriticalSteps};
 use super::junction::Junction;
 use crate::case::InSteps;
@@ -53,6 +54,8 @@ pub enum Setup {
     },
     /// Carves a junction.
     Junction(Junction),
+    /// Cuts two bodies.
+    Bodies(Bodies),
 }
 
 /// The drive of the upper wall of a test.
@@ -99,14 +102,16 @@ const SKIN: f64 = 0.1;
 impl Stage {
     /// Sets up a system for the stage.
     pub fn set_up(&self, mut system: System, material: &Material) -> System {
-        if let Setup::Junction(junction) = self.setup {
-            system = junction.carve(&system);
+        match self.setup {
+            Setup::None => system,
+            Setup::Walls { thickness, drive } => {
+                let dt = self.dt.value(critical_scales(&system, material).0);
+                add_walls(&mut system, thickness, drive, dt);
+                system
+            }
+            Setup::Junction(junction) => junction.carve(&system),
+            Setup::Bodies(bodies) => bodies.carve(&system),
         }
-        if let Setup::Walls { thickness, drive } = self.setup {
-            let dt = self.dt.value(critical_scales(&system, material).0);
-            add_walls(&mut system, thickness, drive, dt);
-        }
-        system
     }
 
     /// The settings of its simulation.

@@ -1,7 +1,8 @@
 //! The stages requested by the sections of a case file.
 
+use super::bodies::Bodies;
 use super::case;
-use super::junction::Junction;
+use super::junction::{Junction, Slide};
 use super::protocol::{Drive, Setup, Stage, Stop};
 use crate::case::InSteps;
 use crate::spec::wear::Interaction;
@@ -70,21 +71,41 @@ fn test(name: &'static str, thickness: f64, drive: Drive, dt: &case::InCriticalS
 /// Carving and shearing of the junction; `d_0` is the most frequent diameter, nm.
 pub fn junction(case: &case::Junction, d_0: f64, young_modulus: f64) -> Stage {
     let diameter = case.diameter.value;
-    let junction = Junction {
-        diameter,
-        height: case.height.value(diameter),
+    let slide = Slide {
         wall: case.walls.value(d_0),
         velocity: case.shear_velocity.value,
         pressure: case.normal_stress.value(young_modulus),
     };
+    let junction = Junction { diameter, height: case.height.value(diameter), slide };
+    slid("shearing", Setup::Junction(junction), &case.dt, &case.damping, &case.duration)
+}
+
+/// Cutting and sliding of two bodies; `d_0` is the most frequent diameter, nm.
+pub fn sliding(case: &case::Sliding, d_0: f64, young_modulus: f64) -> Stage {
+    let slide = Slide {
+        wall: case.walls.value(d_0),
+        velocity: case.shear_velocity.value,
+        pressure: case.normal_stress.value(young_modulus),
+    };
+    let bodies = Bodies { asperities: case.asperities, height: case.asperity_height.value(d_0), slide };
+    slid("sliding", Setup::Bodies(bodies), &case.dt, &case.damping, &case.duration)
+}
+
+fn slid(
+    name: &'static str,
+    setup: Setup,
+    dt: &case::InCriticalSteps,
+    damping: &case::InCriticalDampings,
+    duration: &InSteps,
+) -> Stage {
     Stage {
-        name: "shearing",
-        setup: Setup::Junction(junction),
+        name,
+        setup,
         interaction: Interaction::Full,
-        dt: case.dt.clone(),
-        damping: case.damping.clone(),
+        dt: dt.clone(),
+        damping: damping.clone(),
         relax_box: false,
-        stop: Stop::After(case.duration.clone()),
+        stop: Stop::After(duration.clone()),
         final_density: None,
     }
 }

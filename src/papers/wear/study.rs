@@ -44,6 +44,7 @@ impl<M> Plan<M> {
         };
         let experiments = match &case.experiment {
             Experiment::Junction(junction) => vec![stages::junction(junction, scales.d_0, modulus)],
+            Experiment::Sliding(sliding) => vec![stages::sliding(sliding, scales.d_0, modulus)],
             Experiment::Patch(patch) => {
                 let compression =
                     patch.compression.as_ref().map(|test| stages::compression(test, scales.walls, modulus));
@@ -115,6 +116,7 @@ impl<M: PairModel + From<Wear>> Study for Plan<M> {
             let key = match self.case.experiment {
                 Experiment::Patch(_) => "experiment.patch.walls",
                 Experiment::Junction(_) => "experiment.junction.walls",
+                Experiment::Sliding(_) => "experiment.sliding.walls",
             };
             let what =
                 format!("found {}, expected walls in which a sphere has its centre", in_unit(self.scales.walls, "nm"));
@@ -160,20 +162,27 @@ impl<M: PairModel + From<Wear>> Study for Plan<M> {
     }
 
     fn parts(&self, stage: usize) -> u64 {
-        if matches!(self.stages[stage].setup, Setup::Junction(_)) { 3 } else { 1 }
+        if matches!(self.stages[stage].setup, Setup::Junction(_) | Setup::Bodies(_)) { 3 } else { 1 }
     }
 
     fn columns(&self, stage: usize) -> Vec<Column> {
-        columns_of(&self.stages[stage].setup).into()
+        columns_of(&self.stages[stage].setup)
     }
 
     fn windows(&self) -> Vec<Column> {
-        let has_junction = self.stages.iter().any(|stage| matches!(stage.setup, Setup::Junction(_)));
-        if has_junction { columns::windows() } else { Vec::new() }
+        match self.case.experiment {
+            Experiment::Patch(_) => Vec::new(),
+            Experiment::Junction(_) => columns::windows(),
+            Experiment::Sliding(_) => columns::sliding_windows(),
+        }
+    }
+
+    fn profiles(&self) -> Vec<Column> {
+        if matches!(self.case.experiment, Experiment::Sliding(_)) { columns::PROFILE.into() } else { Vec::new() }
     }
 
     fn watch(&self, stage: usize, simulation: &Simulation<M>, _: &Interrupt) -> Result<Watch, Error> {
-        Ok(Watch::begin(&self.stages[stage], simulation))
+        Ok(Watch::begin(&self.stages[stage], &self.case, simulation))
     }
 
     fn follow(&self, _: usize, watch: &mut Watch, simulation: &Simulation<M>) -> Vec<String> {
@@ -194,6 +203,10 @@ impl<M: PairModel + From<Wear>> Study for Plan<M> {
 
     fn window(&self, watch: &Watch, _: &Simulation<M>) -> Option<Vec<Cell>> {
         watch.window()
+    }
+
+    fn profile(&self, watch: &Watch, _: &Simulation<M>) -> Vec<Vec<Cell>> {
+        watch.profile()
     }
 
     /// Cohesion holds a contact together until it is broken.

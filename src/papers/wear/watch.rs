@@ -1,21 +1,23 @@
 //! The measurements of each stage, row by row, and its findings.
 
+mod junction;
+mod sliding;
+
 use super::case::Case;
 use super::columns::results;
 use super::derived::material;
-use super::fate::{Fate, Row, WINDOW, Witness};
 use super::protocol::{Setup, Stage};
-use crate::case::units::{in_unit, rounded};
+use crate::case::units::rounded;
 use crate::observe::patch::{Elasticity, Gauge};
-use crate::observe::statistics::standard_error;
-use crate::observe::{Link, links, packing, upper_wall};
+use crate::observe::{Link, links, packing};
 use crate::output::frames::THIRD_BODY;
 use crate::output::{Cell, Column, Finding};
 use crate::simulation::Simulation;
 use crate::spec::PairModel;
-use crate::spec::Vec3;
 use crate::system::System;
+use junction::Sheared;
 use serde::{Deserialize, Serialize};
+use sliding::Sliding;
 
 /// The observer of a stage.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -26,6 +28,8 @@ pub enum Watch {
     Test(Test),
     /// Shearing of a junction.
     Junction(Sheared),
+    /// Long sliding of two bodies.
+    Sliding(Sliding),
 }
 
 /// Intervals, in steps, at which a test between two walls is measured and at which it is asked for its end, whatever is written.
@@ -55,21 +59,9 @@ enum Kind {
     Shear,
 }
 
-/// A junction under shear.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-pub struct Sheared {
-    witness: Witness,
-    height: f64,
-    start: [f64; 3],
-    /// Sliding distance at which the next window closes, nm.
-    next: f64,
-    /// Whether a window has closed in the last step.
-    closed: bool,
-}
-
 impl Watch {
     /// Starts observing a stage.
-    pub fn begin(stage: &Stage, simulation: &Simulation<impl PairModel>) -> Self {
+    pub fn begin(stage: &Stage, case: &Case, simulation: &Simulation<impl PairModel>) -> Self {
         let system = simulation.system();
         match &stage.setup {
             Setup::None => Self::Relaxation,
@@ -82,13 +74,8 @@ impl Watch {
                 let gauge = Gauge::new(system, &links(simulation), *thickness);
                 Self::Test(Test { kind, gauge, peak: [0.0; 2], passed: false, failed: false, strain: 0.0 })
             }
-            Setup::Junction(junction) => Self::Junction(Sheared {
-                witness: Witness::new(system, junction.height),
-                height: junction.height,
-                start: upper_wall(system).0,
-                next: WINDOW,
-                closed: false,
-            }),
+            Setup::Junction(junction) => Self::Junction(Sheared::begin(system, junction.height)),
+            Setup::Bodies(_) => Self::Sliding(Sliding::begin(system, case)),
         }
     }
 
@@ -99,6 +86,7 @@ impl Watch {
             Self::Test(test) if simulation.system().step.is_multiple_of(MEASURED) => test.follow(simulation),
             Self::Test(_) => {}
             Self::Junction(sheared) => sheared.follow(simulation),
+            Self::Sliding(sliding) => sliding.follow(simulation.system()),
         }
     }
 
@@ -108,7 +96,8 @@ impl Watch {
         match (self, setup) {
             (Self::Relaxation, Setup::None) => true,
             (Self::Test(test), Setup::Walls { .. }) => test.gauge.spheres() == spheres,
-            (Self::Junction(sheared), Setup::Junction(_)) => sheared.witness.spheres() == spheres,
+            (Self::Junction(sheared), Setup::Junction(_)) => sheared.spheres() == spheres,
+            (Self::Sliding(sliding), Setup::Bodies(_)) => sliding.spheres() == spheres,
             _ => false,
         }
     }
@@ -119,18 +108,31 @@ impl Watch {
             Self::Relaxation => vec![Cell::Number(packing::volume_fraction(simulation.system()))],
             Self::Test(watch) => watch.look(simulation, &links(simulation)),
             Self::Junction(watch) => watch.look(simulation),
+            Self::Sliding(watch) => watch.look(simulation.system()),
         }
     }
 
     /// The cells of a window that has closed in this step.
     pub fn window(&self) -> Option<Vec<Cell>> {
-        if let Self::Junction(sheared) = self { sheared.window() } else { None }
+        match self {
+            Self::Junction(sheared) => sheared.window(),
+            Self::Sliding(sliding) => sliding.window(),
+            _ => None,
+        }
+    }
+
+    /// The cells of the layers of a profile that is due after this step.
+    pub fn profile(&self) -> Vec<Vec<Cell>> {
+        if let Self::Sliding(sliding) = self { sliding.profile() } else { Vec::new() }
     }
 
     /// The third body in the last window.
     pub fn flags(&self, system: &System) -> Vec<(&'static str, Vec<bool>)> {
-        let Self::Junction(sheared) = self else { return Vec::new() };
-        let members = sheared.witness.members();
+        let members = match self {
+            Self::Junction(sheared) => sheared.members(),
+            Self::Sliding(sliding) => sliding.members(),
+            _ => return Vec::new(),
+        };
         vec![(THIRD_BODY.name, system.particles.id.iter().map(|id| members.binary_search(id).is_ok()).collect())]
     }
 
@@ -149,7 +151,8 @@ impl Watch {
                 ]
             }
             Self::Test(test) => test.findings(case, simulation),
-            Self::Junction(sheared) => sheared.findings(material(case).density.value, simulation),
+            Self::Junction(sheared) => sheared.findings(material(case).density.value, simulation.system()),
+            Self::Sliding(sliding) => sliding.findings(case, simulation.system()),
         }
     }
 }
@@ -221,74 +224,6 @@ impl Test {
             Finding::reached(strength, peak(stress), &*rising).target(target),
             Finding::reached(at, peak(strain), &*rising),
             Finding::number(largest, stress),
-        ]
-    }
-}
-
-impl Sheared {
-    fn follow(&mut self, simulation: &Simulation<impl PairModel>) {
-        let system = simulation.system();
-        self.witness.follow(system);
-        self.closed = (upper_wall(system).0[0] - self.start[0]).abs() >= self.next;
-        if self.closed {
-            self.next += WINDOW;
-            self.witness.look(system, &links(simulation));
-        }
-    }
-
-    fn look(&self, simulation: &Simulation<impl PairModel>) -> Vec<Cell> {
-        let system = simulation.system();
-        let now = upper_wall(system).0;
-        let (slid, separation) = (now[0] - self.start[0], self.height + now[1] - self.start[1]);
-        let wall = system.walls[1].force.0;
-        [slid, separation, 0.0 - wall[0], wall[1]].map(Cell::Number).into()
-    }
-
-    fn window(&self) -> Option<Vec<Cell>> {
-        let row = self.witness.rows.last().filter(|_| self.closed)?;
-        let mut cells: Vec<Cell> = [row.slid, row.separation, row.friction, row.normal].map(Cell::Number).into();
-        cells.extend([row.third_size, row.third_from_junction].map(|n| Cell::Count(n as u64)));
-        cells.extend([row.third_mass, row.third_height, row.turns, row.rigidity].map(Cell::Number));
-        cells.extend([row.links_to_bottom, row.links_to_top, row.links_direct].map(|n| Cell::Count(n as u64)));
-        Some(cells)
-    }
-
-    fn findings(&self, density: f64, simulation: &Simulation<impl PairModel>) -> Vec<Finding> {
-        let fate = match self.witness.fate() {
-            Fate::Flattened => "squeezed flat",
-            Fate::Rolls => "detached and rolling",
-            Fate::Cut => "cut",
-            Fate::Attached => "still attached",
-        };
-        let rows = &self.witness.rows;
-        let short = format!("slid by less than {}", in_unit(2.0 * WINDOW, "nm"));
-        let last = rows.last();
-        let [slid, risen, _] = (upper_wall(simulation.system()) - Vec3(self.start)).0;
-        let [friction, load] = self.witness.mean_forces();
-        let peak = rows.iter().map(|row| row.friction / load).reduce(f64::max);
-        // A sliding junction is judged by the second half of its way: the first has the static peak in it.
-        let late: Vec<&Row> = rows.iter().filter(|row| row.slid > 0.5 * slid).collect();
-        let over = |result: Column, value: &dyn Fn(&Row) -> f64, why: &str| {
-            let values: Vec<f64> = late.iter().map(|row| value(row)).collect();
-            if values.len() < 2 || !why.is_empty() {
-                return Finding::reached(result, None, if why.is_empty() { &*short } else { why });
-            }
-            let mean = values.iter().sum::<f64>() / values.len() as f64;
-            Finding::number(result, mean).spread(standard_error(&values, mean))
-        };
-        let none = if late.iter().any(|row| row.third_size > 0) { "" } else { "no third body in the second half" };
-        vec![
-            Finding::words(results::FATE, last.map_or(&*short, |_| fate)),
-            Finding::number(results::SLIDING_DISTANCE, slid),
-            Finding::number(results::SEPARATION, self.height + risen),
-            Finding::number(results::FRICTION_FORCE, friction),
-            Finding::reached(results::PEAK_FRICTION, peak, &*short),
-            over(results::KINETIC_FRICTION, &|row| row.friction / load, ""),
-            over(results::WEAR_VOLUME, &|row| row.third_mass / density, none),
-            over(results::WEAR_RATE, &|row| row.third_mass / density / row.slid, none),
-            over(results::THIRD_BODY, &|row| row.third_size as f64, none),
-            Finding::reached(results::TURNS, last.map(|row| row.turns), &*short),
-            over(results::RIGIDITY, &|row| row.rigidity, none),
         ]
     }
 }

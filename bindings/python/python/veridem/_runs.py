@@ -150,6 +150,12 @@ class Run:
         return _table(file) if file.exists() else None
 
     @property
+    def profiles(self) -> pandas.DataFrame | None:
+        """Profiles over the height, such as that of the velocity between two sliding bodies, if the run has any."""
+        file = self._files["profiles"]
+        return _table(file) if file.exists() else None
+
+    @property
     def events(self) -> pandas.DataFrame:
         """Its events with their times."""
         import pandas

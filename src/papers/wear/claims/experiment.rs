@@ -205,7 +205,7 @@ pub fn shear_junction(
     observe(std::slice::from_ref(stage), full.clone(), material, overlap(), interrupt, |simulation| {
         let system = simulation.system();
         let witness = witness.get_or_insert_with(|| {
-            every = (window / (junction.velocity * simulation.settings().dt)).round().max(1.0) as u64;
+            every = (window / (junction.slide.velocity * simulation.settings().dt)).round().max(1.0) as u64;
             Witness::new(system, junction.height)
         });
         if system.step > 0 {
