@@ -99,6 +99,16 @@ fn a_value_that_is_lost_is_noticed() {
 }
 
 #[test]
+fn one_value_that_is_lost_among_many_is_noticed() {
+    let (lost, document) = broken(|x| vec![if x[0] < 1e-14 { f64::NAN } else { right(x) }]);
+    let inputs = samples(&lost, &document, 200);
+    assert!(inputs.iter().filter(|sample| sample.numbers[0] < 1e-14).all(|sample| sample.flag == "small"));
+    assert_eq!(measure(&lost, inputs.iter().map(|sample| sample.numbers.as_slice())).ulps, f64::INFINITY);
+    let wrong = check(&golden(), &lost, &document);
+    assert!(!wrong.is_empty() && wrong.iter().all(|one| one.contains("inf ULP")), "{wrong:?}");
+}
+
+#[test]
 fn every_equation_has_the_independent_vectors_of_the_list() {
     let wrong = check_independent(&golden(), &documented().unwrap());
     assert!(wrong.is_empty(), "\n{}", wrong.join("\n"));

@@ -138,6 +138,9 @@ COATED = dict(r_i=1.4e-8, r_j=1.4e-8, a=1e-19, delta_0=1e-9, psi=1e-9, kappa=1.8
     dict(COATED, d=7.1e-8),
     dict(COATED, d=4.2e-8, cutoff=4.2e-8),
     dict(COATED, d=2.85e-8, cutoff=2.88e-8),
+    dict(COATED, d=6.99e-8),
+    dict(COATED, d=2.81e-8, cutoff=2.885e-8),
+    dict(COATED, d=2.88e-8, cutoff=2.885e-8),
     dict(d=3.5, r_i=1.0, r_j=2.0, a=0.7, delta_0=0.3, psi=0.2, kappa=1.5, d_cutoff=4.0, cutoff=6.0),
 ])
 def attraction(d, r_i, r_j, a, delta_0, psi, kappa, d_cutoff, cutoff):

@@ -107,8 +107,8 @@ def restitution(zeta):
 
 
 def ratio(eta):
-    """The decay of the logarithm over half a turn is the tangent of an angle, the ratio its sine."""
-    return mp.sin(mp.atan(mp.log(1 / eta) / mp.pi))
+    """The decay of the logarithm over half a turn is the tangent of an angle, the ratio its sine. A right angle if nothing comes back."""
+    return mp.sin(mp.atan(mp.log(1 / eta) / mp.pi) if eta > 0 else mp.pi / 2)
 
 
 @equation("wear-damping-ratio-exact")

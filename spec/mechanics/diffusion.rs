@@ -52,7 +52,7 @@ pub fn diffusion<R: Real>(kt: R, f: R) -> R {
 /// | `d` | $D$ | m^2/s | > 0 | coefficient of diffusion |
 /// | → `cosine` | $\cos\theta$ | 1 | | cosine of the angle between the drift and the place |
 ///
-/// Rounding: at most 4 ULP.
+/// Rounding: at most 5 ULP.
 ///
 /// # Laws
 ///

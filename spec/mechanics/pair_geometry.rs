@@ -78,7 +78,7 @@ pub fn arm<R: Real>(r: R, delta: R) -> R {
 /// | `r_j` | $r_j$ | m | > 0 | radius of j |
 /// | → `delta` | $\delta$ | m | | gap, negative for an overlap |
 ///
-/// Rounding: at most 0.5 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

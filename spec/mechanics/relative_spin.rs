@@ -71,6 +71,8 @@ pub fn torsional_spin<R: Real>(x_i: Vec3<R>, x_j: Vec3<R>, omega_i: Vec3<R>, ome
 ///
 /// As printed.
 ///
+/// Where the axis and a component of the spin nearly agree, little of that component is left: such pairs determine the rounding bound.
+///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `x_i` | $\mathbf{x}_i$ | m (3) | any | position of i |
@@ -79,7 +81,7 @@ pub fn torsional_spin<R: Real>(x_i: Vec3<R>, x_j: Vec3<R>, omega_i: Vec3<R>, ome
 /// | `omega_j` | $\boldsymbol{\omega}_j$ | rad/s (3) | any | angular velocity of j |
 /// | → `omega_r` | $\boldsymbol{\omega}_{ij,\mathrm{r}}$ | rad/s (3) | | rolling angular velocity |
 ///
-/// Rounding: at most 6 ULP.
+/// Rounding: at most 14 ULP.
 ///
 /// # Laws
 ///

@@ -29,7 +29,7 @@ use crate::{Real, equation};
 /// | → `mu` | $\mu$ | 1 | | mean of the logarithm |
 /// | → `sigma` | $\sigma$ | 1 | | standard deviation of the logarithm |
 ///
-/// Rounding: at most 1 ULP.
+/// Rounding: at most 1.5 ULP.
 ///
 /// # Laws
 ///
@@ -61,6 +61,11 @@ pub fn lognormal<R: Real>(d_0: R, d_s: R, d_l: R) -> (R, R) {
 /// $\Phi$ is the normal distribution. All diameters are taken relative to the mode, with $e^\mu = d_0 e^{\sigma^2}$:
 /// $z = \ln(d / d_0) / \sigma - \sigma$. The mode lies between the bounds: without $d_s < d_0 < d_l$ there is no value.
 ///
+/// Where both limits of a moment, shifted by a multiple of $\sigma$, are beyond 2.5 on one side, the complements of $\Phi$ are subtracted, as a continued fraction: values near one half would lose digits.
+/// The variance is a difference of nearly equal moments where the distribution is narrow. Up to $\sigma = 1/2$ it is that of $e^{\sigma z} - 1$, expanded in powers of $\sigma$: with
+/// $t_n = \frac{\sigma^n}{n!} \int_{z_s}^{z_l} z^n \varphi(z) \, dz$ its first two moments are $\frac{1}{K} \sum_{n \ge 1} t_n$ and $\frac{1}{K} \sum_{n \ge 2} (2^n - 2) \, t_n$, and
+/// $t_n = \frac{\sigma^2}{n} t_{n-2} + \frac{\sigma^n}{n!} \big[z_s^{n-1} \varphi(z_s) - z_l^{n-1} \varphi(z_l)\big]$.
+///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
 /// | `d_0` | $d_0$ | m | > 0 | mode of the diameters |
@@ -76,6 +81,7 @@ pub fn lognormal<R: Real>(d_0: R, d_s: R, d_l: R) -> (R, R) {
 /// # Laws
 ///
 /// * `the_moments_are_those_of_the_density`
+/// * `the_deviation_of_a_narrow_distribution_keeps_its_digits`
 /// * `gives_the_numbers_of_particles_of_table_6`
 #[inline(always)]
 pub fn truncated_moments<R: Real>(d_0: R, d_s: R, d_l: R) -> (R, R, R, R) {
@@ -83,16 +89,65 @@ pub fn truncated_moments<R: Real>(d_0: R, d_s: R, d_l: R) -> (R, R, R, R) {
     let z = |d: R| (d / d_0).ln() / sigma - sigma;
     let (z_s, z_l) = (z(d_s), z(d_l));
     let none = R::zero() / R::zero();
-    let kept = R::select(d_s.lt(d_0) & d_0.lt(d_l), beyond_the_middle(z_l) - beyond_the_middle(z_s), none);
+    let kept = R::select(d_s.lt(d_0) & d_0.lt(d_l), between(z_s, z_l), none);
     // Moments of the diameters in units of the median.
     let moment = |k: f64| {
         let shift = R::lit(k) * sigma;
-        let share = beyond_the_middle(z_l - shift) - beyond_the_middle(z_s - shift);
-        (R::lit(0.5) * shift.squared()).exp() * share / kept
+        (R::lit(0.5) * shift.squared()).exp() * between(z_s - shift, z_l - shift) / kept
     };
     let (mean, median) = (moment(1.0), d_0 * sigma.squared().exp());
-    let deviation = (moment(2.0) - mean.squared()).sqrt();
-    (kept, median * mean, median * deviation, median * median * median * moment(3.0))
+    let narrow = sigma.le(R::lit(NARROW));
+    let variance = R::select(narrow, variance(sigma, z_s, z_l, kept), moment(2.0) - mean.squared());
+    (kept, median * mean, median * variance.sqrt(), median * median * median * moment(3.0))
+}
+
+/// Up to this deviation of the logarithm the variance is a series.
+const NARROW: f64 = 0.5;
+/// Its terms: the remainder is below one part in $10^{38}$.
+const TERMS: i32 = 60;
+
+/// The variance of the diameters between two limits, in units of the median squared.
+fn variance<R: Real>(sigma: R, z_s: R, z_l: R, kept: R) -> R {
+    let (two, steps) = (R::lit(2.0), [z_s, z_l].map(|z| sigma * z));
+    // sigma^n z^(n - 1) / n! times the density at both limits
+    let mut ends = [z_s, z_l].map(|z| sigma * density(z));
+    let (mut before, mut term) = (kept, ends[0] - ends[1]);
+    let (mut mean, mut square, mut power) = (term, R::zero(), two);
+    for n in 2..=TERMS {
+        let n = R::lit(f64::from(n));
+        ends = [ends[0] * steps[0] / n, ends[1] * steps[1] / n];
+        (before, term) = (term, sigma.squared() * before / n + (ends[0] - ends[1]));
+        power = two * power;
+        (mean, square) = (mean + term, square + (power - two) * term);
+    }
+    square / kept - (mean / kept).squared()
+}
+
+/// The density of the normal distribution.
+fn density<R: Real>(z: R) -> R {
+    (R::lit(-0.5) * z.squared()).exp() / (R::lit(2.0) * R::pi()).sqrt()
+}
+
+/// From here on the complement of the normal distribution is a continued fraction.
+const TAIL: f64 = 2.5;
+
+/// The normal distribution between two limits.
+fn between<R: Real>(low: R, high: R) -> R {
+    // the distribution is even: mostly above zero
+    let below = (low + high).lt(R::zero());
+    let (low, high) = (R::select(below, -high, low), R::select(below, -low, high));
+    let tails = beyond(low) - beyond(high);
+    R::select(low.gt(R::lit(TAIL)), tails, beyond_the_middle(high) - beyond_the_middle(low))
+}
+
+/// The normal distribution beyond a limit of at least `TAIL`: its density over `z + 1 / (z + 2 / (z + ...))`, to 38 digits.
+fn beyond<R: Real>(z: R) -> R {
+    let z = z.max(R::lit(TAIL));
+    let mut sum = z;
+    for k in (1..400).rev() {
+        sum = z + R::lit(f64::from(k)) / sum;
+    }
+    density(z) / sum
 }
 
 /// The normal distribution minus one half: its density times `z + z^3/3 + z^5/15 + ...`. Beyond 13 less than 1e-38 is left, which
@@ -118,6 +173,7 @@ pub(crate) fn equations() -> Vec<Equation> {
 #[cfg(test)]
 mod laws {
     use super::*;
+    use crate::numbers::Reference;
     use approx::relative_eq;
     use proptest::prelude::*;
 
@@ -159,6 +215,28 @@ mod laws {
             prop_assert!(relative_eq!(mean, integral(1.0) / kept, max_relative = 1e-8));
             prop_assert!(relative_eq!(m3, integral(3.0) / kept, max_relative = 1e-8));
             prop_assert!(relative_eq!(std * std + mean * mean, integral(2.0) / kept, max_relative = 1e-8));
+        }
+
+        #[test]
+        fn the_deviation_of_a_narrow_distribution_keeps_its_digits(log_width in -20.0..2.0f64, place in 0.05..0.95f64) {
+            let width = log_width.exp2();
+            // the mode is one: what rounds its distances from the bounds is no matter of the equation
+            let (d_s, d_l) = (1.0 - place * width.min(0.9), 1.0 + (1.0 - place) * width);
+            let [one, low, high] = [1.0, d_s, d_l].map(Reference::exact);
+            let exact = truncated_moments(one, low, high).2;
+            let (_, _, std, _) = truncated_moments(1.0, d_s, d_l);
+            // a unit of the last place of a bound is one over its distance from the mode of that
+            prop_assert!(((std / exact.to_f64() - 1.0) * width).abs() < 1e-14);
+            // as printed, with digits enough for the difference
+            let sigma = lognormal(one, low, high).1;
+            let limits = [low, high].map(|d| d.ln() / sigma - sigma);
+            let moment = |k: f64| {
+                let shift = Reference::exact(k) * sigma;
+                let kept = between(limits[0] - shift, limits[1] - shift) / between(limits[0], limits[1]);
+                (shift.squared() / Reference::exact(2.0)).exp() * kept
+            };
+            let printed = sigma.squared().exp() * (moment(2.0) - moment(1.0).squared()).sqrt();
+            prop_assert!(((exact - printed) / exact).abs().to_f64() < 1e-30);
         }
     }
 

@@ -36,7 +36,7 @@ use crate::{Real, equation};
 /// | → `zeta` | $\zeta$ | 1 | | damping ratio |
 /// | → `tau` | $\tau$ | s | | time in which the amplitude decays by a factor of e |
 ///
-/// Rounding: at most 2 ULP.
+/// Rounding: at most 5 ULP.
 ///
 /// # Laws
 ///

@@ -35,7 +35,7 @@ use crate::{Real, equation};
 /// | → `a` | $A_{ij}$ | m^2 | | contact area |
 /// | → `delta_n` | $\delta_n$ | m | | overlap |
 ///
-/// Rounding: at most 5 ULP.
+/// Rounding: at most 6 ULP.
 ///
 /// # Laws
 ///

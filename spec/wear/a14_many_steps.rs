@@ -23,7 +23,7 @@ use crate::{Real, equation};
 /// | → `x` | $\hat x_n$ | 1 | | scaled separation |
 /// | → `v` | $\hat v_n$ | 1 | | scaled rate of separation |
 ///
-/// Rounding: at most 1 ULP.
+/// Rounding: at most 2 ULP.
 ///
 /// # Laws
 ///

@@ -52,7 +52,7 @@ pub fn pair_restitution<R: Real>(k_n: R, m_eff: R, c_n: R) -> R {
 /// | `c_n` | $c_N$ | kg/s | >= 0 | normal damping |
 /// | → `eta` | $\eta$ | 1 | | restitution coefficient, approximately |
 ///
-/// Rounding: at most 2 ULP.
+/// Rounding: at most 2.5 ULP.
 ///
 /// # Laws
 ///

@@ -23,7 +23,7 @@ use crate::{Real, equation};
 /// | `s` | $s$ | 1 | >= 0 | scaling parameter |
 /// | → `delta_f` | $\delta'_f$ | m | | fracture separation |
 ///
-/// Rounding: at most 0.5 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

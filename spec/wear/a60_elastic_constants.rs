@@ -24,7 +24,7 @@ use crate::{Real, equation};
 /// | `k_t` | $k_T$ | N/m | >= 0 | tangential stiffness |
 /// | → `c_11` | $C_{11}$ | Pa | | elastic constant |
 ///
-/// Rounding: at most 0.5 ULP.
+/// Rounding: at most 1 ULP.
 ///
 /// # Laws
 ///

@@ -3,6 +3,9 @@
 use crate::equation::Equation;
 use crate::{Real, equation};
 
+/// The smallest double above zero.
+const SMALLEST: f64 = f64::from_bits(1);
+
 /// **Appendix A.1.2**, unnumbered: damping ratio of a spring and a dashpot in parallel.
 ///
 /// ```math
@@ -60,9 +63,13 @@ pub fn restitution<R: Real>(zeta: R) -> R {
 /// \zeta = \frac{-\ln \eta}{\sqrt{\pi^2 + \ln^2 \eta}}
 /// ```
 ///
+/// # Reading
+///
+/// Its limit for $\eta = 0$ is critical damping, $\zeta = 1$, at which A.42 lets nothing come back.
+///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
-/// | `eta` | $\eta$ | 1 | (0, 1] | desired restitution coefficient |
+/// | `eta` | $\eta$ | 1 | [0, 1] | desired restitution coefficient |
 /// | → `zeta` | $\zeta$ | 1 | | damping ratio |
 ///
 /// Rounding: at most 1 ULP.
@@ -71,10 +78,11 @@ pub fn restitution<R: Real>(zeta: R) -> R {
 ///
 /// * `inverts_the_restitution`
 /// * `approaches_eq_12_for_weak_damping`
+/// * `nothing_comes_back_of_critical_damping`
 #[inline(always)]
 pub fn damping_ratio<R: Real>(eta: R) -> R {
-    let log = eta.ln();
-    -log / (R::pi().squared() + log.squared()).sqrt()
+    let log = eta.max(R::lit(SMALLEST)).ln();
+    R::select(eta.gt(R::zero()), -log / (R::pi().squared() + log.squared()).sqrt(), R::one())
 }
 
 /// **Appendix A.2**, unnumbered: exact damping factor for a desired restitution coefficient.
@@ -85,7 +93,7 @@ pub fn damping_ratio<R: Real>(eta: R) -> R {
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
-/// | `eta` | $\eta$ | 1 | (0, 1] | desired restitution coefficient |
+/// | `eta` | $\eta$ | 1 | [0, 1] | desired restitution coefficient |
 /// | `k` | $k$ | N/m | >= 0 | stiffness |
 /// | `m_eff` | $m_{\mathrm{eff}}$ | kg | > 0 | effective mass |
 /// | → `c` | $c$ | kg/s | | damping factor |
@@ -95,6 +103,7 @@ pub fn damping_ratio<R: Real>(eta: R) -> R {
 /// # Laws
 ///
 /// * `gives_the_wanted_restitution`
+/// * `nothing_comes_back_of_critical_damping`
 #[inline(always)]
 pub fn exact_damping<R: Real>(eta: R, k: R, m_eff: R) -> R {
     R::lit(2.0) * damping_ratio(eta) * (k * m_eff).sqrt()
@@ -113,6 +122,8 @@ pub(super) fn equations() -> Vec<Equation> {
 mod laws {
     use super::*;
     use crate::mechanics::reduced_mass::effective_mass;
+    use crate::wear::a19_critical_damping::critical_pair_damping;
+    use crate::wear::a42_restitution::pair_restitution;
     use crate::wear::eq12_normal_damping::normal_damping;
     use approx::relative_eq;
     use proptest::prelude::*;
@@ -138,6 +149,17 @@ mod laws {
         fn approaches_eq_12_for_weak_damping(loss in 1e-6..0.1f64) {
             let (exact, printed) = (exact_damping(1.0 - loss, 1.0, 1.0), normal_damping(1.0 - loss, 1.0, 1.0));
             prop_assert!(exact > printed && exact - printed <= loss * printed);
+        }
+
+        #[test]
+        fn nothing_comes_back_of_critical_damping(k in 0.1..10.0, m in 0.1..10.0f64) {
+            prop_assert_eq!(damping_ratio(0.0), 1.0);
+            let (c, m_eff) = (exact_damping(0.0, k, effective_mass(m, m)), effective_mass(m, m));
+            prop_assert!(relative_eq!(c, critical_pair_damping(k, m_eff), max_relative = 1e-15));
+            prop_assert_eq!(pair_restitution(k, m_eff, c.next_up()), 0.0);
+            // the limit is approached like the inverse square of the logarithm
+            let (tiny, smallest) = (damping_ratio(1e-300), damping_ratio(SMALLEST));
+            prop_assert!(0.9999 < tiny && tiny < smallest && smallest < 1.0);
         }
 
         #[test]

@@ -48,7 +48,7 @@ pub fn zero_force_duration<R: Real>(omega: R, zeta: R) -> R {
 /// | `zeta` | $\zeta$ | 1 | [0, 1) | damping ratio |
 /// | → `eta` | $\eta$ | 1 | | restitution coefficient |
 ///
-/// Rounding: at most 1 ULP.
+/// Rounding: at most 1.5 ULP.
 ///
 /// # Laws
 ///

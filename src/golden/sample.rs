@@ -7,20 +7,23 @@ use veridem_spec::Real;
 use veridem_spec::document::{Document, Domain, Quantity};
 use veridem_spec::equation::Equation;
 use veridem_spec::numbers::Reference;
+use veridem_spec::unit::WHOLE;
 
 /// Inputs of an equation and why they were chosen.
 pub struct Sample {
-    /// `sampled`, `equal`, `edge` or `zero`.
+    /// `sampled`, `equal`, `edge`, `zero`, `small` or `near`.
     pub flag: &'static str,
     /// The arguments, laid end to end.
     pub numbers: Vec<f64>,
 }
 
-/// Inputs of an equation: `count` drawn at random, then some where arguments are equal, at the edge of their domain, or zero.
-/// All numbers are of the order of one, so that every comparison in an equation goes both ways.
+/// Inputs of an equation: `count` drawn at random, then some where arguments are equal, at the edge of their domain, or zero. All these numbers are of
+/// the order of one, so that every comparison in an equation goes both ways. Then half as many of the magnitudes of the papers in SI units, and as many with arguments
+/// near the ends of their domains.
 pub fn samples(equation: &Equation, document: &Document, count: usize) -> Vec<Sample> {
     let mut random = ChaCha12Rng::from_seed(Sha256::digest(equation.id).into());
-    let mut draw = || -> Vec<Vec<f64>> { document.arguments.iter().map(|q| quantity(q, &mut random)).collect() };
+    let mut draw =
+        |manner| -> Vec<Vec<f64>> { document.arguments.iter().map(|q| quantity(q, manner, &mut random)).collect() };
     let mut out = Vec::new();
     let mut keep = |flag, arguments: &[Vec<f64>]| {
         let inside = document.arguments.iter().zip(arguments).all(|(q, values)| q.domain.contains(values));
@@ -35,12 +38,12 @@ pub fn samples(equation: &Equation, document: &Document, count: usize) -> Vec<Sa
     // where a table cannot say all of the domain, such as `a < b`, some draws have no value
     let mut missing = count;
     for _ in 0..20 * count {
-        if missing > 0 && keep("sampled", &draw()) {
+        if missing > 0 && keep("sampled", &draw(Manner::One)) {
             missing -= 1;
         }
     }
     for k in 0..document.arguments.len() {
-        let mut same = draw();
+        let mut same = draw(Manner::One);
         if k > 0 {
             let like = |a: &Quantity, b: &Quantity| a.exponents == b.exponents && a.size == b.size;
             if let Some(other) = (0..k).rev().find(|j| like(&document.arguments[*j], &document.arguments[k])) {
@@ -49,9 +52,17 @@ pub fn samples(equation: &Equation, document: &Document, count: usize) -> Vec<Sa
             }
         }
         for edge in edges(&document.arguments[k].domain) {
-            let mut at_edge = draw();
+            let mut at_edge = draw(Manner::One);
             at_edge[k].fill(edge);
             keep(if edge == 0.0 { "zero" } else { "edge" }, &at_edge);
+        }
+    }
+    for (flag, manner) in [("small", Manner::Small), ("near", Manner::Near)] {
+        let mut missing = count / 2;
+        for _ in 0..20 * count {
+            if missing > 0 && keep(flag, &draw(manner)) {
+                missing -= 1;
+            }
         }
     }
     out
@@ -63,8 +74,29 @@ fn has_value(equation: &Equation, numbers: &[f64]) -> bool {
     (equation.eval.reference)(&exact).iter().all(|y| y.to_f64().is_finite())
 }
 
-fn quantity(quantity: &Quantity, random: &mut ChaCha12Rng) -> Vec<f64> {
-    let mut one = || number(&quantity.domain, random);
+/// How numbers are drawn.
+#[derive(Clone, Copy, PartialEq)]
+enum Manner {
+    /// Of the order of one.
+    One,
+    /// Of the order of the papers' quantities in SI units.
+    Small,
+    /// Of the order of one, but every second one near a bound of its domain.
+    Near,
+}
+
+/// Powers of two for kilogram, metre and second: 5e-20 kg, 4 nm and 0.2 ns, hence 4 nN, 0.3 GPa and 1e-17 J.
+const SMALL: [i32; 3] = [-64, -28, -32];
+
+fn quantity(quantity: &Quantity, manner: Manner, random: &mut ChaCha12Rng) -> Vec<f64> {
+    let unit: i32 =
+        quantity.exponents.iter().zip(SMALL).map(|(power, two)| i32::from(*power) * two / i32::from(WHOLE)).sum();
+    // as many above as below, by a factor of sixteen at the most
+    let two = if manner == Manner::Small && unit != 0 { unit - 4 + below(9, random) } else { 0 };
+    let mut one = || match manner {
+        Manner::One | Manner::Small => number(&quantity.domain, two, random),
+        Manner::Near => near(&quantity.domain, random),
+    };
     let values: Vec<f64> = (0..quantity.size).map(|_| one()).collect();
     match quantity.domain {
         Domain::Unit => {
@@ -78,21 +110,44 @@ fn quantity(quantity: &Quantity, random: &mut ChaCha12Rng) -> Vec<f64> {
 /// Widest interval that is filled evenly; a wider one is treated as if it had no upper bound.
 const WIDE: f64 = 100.0;
 
-fn number(domain: &Domain, random: &mut ChaCha12Rng) -> f64 {
-    let mut uniform = || (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64;
+fn uniform(random: &mut ChaCha12Rng) -> f64 {
+    (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64
+}
+
+/// A whole number from 0 to `count - 1`.
+fn below(count: i32, random: &mut ChaCha12Rng) -> i32 {
+    (f64::from(count) * uniform(random)) as i32
+}
+
+/// A number of a domain; where it is not bounded on both sides, of the order of two to the power `two`, counted from the bound.
+fn number(domain: &Domain, two: i32, random: &mut ChaCha12Rng) -> f64 {
     // 1/8 to 8, as many below one as above
-    let size = (1.0 + uniform()) * [0.125, 0.25, 0.5, 1.0, 2.0, 4.0][(6.0 * uniform()) as usize];
+    let size = (1.0 + uniform(random)) * [0.125, 0.25, 0.5, 1.0, 2.0, 4.0][below(6, random) as usize];
+    let size = libm::ldexp(size, two);
     match *domain {
-        Domain::Between { lo, hi, .. } if lo.is_finite() && hi - lo <= WIDE => lo + uniform() * (hi - lo),
+        Domain::Between { lo, hi, .. } if lo.is_finite() && hi - lo <= WIDE => lo + uniform(random) * (hi - lo),
         Domain::Between { lo, .. } if lo.is_finite() => lo + size,
         Domain::Between { hi, .. } if hi.is_finite() => hi - size,
         _ => {
-            if uniform() < 0.5 {
+            if uniform(random) < 0.5 {
                 -size
             } else {
                 size
             }
         }
+    }
+}
+
+/// Powers of two between a number near an end of its domain and that end: 1e-3 to 1e-12.
+const NEAR: [i32; 2] = [10, 40];
+
+/// A number of a domain, every second time near a bound if there is one.
+fn near(domain: &Domain, random: &mut ChaCha12Rng) -> f64 {
+    let two = NEAR[0] + below(NEAR[1] - NEAR[0], random);
+    match (below(4, random), *domain) {
+        (0, Domain::Between { lo, hi, .. }) if lo.abs() <= WIDE => lo + libm::ldexp((hi - lo).min(1.0), -two),
+        (1, Domain::Between { lo, hi, .. }) if hi.abs() <= WIDE => hi - libm::ldexp((hi - lo).min(1.0), -two),
+        _ => number(domain, 0, random),
     }
 }
 

@@ -36,7 +36,7 @@ pub struct File {
 #[derive(Clone, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Vector {
-    /// Why this input: `sampled`, `equal`, `edge`, `zero`, or `independent`.
+    /// Why this input: `sampled`, `equal`, `edge`, `zero`, `small`, `near`, or `independent`.
     pub flag: String,
     /// Who computed an independent output.
     #[serde(skip_serializing_if = "Option::is_none")]
