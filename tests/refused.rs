@@ -5,6 +5,8 @@ mod common;
 use common::{settings, wear};
 use veridem::error::Reason;
 use veridem::simulation::{Settings, Simulation};
+use veridem::spec::mechanics::coordinated_step::coordinated_time_step;
+use veridem::spec::{PairModel, Vec3};
 use veridem::system::System;
 
 const DT: f64 = 1e-6;
@@ -40,4 +42,49 @@ fn a_neck_of_a_sphere_that_is_not_there_is_refused() {
     let system = System { necks: vec![(1, 7)], ..pair() };
     let halt = Simulation::new(wear(), system, settings(DT)).map(drop).expect_err("a neck of nothing");
     assert_eq!(halt.reason, Reason::NoSphere { particle: 7 });
+}
+
+#[test]
+fn a_time_step_at_the_limit_is_refused_and_the_sphere_that_sets_it_is_named() {
+    let spheres = System::builder().sphere([0.0; 3], 1.0, 0.01).sphere([9.0, 0.0, 0.0], 1.0, 0.0025);
+    let system = spheres.sphere([18.0, 0.0, 0.0], 1.0, 0.01).build().expect("three spheres");
+    let start = |dt: f64| Simulation::new(wear(), system.clone(), settings(dt));
+    let (limit, sphere) = start(DT).expect("a short step").critical_time_step();
+    assert_eq!((limit, sphere), (wear().critical_time_step_among(1.0, 0.0025, 1.0), 1));
+    let halt = start(limit).map(drop).expect_err("the limit itself");
+    assert_eq!(halt.reason, Reason::TimeStep { dt: limit, limit, particle: 1 });
+    start(limit.next_down()).expect("a step below the limit");
+}
+
+#[test]
+fn of_a_chain_the_middle_limits_the_step_and_the_deepest_pair_is_the_largest_overlap() {
+    let mut chain = System::builder();
+    for x in [0.0, 1.99, 3.97, 9.0, 10.985] {
+        chain = chain.sphere([x, 0.0, 0.0], 1.0, 0.01);
+    }
+    let simulation = Simulation::new(wear(), chain.build().expect("spheres"), settings(DT)).expect("a short step");
+    let stability = simulation.stability().expect("contacts");
+    assert_eq!((stability.particle, stability.contacts, stability.necks, stability.dt), (1, 2, 0, DT));
+    assert_eq!(stability.limit, coordinated_time_step(simulation.critical_time_step().0, 2.0));
+    let (pair, ratio) = simulation.largest_overlap().expect("overlaps");
+    assert!(pair == (1, 2) && (ratio - 0.01).abs() < 1e-12, "{pair:?} {ratio}");
+}
+
+#[test]
+fn a_frame_does_not_hold_what_single_precision_does_not() {
+    let simulation = |change: &dyn Fn(&mut System)| {
+        let mut system = pair();
+        change(&mut system);
+        Simulation::new(wear(), system, settings(DT)).expect("a system within the range of doubles")
+    };
+    assert_eq!(simulation(&|_| ()).check_frame(), Ok(()));
+    let fast = simulation(&|system| system.particles.v[1] = Vec3([0.0, 1e39, 0.0]));
+    assert_eq!(fast.check_frame().expect_err("too fast").reason, Reason::NotFinite { particle: 1 });
+    let spinning = simulation(&|system| system.particles.w[0] = Vec3([0.0, 0.0, -1e39]));
+    assert_eq!(spinning.check_frame().expect_err("too fast").reason, Reason::NotFinite { particle: 0 });
+    let wide = simulation(&|system| system.domain.sides[2] = 1e39);
+    assert_eq!(
+        wide.check_frame().expect_err("too wide").reason,
+        Reason::NotANumber { quantity: "sides of the box".into() }
+    );
 }

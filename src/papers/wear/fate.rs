@@ -263,4 +263,28 @@ mod tests {
         rows[12].separation = 5.0;
         assert_eq!(Fate::of(&rows, 10.0), Fate::Attached);
     }
+
+    #[test]
+    fn the_first_window_counts_and_so_does_the_last() {
+        let only = |separation: f64, turns: f64, links: usize| {
+            Fate::of(&[Row { turns, ..row(1.0, separation, 1.0 / 12.0, 0.9, links) }], 10.0)
+        };
+        assert_eq!(only(6.0, 0.0, 9), Fate::Flattened);
+        assert_eq!(only(12.0, ROLLED, 9), Fate::Rolls);
+        assert_eq!([only(12.0, 0.0, 9), only(12.0, 0.0, 0)], [Fate::Attached, Fate::Cut]);
+        // the mean over half a height falls below two thirds with the fifth window, the last
+        let mut rows: Vec<Row> = (1..=20).map(|k| row(f64::from(k), 10.0, 0.0, 0.0, 0)).collect();
+        rows[15..].iter_mut().for_each(|row| row.separation = 6.0);
+        assert_eq!([Fate::of(&rows[..19], 10.0), Fate::of(&rows, 10.0)], [Fate::Cut, Fate::Flattened]);
+        // links of the last window decide, the way of the first is part of the whole
+        rows.iter_mut().for_each(|row| row.separation = 10.0);
+        (rows[19].links_direct, rows[19].links_to_top) = (1, 9);
+        assert_eq!([Fate::of(&rows[..19], 10.0), Fate::of(&rows, 10.0)], [Fate::Cut, Fate::Attached]);
+        rows[19].links_direct = 0;
+        assert_eq!(Fate::of(&rows, 10.0), Fate::Cut);
+        (rows[0].window, rows[0].rolled, rows[19].turns) = (1.0, 15.1 / 12.0, ROLLED);
+        assert_eq!(Fate::of(&rows, 10.0), Fate::Rolls);
+        rows[0].window = 1.2;
+        assert_eq!(Fate::of(&rows, 10.0), Fate::Cut);
+    }
 }
