@@ -1,28 +1,39 @@
 //! The mutated copy of the specification: written, compiled, and rid of the mutants that do not compile.
 
-use crate::rewrite::{Kind, Listed, Mutant, entries, rewrite};
+use crate::rewrite::{Entry, Kind, Listed, Mutant, entries, rewrite};
 use std::collections::BTreeSet;
 use std::fs;
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 /// The copy with all its mutants, compiled.
 pub(crate) struct Copy {
+    /// The folder it is in.
+    pub home: PathBuf,
     /// The program that runs its tests.
     pub tests: PathBuf,
     pub mutants: Vec<Mutant>,
     pub listed: Vec<Listed>,
+    pub entries: Vec<Entry>,
+    /// A digest of the code without its laws, and one of the laws.
+    pub code: String,
+    pub laws: String,
 }
 
-/// The files that are not mutated: numbers and lists that other tests check, and what is for tests only.
-const LEFT: [&str; 7] = [
+/// The files that are not mutated, and folders: numbers, lists and languages that other tests check, and what is for tests only.
+const LEFT: [&str; 11] = [
     "columns.rs",
     "document.rs",
     "equation.rs",
     "unit.rs",
+    "languages/",
     "mechanics/samples.rs",
     "mechanics/amplification.rs",
-    "numbers/rounded.rs",
+    "numbers/rounded/",
+    "numbers/slope.rs",
+    "numbers/source",
+    "numbers/written",
 ];
 
 /// Writes and compiles a copy of the specification of the repository at `root`.
@@ -30,29 +41,24 @@ pub(crate) fn build(root: &Path, kind: Kind) -> Copy {
     let home = root.join("target/mutants").join(if kind == Kind::Scaled { "sweep" } else { "all" });
     let kept = home.join("dropped.txt");
     let sources = sources(&root.join("spec"));
+    let [code, laws] = digests(&sources);
     // Mutants that did not compile the last time, if the specification is the same.
-    let digest = {
-        use std::hash::{DefaultHasher, Hash, Hasher};
-        let mut hasher = DefaultHasher::new();
-        (&sources, include_str!("rewrite.rs")).hash(&mut hasher);
-        hasher.finish().to_string()
-    };
     let mut dropped: BTreeSet<u32> = match fs::read_to_string(&kept) {
-        Ok(text) if text.lines().next() == Some(&digest) => {
+        Ok(text) if text.lines().next() == Some(&code) => {
             text.lines().skip(1).filter_map(|line| line.parse().ok()).collect()
         }
         _ => BTreeSet::new(),
     };
     loop {
-        let (mutants, listed) = write(root, &home, kind, &sources, &dropped);
+        let (mutants, listed, entries) = write(root, &home, kind, &sources, &dropped);
         let messages = compile(root, &home);
         let found = errors(&messages, &home);
         if found.is_empty() {
             let list: String = dropped.iter().map(|id| format!("{id}\n")).collect();
-            fs::write(&kept, format!("{digest}\n{list}")).expect("a file");
+            fs::write(&kept, format!("{code}\n{list}")).expect("a file");
             let tests = messages.iter().filter(|message| message["profile"]["test"] == true);
             let tests = tests.filter_map(|message| message["executable"].as_str()).next_back().expect("a program");
-            return Copy { tests: tests.into(), mutants, listed };
+            return Copy { home, tests: tests.into(), mutants, listed, entries, code, laws };
         }
         eprintln!("{} mutants do not compile", found.len());
         dropped.extend(found);
@@ -78,19 +84,32 @@ fn sources(spec: &Path) -> Vec<(String, String)> {
     paths.iter().map(|path| (name(path), fs::read_to_string(path).expect("a text"))).collect()
 }
 
+/// Digests of the code, without comments, and of the laws. The numbers of mutants depend on the code and on how it is rewritten.
+fn digests(sources: &[(String, String)]) -> [String; 2] {
+    let (mut code, mut laws) = (DefaultHasher::new(), DefaultHasher::new());
+    (LEFT, include_str!("rewrite.rs")).hash(&mut code);
+    for (file, source) in sources {
+        let (formulas, tests) = source.split_once("#[cfg(test)]").unwrap_or((source, ""));
+        let own = if file.contains("/laws") { &mut laws } else { &mut code };
+        formulas.lines().filter(|line| !line.trim_start().starts_with("//")).for_each(|line| line.hash(own));
+        tests.hash(&mut laws);
+    }
+    [code, laws].map(|hasher| format!("{:016x}", hasher.finish()))
+}
+
 fn write(
     root: &Path,
     home: &Path,
     kind: Kind,
     sources: &[(String, String)],
     dropped: &BTreeSet<u32>,
-) -> (Vec<Mutant>, Vec<Listed>) {
-    let entries: Vec<_> =
+) -> (Vec<Mutant>, Vec<Listed>, Vec<Entry>) {
+    let entries: Vec<Entry> =
         sources.iter().filter(|(file, _)| file != "equation.rs").flat_map(|(_, source)| entries(source)).collect();
     let (mut mutants, mut listed, mut next) = (vec![], vec![], 0);
     for (file, source) in sources {
         let mut text = source.clone();
-        if !LEFT.contains(&file.as_str()) && !file.contains("/laws") {
+        if !LEFT.iter().any(|left| file.starts_with(left)) && !file.contains("/laws") {
             let rewritten = rewrite(kind, file, source, next, dropped, &entries);
             text = rewritten.text;
             mutants.extend(rewritten.mutants);
@@ -124,13 +143,13 @@ fn write(
         .filter(|part| part.starts_with("profile.dev"))
         .map(|part| format!("\n[{part}"))
         .collect();
-    // quick to compile: most laws are quick to run
-    let profile = format!("\n[workspace]{profile}\n[profile.dev.package.veridem-spec]\nopt-level = 0\n");
+    // mutants are compiled once and run thousands of times
+    let profile = format!("\n[workspace]{profile}\n[profile.dev.package.veridem-spec]\nopt-level = 1\ndebug = false\n");
     put(&home.join("spec/Cargo.toml"), &(own + &profile));
     if !home.join("spec/Cargo.lock").exists() {
         fs::copy(root.join("Cargo.lock"), home.join("spec/Cargo.lock")).expect("a copy");
     }
-    (mutants, listed)
+    (mutants, listed, entries)
 }
 
 /// Writes a file unless it has this text already.

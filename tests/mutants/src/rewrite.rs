@@ -20,6 +20,13 @@ pub(crate) struct Mutant {
     pub change: String,
 }
 
+impl Mutant {
+    /// What is changed, in a line of `survivors.txt`.
+    pub(crate) fn sentence(&self) -> String {
+        format!("spec/{}, {}, {}", self.file, self.function, self.change)
+    }
+}
+
 /// An equation of the list, as far as the sweep needs it.
 #[derive(Clone, Debug)]
 pub(crate) struct Listed {

@@ -13,8 +13,13 @@ pub(crate) const ENDLESS: Duration = Duration::from_secs(3600);
 
 /// Laws that with a mutant still run after this time have noticed something, if they take `time` without.
 pub(crate) fn patience(time: Duration) -> Duration {
-    10 * time + Duration::from_secs(10)
+    10 * time + Duration::from_secs(20)
 }
+
+/// Numbers of samples of each property: for the first try, for what has survived it, and for the sweep.
+pub(crate) const FEW: &str = "16";
+pub(crate) const MANY: &str = "128";
+pub(crate) const SWEEP: &str = "64";
 
 /// Number of no mutant.
 pub(crate) const NONE: u32 = 1 << 20;
@@ -41,20 +46,27 @@ impl Laws {
         }
     }
 
-    /// Finds which mutants each law reaches, and how long it takes.
-    pub(crate) fn record(&mut self, home: &Path) {
+    /// Finds which mutants each law reaches, and how long it takes; kept as long as code and laws are the same.
+    pub(crate) fn record(&mut self, copy: &Copy) {
         let names: Vec<String> = self.times.keys().cloned().collect();
-        let found = in_parallel(&names, |k, name| {
-            let file = home.join(format!("reached-{k}.txt"));
-            let begin = Instant::now();
-            let holds = self.hold(&[name.as_str()], None, Some(&file), ENDLESS);
-            let reached = std::fs::read_to_string(&file).unwrap_or_default();
-            let _ = std::fs::remove_file(&file);
+        let folder = copy.home.join(format!("reached-{}-{}", copy.code, copy.laws));
+        std::fs::create_dir_all(&folder).expect("a folder");
+        let found = in_parallel(&names, |_, name| {
+            let file = folder.join(name.replace("::", "."));
+            if let Some(kept) = recorded(&file) {
+                return kept;
+            }
+            let (begin, growing) = (Instant::now(), folder.join(format!("{name}.growing")));
+            let holds = self.hold(&[name.as_str()], None, Some(&growing), ENDLESS, FEW);
             assert!(holds, "{name} fails without any mutant");
-            (begin.elapsed(), reached)
+            let time = begin.elapsed();
+            let reached = std::fs::read_to_string(&growing).unwrap_or_default();
+            let _ = std::fs::remove_file(&growing);
+            std::fs::write(&file, format!("{}\n{reached}", time.as_millis())).expect("a file");
+            recorded(&file).expect("what has just been written")
         });
         for (name, (time, reached)) in names.into_iter().zip(found) {
-            for id in reached.lines().filter_map(|line| line.parse().ok()) {
+            for id in reached {
                 self.reached.entry(id).or_default().insert(name.clone());
             }
             self.times.insert(name, time);
@@ -67,11 +79,12 @@ impl Laws {
         self.times.get_key_value(&path).map(|(name, _)| name.as_str())
     }
 
-    /// Those that reach a mutant in a file: those of the file first, the others by the time they take.
+    /// Those that reach a mutant in a file: those of the file first, the others; each by the time they take.
     pub(crate) fn reaching(&self, mutant: u32, file: &str) -> [Vec<&str>; 2] {
         let all = self.reached.get(&mutant).into_iter().flatten().map(String::as_str);
         let begin = format!("{}::", module(file));
-        let (own, mut others): (Vec<&str>, Vec<&str>) = all.partition(|name| name.starts_with(&begin));
+        let (mut own, mut others): (Vec<&str>, Vec<&str>) = all.partition(|name| name.starts_with(&begin));
+        own.sort_by_key(|name| self.times[*name]);
         others.sort_by_key(|name| self.times[*name]);
         [own, others]
     }
@@ -81,8 +94,21 @@ impl Laws {
         names.iter().map(|name| self.times[*name]).sum()
     }
 
-    /// Whether laws hold with a mutant, within some time.
-    pub(crate) fn hold(&self, names: &[&str], mutant: Option<u32>, reached: Option<&Path>, patience: Duration) -> bool {
+    /// All laws of a file.
+    pub(crate) fn of_file(&self, file: &str) -> Vec<&str> {
+        let begin = format!("{}::", module(file));
+        self.times.keys().map(String::as_str).filter(|name| name.starts_with(&begin)).collect()
+    }
+
+    /// Whether laws hold with a mutant, within some time, for a number of samples of each property.
+    pub(crate) fn hold(
+        &self,
+        names: &[&str],
+        mutant: Option<u32>,
+        reached: Option<&Path>,
+        patience: Duration,
+        samples: &str,
+    ) -> bool {
         let mut command = Command::new(&self.program);
         command
             .args(["--exact", "--quiet", "--test-threads=1"])
@@ -90,7 +116,7 @@ impl Laws {
             .stdout(Stdio::null())
             .stderr(Stdio::null());
         // the same samples for every mutant, fewer of them, and no search for the simplest one that fails
-        command.envs([("PROPTEST_RNG_SEED", "1"), ("PROPTEST_CASES", "64"), ("PROPTEST_MAX_SHRINK_ITERS", "0")]);
+        command.envs([("PROPTEST_RNG_SEED", "1"), ("PROPTEST_CASES", samples), ("PROPTEST_MAX_SHRINK_ITERS", "0")]);
         command.env("PROPTEST_DISABLE_FAILURE_PERSISTENCE", "1").env("RUST_BACKTRACE", "0");
         if let Some(mutant) = mutant {
             command.env("VERIDEM_MUTANT", mutant.to_string());
@@ -100,6 +126,14 @@ impl Laws {
         }
         ends_well(command.spawn().expect("the tests"), patience)
     }
+}
+
+/// The time that a law takes, and what it reaches, as it was written down.
+fn recorded(file: &Path) -> Option<(Duration, Vec<u32>)> {
+    let text = std::fs::read_to_string(file).ok()?;
+    let mut numbers = text.lines().map(str::parse::<u32>);
+    let time = Duration::from_millis(numbers.next()?.ok()?.into());
+    Some((time, numbers.map(|number| number.expect("a number")).collect()))
 }
 
 fn module(file: &str) -> String {

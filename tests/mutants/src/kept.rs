@@ -1,0 +1,65 @@
+//! What is known of the mutants, kept between runs.
+
+use crate::copy::Copy;
+use std::collections::BTreeMap;
+use std::fs::{File, OpenOptions};
+use std::io::Write;
+use std::path::Path;
+use std::sync::Mutex;
+
+/// Who notices a mutant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Notice {
+    /// A law of its own file.
+    Own,
+    /// Another law.
+    Other,
+    /// None.
+    Nobody,
+}
+
+const WORDS: [(Notice, &str); 3] = [(Notice::Own, "own"), (Notice::Other, "other"), (Notice::Nobody, "nobody")];
+
+/// Outcomes of mutants, one line each in a file that grows as they are found.
+///
+/// What is noticed stays so while the code without its laws is the same; what is not is tried again when a law has changed.
+pub(crate) struct Outcomes {
+    known: BTreeMap<u32, Notice>,
+    file: Mutex<File>,
+    laws: String,
+}
+
+impl Outcomes {
+    /// Those of the copy that are known already.
+    pub(crate) fn of(copy: &Copy) -> Self {
+        let path = copy.home.join(format!("outcomes-{}.txt", copy.code));
+        let mut known = BTreeMap::new();
+        for line in std::fs::read_to_string(&path).unwrap_or_default().lines() {
+            let [id, word, laws] = line.split(' ').collect::<Vec<_>>()[..] else { continue };
+            let (Ok(id), Some((notice, _))) = (id.parse(), WORDS.iter().find(|(_, known)| *known == word)) else {
+                continue;
+            };
+            if *notice != Notice::Nobody || laws == copy.laws {
+                known.insert(id, *notice);
+            }
+        }
+        let file = OpenOptions::new().create(true).append(true).open(&path).expect("a file");
+        Self { known, file: Mutex::new(file), laws: copy.laws.clone() }
+    }
+
+    pub(crate) fn get(&self, mutant: u32) -> Option<Notice> {
+        self.known.get(&mutant).copied()
+    }
+
+    /// Writes an outcome down.
+    pub(crate) fn add(&self, mutant: u32, notice: Notice) {
+        let word = WORDS.iter().find(|(known, _)| *known == notice).expect("a word").1;
+        writeln!(self.file.lock().expect("no panic"), "{mutant} {word} {}", self.laws).expect("a line");
+    }
+}
+
+/// The lines of `tests/mutants/survivors.txt` that name a mutant: what follows a line of it is why nobody can notice.
+pub(crate) fn explained(root: &Path) -> Vec<String> {
+    let text = std::fs::read_to_string(root.join("tests/mutants/survivors.txt")).unwrap_or_default();
+    text.lines().filter(|line| line.starts_with("spec/")).map(|line| line.trim().to_string()).collect()
+}
