@@ -76,12 +76,13 @@ pub fn lognormal<R: Real>(d_0: R, d_s: R, d_l: R) -> (R, R) {
 /// | → `std` | $\sqrt{\langle d^2 \rangle - \langle d \rangle^2}$ | m | | standard deviation of the diameters |
 /// | → `m3` | $\langle d^3 \rangle$ | m^3 | | mean cube of the diameters |
 ///
-/// Rounding: at most 500 ULP.
+/// Rounding: at most 100 ULP.
 ///
 /// # Laws
 ///
 /// * `the_moments_are_those_of_the_density`
 /// * `the_deviation_of_a_narrow_distribution_keeps_its_digits`
+/// * `the_moments_far_in_one_tail_keep_their_digits`
 /// * `gives_the_numbers_of_particles_of_table_6`
 #[inline(always)]
 pub fn truncated_moments<R: Real>(d_0: R, d_s: R, d_l: R) -> (R, R, R, R) {
@@ -238,6 +239,42 @@ mod laws {
             let printed = sigma.squared().exp() * (moment(2.0) - moment(1.0).squared()).sqrt();
             prop_assert!(((exact - printed) / exact).abs().to_f64() < 1e-30);
         }
+    }
+
+    #[test]
+    fn the_moments_far_in_one_tail_keep_their_digits() {
+        // the density by Simpson's rule from a limit to 12 deviations beyond
+        let normal = |low: f64, high: f64| -> f64 {
+            let (intervals, h) = (4000, (high - low) / 4000.0);
+            let weight = |n: i32| {
+                if n == 0 || n == intervals {
+                    1.0
+                } else if n % 2 == 1 {
+                    4.0
+                } else {
+                    2.0
+                }
+            };
+            (0..=intervals).map(|n| weight(n) * density(low + f64::from(n) * h) * h / 3.0).sum()
+        };
+        for (low, high) in [(-1.0, 2.0), (0.5, 2.4), (2.4, 2.6), (2.6, 3.0), (3.0, 9.0), (6.0, 8.0)] {
+            for share in [between(low, high), between(-high, -low)] {
+                assert!(relative_eq!(share, normal(low, high), max_relative = 1e-11), "{low} {high}");
+            }
+        }
+        // both forms, each with digits enough, where the one gives way to the other and at their ends
+        for z in [TAIL, 3.0, 5.0, 12.5] {
+            let z = Reference::exact(z);
+            let (tail, rest) = (beyond(z), Reference::exact(0.5) - beyond_the_middle(z));
+            assert!((tail - rest).abs().to_f64() < 1e-38 && (tail / rest).to_f64() > 0.999, "{z:?}");
+        }
+        assert_eq!(beyond_the_middle(14.0), beyond_the_middle(13.0));
+        // diameters whose largest is many modes: all moments are in one tail
+        let [d_0, d_s, d_l] = [1.0, 0.5, 300.0];
+        let exact = truncated_moments(Reference::exact(d_0), Reference::exact(d_s), Reference::exact(d_l));
+        let double = truncated_moments(d_0, d_s, d_l);
+        let pairs = [(double.0, exact.0), (double.1, exact.1), (double.2, exact.2), (double.3, exact.3)];
+        assert!(pairs.iter().all(|(double, exact)| relative_eq!(*double, exact.to_f64(), max_relative = 1e-12)));
     }
 
     #[test]

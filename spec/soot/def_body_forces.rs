@@ -102,6 +102,7 @@ impl<R: Real> Attraction<R> {
 ///
 /// * `up_to_the_cutoff_the_force_is_the_slope_of_the_energies`
 /// * `the_energies_end_at_zero_and_the_force_with_the_stated_error`
+/// * `the_energies_keep_their_digits_up_to_the_cutoff`
 #[inline(always)]
 pub fn attraction<R: Real>(
     d: R,
@@ -126,7 +127,7 @@ pub(super) fn equations() -> Vec<Equation> {
 #[cfg(test)]
 mod laws {
     use super::*;
-    use crate::numbers::Dual;
+    use crate::numbers::{Dual, Reference};
     use proptest::prelude::*;
 
     proptest! {
@@ -150,6 +151,27 @@ mod laws {
                 prop_assert!((jump / van_der_waals - 1.0).abs() < 5e-3);
             }
             prop_assert!((capillary_force(1000.0, 10.0 / 56.0, 70.0, 56.0) - 6.69f64).abs() < 0.01);
+        }
+
+        #[test]
+        fn the_energies_keep_their_digits_up_to_the_cutoff(log_short in -30.0..2.0f64, kappa in 0.5..3.0, d_cutoff in 1.0..4.0, saturated in prop::bool::ANY) {
+            // Short of the cutoff, which is within saturation or not, as differences with digits enough.
+            let (r_i, r_j, a, psi, cutoff) = (0.5, 0.75, 2.0, 0.7, 4.0);
+            let (d, delta_0) = (cutoff - log_short.exp2().min(2.5), if saturated { 3.0 } else { 0.1 });
+            let given = [d, r_i, r_j, a, delta_0, psi, kappa, d_cutoff, cutoff];
+            let [x, i, j, a_, saturation, p, k, middle, end] = given.map(Reference::exact);
+            let (_, exact_vdw, exact_cap) = attraction(x, i, j, a_, saturation, p, k, middle, end);
+            let van_der_waals = |d: Reference| saturated_hamaker(i, j, d - i - j, a_, saturation).1;
+            let capillary = |d: Reference| capillary_energy(p, k, d, middle);
+            let (_, u_vdw, u_cap) = attraction(d, r_i, r_j, a, delta_0, psi, kappa, d_cutoff, cutoff);
+            for (exact, printed) in
+                [(exact_vdw, van_der_waals(x) - van_der_waals(end)), (exact_cap, capillary(x) - capillary(end))]
+            {
+                prop_assert!(((exact - printed) / printed).abs().to_f64() < 1e-34);
+            }
+            // at 1/32 the capillary energies that are subtracted are 64 times their difference
+            prop_assert!((u_cap / exact_cap.to_f64() - 1.0).abs() < 2e-13);
+            prop_assert!(!saturated || (u_vdw / exact_vdw.to_f64() - 1.0).abs() < 1e-14);
         }
     }
 }
