@@ -57,6 +57,7 @@ pub fn diffusion<R: Real>(kt: R, f: R) -> R {
 /// # Laws
 ///
 /// * `exits_are_weighted_with_the_exponential_of_the_drift`
+/// * `the_random_number_is_the_share_of_exits_behind`
 /// * `a_slow_walk_goes_anywhere_and_a_fast_one_ahead`
 /// * `the_mean_cosine_of_exits_is_that_of_langevin`
 #[inline]
@@ -109,6 +110,15 @@ mod laws {
             let kappa = 0.5 * v * ell;
             let density = kappa * (kappa * cosine.value).exp() / (2.0 * kappa.sinh());
             prop_assert!((cosine.slope * density - 1.0).abs() < 1e-10);
+        }
+
+        #[test]
+        fn the_random_number_is_the_share_of_exits_behind(u in 0.01..1.0f64, v in 0.1..3.0f64, ell in 0.1..2.0f64, d in 0.3..3.0f64) {
+            let (kappa, cosine) = (0.5 * v * ell / d, exit_cosine(u, v, ell, d));
+            let behind = ((kappa * (cosine - 1.0)).exp() - (-2.0 * kappa).exp()) / -(-2.0 * kappa).exp_m1();
+            prop_assert!((behind / u - 1.0).abs() < 1e-11);
+            // of a drift that is hardly felt
+            prop_assert!((exit_cosine(u, 1e-17 * v, ell, d) - (2.0 * u - 1.0)).abs() < 1e-15);
         }
 
         #[test]

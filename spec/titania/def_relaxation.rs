@@ -68,9 +68,12 @@ mod laws {
     proptest! {
         #[test]
         fn repulsion_balances_the_attraction_with_that_stiffness(k_n in 10.0..50.0, r_i in 1.0..12.0, r_j in 1.0..12.0, f_a in 0.1..6.0) {
-            let (delta_0, k_lin, ..) = relaxation(k_n, r_i, r_j, 0.36, f_a, 4230.0, 0.5e6);
+            let (delta_0, k_lin, m_eff, _, omega_0, zeta, tau) = relaxation(k_n, r_i, r_j, 0.36, f_a, 4230.0, 0.5e6);
             let (_, f_nr, stiffness, _) = repulsion(k_n, delta_0, r_i, r_j, 0.36);
             prop_assert!(relative_eq!(f_nr, f_a, max_relative = 1e-12) && relative_eq!(stiffness, k_lin, max_relative = 1e-12));
+            // the amplitude decays with the damping ratio times the frequency of that stiffness
+            prop_assert!(relative_eq!(tau * zeta * omega_0, 1.0, max_relative = 1e-14));
+            prop_assert!(relative_eq!(m_eff * omega_0 * omega_0, k_lin, max_relative = 1e-14));
         }
     }
 

@@ -1,6 +1,7 @@
 //! Laws of the composed contact law, with every element alone and together, in motion.
 
 mod encounters;
+mod reach;
 mod spheres;
 
 use super::*;
