@@ -66,3 +66,14 @@ fn the_page_of_columns_and_results_is_up_to_date() {
     let page = std::fs::read_to_string(page).expect("the page");
     assert!(page == PAPERS.quantities(), "write it again: veridem schema --results > docs/results.md");
 }
+
+#[test]
+fn the_page_of_verification_has_every_equation_with_its_independent_vectors() {
+    let read = |path: &str| std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(path)).expect("a file");
+    let page = read("docs/verification.md");
+    let counts: Value = serde_json::from_str(&read("golden/independent.json")).expect("counts");
+    for equation in veridem_spec::equations() {
+        let row = format!("\n| {} | {} | ", equation.id, counts[equation.id]);
+        assert!(page.contains(&row), "{}: cargo run -p veridem-mutants -- table", equation.id);
+    }
+}

@@ -18,6 +18,13 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 NAMES = {"c": "veridem_equations.h", "python": "veridem_equations.py", "javascript": "veridem_equations.mjs", "fortran": "veridem_equations.f90"}
 FLAGS = ["-O2", "-ffp-contract=off"]
 BREAK = ", &\n"
+# Exported sines and cosines have no value from 2^20 quarter turns on: four to each period of the solvation.
+LARGEST = 2**20
+QUARTER_TURNS = {
+    "titania-4": lambda given: 4 * (given["d"] - given["r_i"] - given["r_j"]) / given["sigma"],
+    "titania-04-int": lambda given: 4 * given["x"] / given["sigma"],
+    "titania-04-slope": lambda given: 4 * given["x"] / given["sigma"],
+}
 
 
 def output(command, **options):
@@ -47,8 +54,10 @@ def expected(veridem, equations):
     assert len(answers) == len(asked)
     out = []
     for (place, given), answer in zip(asked, map(json.loads, answers)):
-        if "out" in answer:
-            equation, value = equations[place], answer["out"]
+        equation = equations[place]
+        turns = QUARTER_TURNS.get(equation["id"], lambda given: 0)
+        if "out" in answer and abs(turns(given)) < LARGEST:
+            value = answer["out"]
             named = [value] if len(equation["results"]) == 1 else [value[q["name"]] for q in equation["results"]]
             out.append((place, [x for q in equation["arguments"] for x in flat(given[q["name"]])], bits(flat(named))))
     missing = {equation["id"] for equation in equations} - {equations[place]["id"] for place, _, _ in out}
