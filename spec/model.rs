@@ -299,7 +299,7 @@ pub trait PairModel: Sync {
 }
 
 #[cfg(test)]
-mod laws {
+pub(crate) mod laws {
     use super::*;
     use crate::mechanics::samples::vector;
     use proptest::prelude::*;
@@ -317,7 +317,7 @@ mod laws {
     }
 
     /// Numbers that are laid end to end stay in order, and a change of one changes no other.
-    fn lies_in_order<F: Flat<f64>>(len: usize) {
+    pub(crate) fn lies_in_order<F: Flat<f64>>(len: usize) {
         assert_eq!(F::LEN, len);
         let mut flat = F::from_fn(|k| k as f64);
         for changed in 0..len {
@@ -345,6 +345,52 @@ mod laws {
         assert_eq!(Three::<f64>::names(), ["first", "next one", "last"]);
         assert_eq!(<([f64; 2], Vec3<f64>)>::names(), ["1", "2", "x", "y", "z"]);
         assert_eq!(f64::names(), [""]);
+    }
+
+    /// A model that says only what it must.
+    struct Nothing;
+
+    impl PairModel for Nothing {
+        type Coefficients<R: Real> = R;
+        type Memory<R: Real> = R;
+        type Losses<R: Real> = R;
+        type Stored<R: Real> = R;
+
+        fn coefficients<R: Real>(&self, _: R, _: R, _: R, _: R) -> R {
+            R::zero()
+        }
+        fn range(&self, r_i: f64, r_j: f64) -> f64 {
+            r_i + r_j
+        }
+        fn pair<R: Real>(&self, _: &Contact<R>, _: &R, memory: R, _: R) -> Outcome<R, R, R> {
+            let zero = Vec3::zero();
+            Outcome { wrench: Wrench { force: zero, torque_i: zero, torque_j: zero }, memory, losses: R::zero() }
+        }
+        fn stored<R: Real>(&self, _: &Contact<R>, _: &R, _: &R) -> R {
+            R::zero()
+        }
+        fn critical_time_step(&self, r: f64, m: f64) -> f64 {
+            r * m
+        }
+    }
+
+    #[test]
+    fn a_model_has_no_necks_and_surfaces_and_forgets_nothing_unless_it_says_so() {
+        let (none, along) = (Vec3::zero(), Vec3::new(1.0, 0.0, 0.0));
+        let (c, touch) = (
+            Contact::new(along, along, none, none, 0.5, 0.5),
+            Touch { n: along, gap: -0.1, v: along, omega: none, r: 0.5 },
+        );
+        assert_eq!((Nothing.joined(3.0), Nothing::left_by_neck(3.0), Nothing.turning(3.0, 2.0)), (3.0, 0.0, 3.0));
+        assert_eq!(Nothing.relisted(&c, &1.0, 3.0), (3.0, 0.0));
+        assert!(Nothing.is_near(&c, &1.0) && Nothing.far(&c) == none);
+        assert_eq!(Nothing.critical_time_step_among(2.0, 3.0, 5.0), 6.0);
+        let Outcome { wrench, memory, losses } = Nothing.surface_contact(0, &touch, 3.0, 0.1);
+        assert_eq!([wrench.force, wrench.torque_i, wrench.torque_j], [none; 3]);
+        assert_eq!((memory, losses, Nothing.surface_stored(0, &touch, &3.0, 0.5)), (3.0, 0.0, 0.0));
+        let of_surface =
+            [Nothing.surface_range(0, 1.0), Nothing.surface_pull(0, &touch), Nothing.surface_energy(0, &touch)];
+        assert_eq!((of_surface, Nothing.surface_share([along; 2], [along; 2])), ([0.0; 3], (0.0, none)));
     }
 
     proptest! {

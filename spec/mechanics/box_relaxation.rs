@@ -176,5 +176,12 @@ mod laws {
             }
             prop_assert!((work - 0.5 * k * (length - side) * (length - side)).abs() <= 1e-3 * k * side * side * strain * strain);
         }
+
+        #[test]
+        fn each_side_works_alone(virial in prop::array::uniform3(-9.0..9.0f64), strain in prop::array::uniform3(-0.1..0.1f64)) {
+            let found = box_work(Vec3(virial), Vec3(strain.map(|strain| 1.0 + strain)));
+            let expected: f64 = (0..3).map(|axis| virial[axis] * strain[axis]).sum();
+            prop_assert!((found - expected).abs() < 1e-14 * 27.0);
+        }
     }
 }

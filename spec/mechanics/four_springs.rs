@@ -316,3 +316,24 @@ impl<R: Real> Springs<R> {
 pub(crate) fn never<R: Real>() -> R::Mask {
     R::one().lt(R::zero())
 }
+
+#[cfg(test)]
+mod laws {
+    use super::*;
+    use crate::model::laws::lies_in_order;
+
+    #[test]
+    fn the_springs_of_a_contact_lie_end_to_end_in_the_order_of_their_names() {
+        lies_in_order::<Memory<f64>>(8);
+        lies_in_order::<Memory<f64, Vec3<f64>>>(10);
+        let memory =
+            Memory { tangential: Vec3([0.0, 1.0, 2.0]), rolling: Vec3([3.0, 4.0, 5.0]), torsion: 6.0, rest: 7.0 };
+        assert_eq!(memory, Flat::from_fn(|k| k as f64));
+        let names = Memory::<f64>::names();
+        assert_eq!([&names[1], &names[5], &names[6], &names[7]], ["tangential y", "rolling z", "torsion", "rest"]);
+        assert_eq!(Memory::<f64, Vec3<f64>>::names()[6..], ["torsion x", "torsion y", "torsion z", "rest"]);
+        lies_in_order::<Springs<f64>>(8);
+        lies_in_order::<Friction<f64>>(6);
+        lies_in_order::<Losses<f64>>(5);
+    }
+}

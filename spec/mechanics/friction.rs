@@ -343,4 +343,13 @@ mod laws {
             prop_assert!(settled.iter().all(|f| *f >= share * mu_s - 1e-12 && *f <= mu_s + 1e-12));
         }
     }
+
+    #[test]
+    fn at_the_largest_static_force_a_contact_holds() {
+        let f_0 = Vec3::new(3.0, 0.0, -4.0);
+        assert_eq!([is_static(f_0, 5.0), is_dynamic(f_0, 5.0)], [1.0, 0.0]);
+        assert_eq!([is_static(f_0, 5.0f64.next_down()), is_dynamic(f_0, 5.0f64.next_down())], [0.0, 1.0]);
+        let (slips, .., force, kept) = spring_with_friction(f_0, Vec3::zero(), 1.0, 0.0, 0.5, 0.25, 10.0);
+        assert_eq!((slips, force, kept), (0.0, f_0, f_0));
+    }
 }

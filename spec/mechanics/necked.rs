@@ -317,6 +317,46 @@ mod laws {
     }
 
     #[test]
+    fn a_neck_acts_between_the_particles_inside_their_layers() {
+        let (model, v, w) = (model(), [0.3, -0.5, 0.7], [0.2, 0.9, -0.4]);
+        let (k, dt) = constants::<f64>(&model);
+        let springs =
+            Memory { tangential: Vec3([0.0, 0.2, 0.1]), rolling: Vec3([0.0, -0.3, 0.4]), torsion: 0.5, rest: 0.0 };
+        let (c, smooth) = (contact(0.2, v, w), Friction::from_fn(|_| 0.0));
+        let bare = Contact::new(c.n * c.distance, c.v, c.omega_i, c.omega_j, 4.0, 6.0);
+        let alone = model.neck.evaluate(&smooth, true, &ContactKinematics::of_spheres(&bare), springs, dt);
+        let found = model.pair(&c, &model.joined(k), (Vec3([0.1; 3]), springs), dt);
+        for (found, alone) in [
+            (found.wrench.force, alone.wrench.force),
+            (found.wrench.torque_i, alone.wrench.torque_i),
+            (found.wrench.torque_j, alone.wrench.torque_j),
+            (found.memory.1.tangential, alone.memory.tangential),
+            (found.memory.1.rolling, alone.memory.rolling),
+        ] {
+            assert!((found - alone).norm() < 1e-12 && alone.norm() > 0.1);
+        }
+        // of the contact law nothing is left
+        assert_eq!((found.memory.0, found.losses.0), (Vec3::zero(), Energies::from_fn(|_| 0.0)));
+    }
+
+    #[test]
+    fn a_neck_breaks_above_its_energy_and_a_new_list_changes_no_spring() {
+        let (model, c) = (model(), contact(0.2, [0.0; 3], [0.0; 3]));
+        let k = model.joined(constants::<f64>(&model).0);
+        let springs =
+            (Vec3([0.1, 0.0, 0.0]), Memory { tangential: Vec3([0.0, 0.2, 0.1]), torsion: 0.5, ..Memory::zero() });
+        let held = model.stored(&c, &k, &springs);
+        let energy = 0.5 * (80.0 * 0.04 + 31.0 * 0.05 + 5.0 * 0.25);
+        assert!(
+            !Necked::<Law>::neck_breaks(&held, energy + 1e-12) && Necked::<Law>::neck_breaks(&held, energy - 1e-12)
+        );
+        let exactly = (0..4).map(|spring| *held.1.at(spring)).sum();
+        assert!(!Necked::<Law>::neck_breaks(&held, exactly));
+        assert_eq!(model.relisted(&c, &k, springs), (springs, (Energies::from_fn(|_| 0.0), OfNeck::from_fn(|_| 0.0))));
+        assert_eq!(model.turning(k, 7.0), k);
+    }
+
+    #[test]
     fn the_step_must_suit_both() {
         let (r, stiff) = (radii().0, Necked { neck: Springs { k_n: 1e6, ..model().neck }, ..model() });
         assert_eq!(

@@ -149,4 +149,10 @@ mod laws {
             prop_assert!((way(across) - largest_displacement(b_0, b, a_0, a, across.norm())).abs() < 1e-14);
         }
     }
+
+    #[test]
+    fn half_a_turn_goes_the_way_of_the_later_orientation() {
+        let (none, x) = (Vec3::zero(), Vec3::new(1.0, 0.0, 0.0));
+        assert_eq!([rotation_vector(1.0, none, 0.0, x), rotation_vector(1.0, none, 0.0, -x)], [x * 2.0, x * -2.0]);
+    }
 }

@@ -335,4 +335,11 @@ mod laws {
             prop_assert!(gain(0.995) < 0.5 && gain(1.005) > 2.0);
         }
     }
+
+    #[test]
+    fn a_spring_along_the_normal_is_lost_and_a_torsion_across_it_counts_as_positive() {
+        let (x, z) = (Vec3::new(3.0, 0.0, 0.0), Vec3::new(0.0, 0.0, 1.0));
+        assert_eq!((rotated_spring(z * 2.0, z), rotated_spring(x, z)), (Vec3::zero(), x));
+        assert_eq!([rotated_torsion(x, z), rotated_torsion(-z, z)], [z * 3.0, -z]);
+    }
 }

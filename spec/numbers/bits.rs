@@ -27,3 +27,19 @@ impl Bits for f64 {
         Self::from_bits(self.to_bits().wrapping_add(BIAS) << MANTISSA)
     }
 }
+
+#[cfg(test)]
+mod laws {
+    use super::*;
+
+    #[test]
+    fn powers_of_two_are_seen_and_made() {
+        for k in [-1022, -1021, -52, -1, 0, 1, 2, 52, 1022, 1023] {
+            let power = libm::ldexp(1.0, k);
+            assert_eq!((f64::from(k) + ROUND).power_of_two(), power);
+            for mantissa in [1.0, 1.25, 2.0f64.next_down(), -1.5] {
+                assert_eq!((mantissa * power).exponent(), f64::from(k), "{mantissa} 2^{k}");
+            }
+        }
+    }
+}

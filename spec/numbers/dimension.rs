@@ -232,6 +232,18 @@ mod laws {
         assert_eq!((LENGTH / TIME).squared(), Dimension::new(0, 2, -2));
         assert_eq!((LENGTH / TIME).squared().to_string(), "m^2 s^-2");
         assert_eq!(LENGTH / LENGTH, DIMENSIONLESS);
+        let many = Dimension::new(3, -1, 1);
+        assert_eq!(many, Dimension::Of([3 * WHOLE, -WHOLE, WHOLE]));
+        assert_eq!((many.to_string(), Dimension::one().to_string()), ("kg^3 m^-1 s".into(), "1".into()));
+    }
+
+    #[test]
+    fn powers_are_those_that_quarters_can_say() {
+        let many = Dimension::new(2, 0, -1);
+        assert_eq!(many.power(3, 2), Some(Dimension::Of([3 * WHOLE, 0, -WHOLE * 3 / 2])));
+        assert_eq!(many.power(3, 2).map(|power| power.to_string()), Some("kg^3 s^(-3/2)".into()));
+        assert_eq!(many.power(1, 4).map(|power| power.to_string()), Some("kg^(1/2) s^(-1/4)".into()));
+        assert_eq!([many.power(1, 8), many.power(1, 3), Dimension::zero().power(1, 2)], [None; 3]);
     }
 
     #[test]

@@ -157,6 +157,13 @@ mod laws {
     }
 
     #[test]
+    fn equal_values_are_neither_less_nor_greater_and_zero_does_not_change() {
+        let (a, b) = (Dual::variable(1.0), Dual::constant(1.0));
+        assert_eq!((a.lt(b), a.le(b), b.gt(a), b.ge(a)), (false, true, false, true));
+        assert_eq!([Dual::zero(), Dual::variable(0.0), b].map(|number| number.is_zero()), [true, false, false]);
+    }
+
+    #[test]
     fn the_root_of_a_constant_zero_is_constant() {
         assert_eq!(Dual::constant(0.0).sqrt().slope, 0.0);
         assert_eq!(Dual::variable(0.0).sqrt().slope, f64::INFINITY);

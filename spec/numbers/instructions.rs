@@ -105,3 +105,16 @@ fn avx2<W: Work>(work: W) -> W::Outcome {
 fn avx512<W: Work>(work: W) -> W::Outcome {
     work.run()
 }
+
+#[cfg(test)]
+mod laws {
+    use super::*;
+
+    #[test]
+    fn sets_are_found_by_their_names() {
+        for set in Instructions::available() {
+            assert_eq!(Instructions::named(set.name()), Some(set));
+        }
+        assert_eq!(Instructions::named("none"), None);
+    }
+}

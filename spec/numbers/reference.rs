@@ -288,6 +288,10 @@ mod laws {
         assert_eq!(decimal("-0.05"), "-5.000000000000000000000000000000000e-2");
         assert_eq!(decimal("9.9999999999999999999999999999999999999"), "1.000000000000000000000000000000000e1");
         assert_eq!(decimal("2"), "2.000000000000000000000000000000000");
+        assert_eq!(decimal("1.2999999999999999999999999999999999999"), "1.300000000000000000000000000000000");
+        // 35 digits, the last of which is five
+        let tie = Reference::exact(0.5f64.powi(49)).to_decimal();
+        assert_eq!(tie, "1.776356839400250464677810668945313e-15");
         assert_eq!(Reference::zero().to_decimal(), "0.0");
         assert!(Reference::parse("1.0 m").is_none() && Reference::parse("").is_none());
     }
@@ -306,5 +310,12 @@ mod laws {
         assert_eq!((Reference::exact(f64::MAX) * Reference::exact(2.0)).to_f64(), f64::INFINITY);
         assert_eq!((Reference::exact(f64::from_bits(1)) / Reference::exact(2.0)).to_f64(), 0.0);
         assert_eq!((Reference::exact(f64::from_bits(3)) / Reference::exact(2.0)).to_f64(), f64::from_bits(2));
+        // of the smallest double: below a half, a half, just above it, three halves and their neighbours
+        let smallest = Reference::exact(f64::from_bits(1));
+        for (share, bits) in
+            [(0.25, 0), (0.5, 0), (0.5f64.next_up(), 1), (0.75, 1), (1.25, 1), (1.5, 2), (2.5, 2), (2.75, 3)]
+        {
+            assert_eq!((smallest * Reference::exact(share)).to_f64(), f64::from_bits(bits), "{share}");
+        }
     }
 }

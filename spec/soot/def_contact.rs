@@ -396,10 +396,10 @@ mod laws {
         }
 
         #[test]
-        fn a_neck_has_its_four_springs_and_dashpots((at, c, memory) in (vector(), pair(), memory())) {
+        fn a_neck_has_its_four_springs_and_dashpots((at, drift, c, memory) in (vector(), vector(), pair(), memory())) {
             let Springs { k_n, k_t, k_r, k_o, eta_n, eta_t, eta_r, eta_o } = SPRINGS;
             let evaluate = |v, omega_i, memory: Memory<f64>, dt| neck(
-                at + c.n * c.distance, at, v, Vec3::zero(), omega_i, Vec3::zero(), c.r_i, c.r_j, k_n, k_t, k_r, k_o, eta_n, eta_t, eta_r, eta_o,
+                at + c.n * c.distance, at, v + drift, drift, omega_i, Vec3::zero(), c.r_i, c.r_j, k_n, k_t, k_r, k_o, eta_n, eta_t, eta_r, eta_o,
                 memory.tangential, memory.rolling, memory.torsion, dt,
             );
             let (at, n, zero) = (ContactKinematics::of_spheres(&c), -c.n, Vec3::zero());
@@ -425,12 +425,12 @@ mod laws {
         }
 
         #[test]
-        fn a_contact_that_sticks_has_its_four_springs_and_dashpots((c, memory) in (pair(), memory())) {
+        fn a_contact_that_sticks_has_its_four_springs_and_dashpots((at, drift, c, memory) in (vector(), vector(), pair(), memory())) {
             let Springs { k_n, k_t, k_r, k_o, eta_n, eta_t, eta_r, eta_o } = SPRINGS;
-            let (x, zero, Memory { tangential, rolling, torsion, .. }) = (c.n * c.distance, Vec3::zero(), memory);
-            let neck = neck(x, zero, c.v, zero, c.omega_i, c.omega_j, c.r_i, c.r_j, k_n, k_t, k_r, k_o, eta_n, eta_t, eta_r, eta_o, tangential, rolling, torsion, DT);
+            let (x, v, Memory { tangential, rolling, torsion, .. }) = (at + c.n * c.distance, drift + c.v, memory);
+            let neck = neck(x, at, v, drift, c.omega_i, c.omega_j, c.r_i, c.r_j, k_n, k_t, k_r, k_o, eta_n, eta_t, eta_r, eta_o, tangential, rolling, torsion, DT);
             let contact = |mu: f64| frictional_contact(
-                x, zero, c.v, zero, c.omega_i, c.omega_j, c.r_i, c.r_j, k_n, k_t, k_r, k_o, eta_n, eta_t, eta_r, eta_o, mu, mu, mu, 1.0, tangential, rolling, torsion, DT,
+                x, at, v, drift, c.omega_i, c.omega_j, c.r_i, c.r_j, k_n, k_t, k_r, k_o, eta_n, eta_t, eta_r, eta_o, mu, mu, mu, 1.0, tangential, rolling, torsion, DT,
             );
             prop_assume!(c.gap < 0.0 && neck.0.dot(c.n) > 1e-6);
             let rough = contact(1e9);
@@ -444,14 +444,14 @@ mod laws {
         }
 
         #[test]
-        fn a_published_contact_has_the_springs_of_the_step_before((c, memory) in (pair(), memory())) {
+        fn a_published_contact_has_the_springs_of_the_step_before((place, drift, c, memory) in (vector(), vector(), pair(), memory())) {
             let Springs { k_n, k_t, k_r, k_o, .. } = SPRINGS;
-            let (x, zero, n) = (c.n * c.distance, Vec3::zero(), -c.n);
+            let (x, zero, n) = (place + c.n * c.distance, Vec3::zero(), -c.n);
             let [xi_t, xi_r] = [memory.tangential, memory.rolling].map(|xi| xi.perpendicular_to(n));
             prop_assume!(c.gap < -1e-3);
             let at = ContactKinematics::of_spheres(&c);
             let (force, torque_i, torque_j, tangential, rolling, torsion) = published_contact(
-                x, zero, c.v, zero, c.omega_i, c.omega_j, c.r_i, c.r_j, k_n, k_t, k_r, k_o, 0.0, 0.0, 0.0, 0.0, 1e9, 1e9, 1e9, 1.0, xi_t, xi_r, zero, DT,
+                x, place, c.v + drift, drift, c.omega_i, c.omega_j, c.r_i, c.r_j, k_n, k_t, k_r, k_o, 0.0, 0.0, 0.0, 0.0, 1e9, 1e9, 1e9, 1.0, xi_t, xi_r, zero, DT,
             );
             prop_assert!((force - n * (k_n * c.gap) - xi_t * k_t).norm() < 1e-12);
             let turning = n.cross(xi_r) * (at.a * k_r);

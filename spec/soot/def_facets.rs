@@ -134,4 +134,16 @@ mod laws {
             prop_assert!((facet_share(far, near).slope - slope.dot(displacement)).abs() < 1e-11);
         }
     }
+
+    #[test]
+    fn the_share_changes_only_between_all_and_nothing() {
+        let (d_0, turned) = (Vec3::new(0.0, 0.0, 2.0), [Vec3::new(1.0, 2.0, 3.0), Vec3::new(-4.0, 5.0, 7.0)]);
+        for (part, share) in [(-0.5, 1.0), (0.0, 1.0), (0.25, 0.75), (1.0, 0.0), (1.5, 0.0)] {
+            let d = Vec3::new(0.3, -0.4, 2.0 * part);
+            assert_eq!(facet_share(d, d_0), share);
+            let slope = (d_0 * (2.0 * part) - turned[0] - turned[1]) * 0.25;
+            let expected = if share == 0.75 { slope } else { Vec3::zero() };
+            assert_eq!(facet_share_slope(d, d_0, turned[0], turned[1]), expected);
+        }
+    }
 }

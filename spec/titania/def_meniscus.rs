@@ -61,9 +61,6 @@ impl<R: Real> Profile<R> {
 ///
 /// Multiplied by $r_K r l$, the condition of equilibrium becomes $\frac{c}{2(1 + s)} g^2 - S g + 2 c \, r_K A = 0$; the smaller root has a neck of
 /// positive radius. $Q^2$ is the discriminant, a sum of positive terms. The slope follows from the derivative of the quadratic, divided by $-Q$.
-///
-/// # Reading
-///
 /// Where the Kelvin radius and the filling angle are tiny, the gap is a small difference: such menisci determine the rounding bound.
 ///
 /// | name | symbol | unit | domain | meaning |
@@ -98,9 +95,6 @@ pub fn meniscus_gap<R: Real>(r_eff: R, r_k: R, theta: R, beta: R) -> (R, R) {
 /// The distance increases with the angle up to rupture and decreases beyond. Below the rupture angle a stretched meniscus would shrink by its
 /// own suction: that branch is unstable. Sixty bisections resolve the angle to the last bit of a double, and the distance to twice as many
 /// bits.
-///
-/// # Reading
-///
 /// Where the Kelvin radius is tiny compared with the particles, the gap is a small difference: such menisci determine the rounding bound.
 ///
 /// | name | symbol | unit | domain | meaning |

@@ -68,4 +68,11 @@ mod laws {
     fn is_a_picosecond_for_the_smallest_particles() {
         assert!((rayleigh_time(1.5e-9, 4230.0, 111e9, 0.27) - 1e-12f64).abs() < 1e-14);
     }
+
+    #[test]
+    fn the_customary_line_has_its_four_digits() {
+        for (nu, line) in [(0.0, 0.8766), (0.5, 0.95815)] {
+            assert!((rayleigh_time(3.0, 4.0, 16.0, nu) * line / (1.5 * std::f64::consts::PI) - 1.0).abs() < 1e-15);
+        }
+    }
 }

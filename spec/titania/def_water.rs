@@ -210,6 +210,72 @@ mod laws {
     }
 
     #[test]
+    fn the_layer_has_the_points_of_the_table_and_lines_between_them() {
+        let points = [
+            (0.0, 262533),
+            (0.123667, 262533),
+            (0.247692, 330526),
+            (0.422529, 409700),
+            (0.629865, 486277),
+            (0.793, 574083),
+            (0.897458, 697542),
+            (0.951875, 809125),
+        ];
+        are_points_of(&points, |rh| water_layer(rh, 1.0));
+        assert_eq!(water_layer(1.0, 1.0), 0.809125);
+    }
+
+    #[test]
+    fn the_tension_has_the_points_of_the_four_tables_and_lines_between_them() {
+        let four = [
+            (0.0, 109052),
+            (0.184389, 109052),
+            (0.402225, 95479),
+            (0.577136, 81527),
+            (0.725398, 68580),
+            (0.897598, 63857),
+            (1.028767, 58307),
+        ];
+        let six =
+            [(0.0, 107892), (0.131611, 107892), (0.286943, 86195), (0.59432, 65728), (0.826887, 60347), (1.0, 52300)];
+        let eight =
+            [(0.0, 98067), (0.134375, 98067), (0.261, 90194), (0.578747, 64652), (0.796143, 57125), (1.0, 52300)];
+        let ten = [
+            (0.0, 81457),
+            (0.123667, 81457),
+            (0.247692, 67124),
+            (0.422529, 62073),
+            (0.629865, 55896),
+            (0.793, 53576),
+            (0.897458, 51417),
+            (0.951875, 52300),
+        ];
+        for (sizes, points) in
+            [([3.0, 4.999], &four[..]), ([5.0, 6.999], &six), ([7.0, 8.999], &eight), ([9.0, 23.0], &ten)]
+        {
+            for d_core in sizes {
+                // a scale of a thousand: rounded to a millionth instead of a thousandth
+                are_points_of(points, |rh| surface_tension(d_core, rh, 1000.0, 1.0, 1.0) / 1000.0);
+            }
+        }
+        // the size in nanometres, the tension in newton per metre, rounded to the nearest thousandth
+        let tension = |scale: f64| surface_tension(9.0 * 1e-9, 1.0, scale, 1e-9, 2.0) / 2.0;
+        assert_eq!([tension(1.0), tension(0.0534 / 0.0523), tension(0.0536 / 0.0523)], [0.052, 0.053, 0.054]);
+    }
+
+    /// A function has these values, in millionths, and between two of them their mean halfway.
+    fn are_points_of(points: &[(f64, i32)], function: impl Fn(f64) -> f64) {
+        let millionths = |x: f64| function(x) * 1e6;
+        for &(x, y) in points {
+            assert!((millionths(x) - f64::from(y)).abs() < 1e-6, "{x}");
+        }
+        for ends in points.windows(2) {
+            let mean = 0.5 * f64::from(ends[0].1 + ends[1].1);
+            assert!((millionths(0.5 * (ends[0].0 + ends[1].0)) - mean).abs() < 0.51, "{ends:?}");
+        }
+    }
+
+    #[test]
     fn at_half_humidity_it_has_four_values() {
         for (d_core, gamma) in
             [(4.9, 0.133), (5.1, 0.110), (6.9, 0.110), (7.1, 0.108), (8.9, 0.108), (9.1, 0.091), (22.0, 0.091)]

@@ -188,10 +188,11 @@ mod laws {
 
         #[test]
         fn the_torques_balance_the_couple_of_the_forces_which_the_printed_sign_does_not(
-            x in vector(), f in vector(), omega_i in vector(), omega_j in vector(), r_i in 0.1..2.0, r_j in 0.1..2.0, m_r in 0.0..2.0,
+            place in vector(), x in vector(), f in vector(), omega_i in vector(), omega_j in vector(),
+            r_i in 0.1..2.0, r_j in 0.1..2.0, m_r in 0.0..2.0,
         ) {
             prop_assume!(x.norm() > 0.5);
-            let (n, l_i, l_j, m_i, m_j) = torques(x, Vec3::zero(), r_i, r_j, f, omega_i, omega_j, m_r);
+            let (n, l_i, l_j, m_i, m_j) = torques(place + x, place, r_i, r_j, f, omega_i, omega_j, m_r);
             let f_t = f.perpendicular_to(n);
             let couple = x.cross(f_t);
             prop_assert!((m_i + m_j + couple).norm() < 1e-13);

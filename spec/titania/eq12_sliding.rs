@@ -229,6 +229,17 @@ mod laws {
     }
 
     #[test]
+    fn a_spring_slips_when_it_is_as_long_as_a_period() {
+        let at_period = |slip: f64| sliding_spring(TAU, AREA, LAMBDA, X * LAMBDA, slip);
+        assert_eq!([0.0, 1.0].map(|slip| at_period(slip).1), [Vec3::zero(); 2]);
+        assert!((at_period(0.0).0 + X * PEAK).norm() < 1e-15 && at_period(1.0).0 == Vec3::zero());
+        // the next slip takes the whole periods alone, or all
+        let beyond = |slip: f64| sliding_spring(TAU, AREA, LAMBDA, X * (2.25 * LAMBDA), slip);
+        assert!((beyond(1.0).1 - X * (0.25 * LAMBDA)).norm() < 1e-15 && beyond(0.0).1 == Vec3::zero());
+        assert!((beyond(1.0).0 + X * (0.25 * PEAK)).norm() < 1e-15 && (beyond(0.0).0 + X * PEAK).norm() < 1e-15);
+    }
+
+    #[test]
     fn a_slip_loses_half_the_peak_force_times_the_period() {
         assert!((spring_energy(TAU, AREA, LAMBDA, X * LAMBDA) - 0.5 * PEAK * LAMBDA).abs() < 1e-15);
     }

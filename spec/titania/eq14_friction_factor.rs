@@ -67,4 +67,15 @@ mod laws {
             prop_assert!(relative_eq!(friction_factor(mu, lam, r, pa).2, 6.0 * mu * pa / (1.657 * lam), max_relative = 1e-6));
         }
     }
+
+    #[test]
+    fn between_thin_and_dense_gas_the_slip_is_that_of_cunningham() {
+        for (kn, slip) in [(0.5, 0.5 * (1.257 + 0.4 * f64::exp(-2.2))), (2.0, 2.0 * (1.257 + 0.4 * f64::exp(-0.55)))] {
+            let (found, cc, f) = friction_factor(3.0, kn, 1.0, PI);
+            assert!(
+                relative_eq!(found, kn, max_relative = 1e-15) && relative_eq!(cc, 1.0 + slip, max_relative = 1e-14)
+            );
+            assert!(relative_eq!(f, 18.0 * PI / (1.0 + slip), max_relative = 1e-14));
+        }
+    }
 }

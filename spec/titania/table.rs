@@ -119,7 +119,7 @@ impl Table {
             }
             // the error goes with the fourth power of the width
             let finer = 1.05 * (error / tolerance).sqrt().sqrt();
-            count = ((count as f64 * finer.min(8.0)).ceil() as usize).max(count + 1);
+            count = (count as f64 * finer.min(8.0)).ceil() as usize;
         }
     }
 
@@ -249,6 +249,53 @@ mod laws {
                 let u = Real::sqrt(1.5 - d);
                 prop_assert!((table.force(d) - Real::exp(u) * Real::cos(5.0 * u)).abs() <= tolerance);
             }
+        }
+    }
+
+    #[test]
+    fn joined_tables_have_the_bits_of_each() {
+        let tables: Vec<Table> = PAIRS.iter().map(|(_, table)| table.clone()).collect();
+        let (pieces, lists) = Lists::join(tables.clone());
+        for (table, piece) in tables.iter().zip(&pieces) {
+            for k in -200..2000 {
+                let d = table.end() - 1e-3 * f64::from(k);
+                assert_eq!(piece.force(&lists, d), table.force(d));
+                assert_eq!(piece.potential(&lists, d), table.potential(d));
+            }
+        }
+    }
+
+    #[test]
+    fn line_and_cubics_meet() {
+        for (_, table) in PAIRS.iter() {
+            let start = table.piece.start;
+            let [below, here, above] = [start.next_down(), start, start.next_up()];
+            for [below, here, above] in
+                [[below, here, above].map(|d| table.force(d)), [below, here, above].map(|d| table.potential(d))]
+            {
+                assert!((below - here).abs() < 1e-10 && (above - here).abs() < 1e-10, "{below} {here} {above}");
+            }
+            let slope = (table.force(start) - table.force(start - 1e-3)) / 1e-3;
+            assert!((slope - table.piece.slope).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn a_table_is_as_fine_as_it_must_be_and_no_finer() {
+        let waves = |tolerance: f64| {
+            let rooted = |u: f64| (Real::cos(5.0 * u), -5.0 * Real::sin(5.0 * u));
+            (rooted, Table::new(rooted, 0.0, 1.5, 0.0, tolerance))
+        };
+        assert_eq!([1.0, 0.0].map(|tolerance| waves(tolerance).1.cells()), [16, MOST_CELLS]);
+        for tolerance in [3e-5, 1e-6, 1e-7] {
+            let (rooted, table) = waves(tolerance);
+            assert!(table.error() > 0.7 * tolerance, "{} {tolerance}", table.error());
+            let found = (0..20_000).map(|k| {
+                let d = 1.5 * f64::from(k) / 20_000.0;
+                (table.force(d) - rooted(Real::sqrt(1.5 - d)).0).abs()
+            });
+            let largest = found.fold(0.0, f64::max);
+            assert!(largest > 0.45 * table.error() && largest < 0.6 * table.error(), "{largest} {}", table.error());
         }
     }
 

@@ -319,4 +319,12 @@ mod laws {
             prop_assert!(force(touching) < 0.0);
         }
     }
+
+    #[test]
+    fn at_its_range_a_pair_still_slides_and_is_damped() {
+        let (n, v, none) = (Vec3::new(1.0, 0.0, 0.0), Vec3::new(0.5, 0.25, 0.0), Vec3::zero());
+        let Outcome { wrench, memory, losses } = PAIR.act(&at(n, PAIR.delta_f, v, none, none), none, DT);
+        assert!((wrench.force + Vec3::new(PAIR.c_n * 0.5, PAIR.c_t * 0.25, 0.0)).norm() < 1e-15);
+        assert_eq!((memory, losses.tangential_damping), (none, PAIR.c_t * 0.0625 * DT));
+    }
 }

@@ -234,13 +234,13 @@ mod laws {
 
         #[test]
         fn spheres_that_stick_without_spin_act_as_in_the_paper_but_for_the_arms(
-            at in vector(), n in unit(), gap in -0.3..-0.01, v in vector(), slid in vector(),
+            at in vector(), drift in vector(), n in unit(), gap in -0.3..-0.01, v in vector(), slid in vector(),
         ) {
             let (r_i, r_j, zero) = (1.0, 0.75, Vec3::zero());
             macro_rules! act {
                 ($law:ident) => {
                     $law(
-                        at + n * (r_i + r_j + gap), at, v, zero, zero, zero, r_i, r_j, 4.0, 2.0, 1.0, 0.2, 0.2, 10.0, 1.5, 0.8, 0.5, slid * 1e-3, DT,
+                        at + n * (r_i + r_j + gap), at, v + drift, drift, zero, zero, r_i, r_j, 4.0, 2.0, 1.0, 0.2, 0.2, 10.0, 1.5, 0.8, 0.5, slid * 1e-3, DT,
                     )
                 };
             }
@@ -266,5 +266,20 @@ mod laws {
             let coarse = PAIR.k_t * (slid.dot(slid) + (xi + slid - outcome.memory).norm() * slid.norm());
             prop_assert!((work + stored + lost).abs() <= coarse + 1e-14);
         }
+    }
+
+    #[test]
+    fn at_its_range_a_pair_is_damped_and_without_a_stiffness_nothing_lags() {
+        let (n, v, none) = (Vec3::new(1.0, 0.0, 0.0), Vec3::new(0.5, 0.25, 0.0), Vec3::zero());
+        let edge = at(n, PAIR.delta_f, v, none, none);
+        let Outcome { wrench, memory, losses } = PAIR.act_as_published(&edge, none, DT);
+        assert!((wrench.force + n * (PAIR.c_n * 0.5)).norm() < 1e-15 && losses.tangential_damping > 0.0);
+        // the spring takes back what the dashpot was allowed to exceed the cap by
+        assert!((memory + Vec3::new(0.0, 0.25, 0.0) * (PAIR.c_t / PAIR.k_t)).norm() < 1e-15);
+        let loose = Parameters { k_t: 0.0, ..PAIR };
+        let (xi, c) = (Vec3::new(0.0, 0.0, 0.1), at(n, -0.1, v, none, none));
+        let outcome = loose.act_as_published(&c, xi, DT);
+        assert!((outcome.memory - xi - Vec3::new(0.0, 0.25 * DT, 0.0)).norm() < 1e-15);
+        assert_eq!(outcome.wrench.force.perpendicular_to(n), none);
     }
 }

@@ -287,6 +287,51 @@ fn units_do_not_matter() {
     assert!((si.gamma_0 / 0.5e6 - 1.0).abs() < 1e-14);
 }
 
+#[test]
+fn the_parameters_are_those_of_the_paper_in_any_units() {
+    let [nm, nn, ns] = [2.0, 3.0, 5.0];
+    let law = Titania::paper(nm, nn, ns);
+    let gigapascal = nn / (nm * nm);
+    for (parameter, expected) in [
+        (law.core_gap, 0.57 * nm),
+        (law.h_n, 0.36 * nm),
+        (law.sigma, 0.21 * nm),
+        (law.lambda_t, 0.5 * nm),
+        (law.nanometre, nm),
+        (law.newton_per_metre, nn / nm),
+        (law.f_00, -11.0 * nn),
+        (law.f_01, -2.4 * nn / nm),
+        (law.tau_s, 0.65 * gigapascal),
+        (law.tau_r, 0.25 * gigapascal),
+        // 8.314462175 J/(mol K) times 300 K over 18.047731 cm³/mol
+        (law.thermal_pressure, 0.138_207_880_7 * gigapascal),
+        // 5e5 N s/m³
+        (law.gamma_0, 5e-4 * gigapascal * ns / nm),
+        (law.humidity, 0.5),
+    ] {
+        assert!((parameter / expected - 1.0).abs() < 1e-9, "{parameter} {expected}");
+    }
+    assert_eq!((law.contact_angle, law.liquid), (0.0, Liquid::Water { scale: 0.072 / 0.04729279 }));
+}
+
+#[test]
+fn the_time_step_is_that_of_the_stiffness_at_rest() {
+    let none = Vec3::zero();
+    for solvation in [Solvation::Israelachvili, Solvation::Printed] {
+        let pair = Pair::new(Titania { solvation, ..law() }, [8.0, 8.0]);
+        let force = |d: f64| pair.act(&pair.contact(Vec3::new(d, 0.0, 0.0), none, [none; 2]), none).0.force.0[0];
+        let of_contact = |d: f64| hertz(pair.k.k_n, 2.0 * pair.r[0] - d, pair.k.r_eff).0;
+        let slope = |force: &dyn Fn(f64) -> f64| (force(8.0 - 1e-5) - force(8.0 + 1e-5)) / 2e-5;
+        let m = mass(pair.r[0]);
+        // as printed the attraction grows faster than the contact yields
+        let stiffness = if solvation == Solvation::Printed { slope(&of_contact) } else { slope(&force) };
+        assert_eq!(slope(&force) > 0.0, solvation == Solvation::Israelachvili);
+        let expected = stable_time_step(0.5 * m, stiffness, pair.k.gamma_n);
+        let limit = pair.law.critical_time_step(pair.r[0], m);
+        assert!((limit / expected - 1.0).abs() < 1e-6, "{limit} {expected}");
+    }
+}
+
 /// Two particles pulled apart beyond rupture, slowly, and let together again.
 #[test]
 fn cohesion_gives_back_on_the_way_in_what_it_took_on_the_way_out() {

@@ -22,12 +22,12 @@ pub(crate) fn all(copy: &Copy, root: &Path, name: &str) -> bool {
     laws.record(copy);
     let known = Outcomes::of(copy);
     let mut mutants: Vec<&Mutant> =
-        copy.mutants.iter().filter(|m| m.file.contains(name) && known.get(m.id).is_none()).collect();
+        copy.mutants.iter().filter(|m| m.file.contains(name) && known.get(m).is_none()).collect();
     eprintln!("{} mutants, {} of them to be tried", copy.mutants.len(), mutants.len());
     mutants.sort_by_key(|mutant| shuffled(mutant.id));
     let done = AtomicUsize::new(0);
     in_parallel(&mutants, |_, mutant| {
-        known.add(mutant.id, notice(&laws, mutant));
+        known.add(mutant, notice(&laws, mutant));
         let done = done.fetch_add(1, Ordering::Relaxed) + 1;
         if done.is_multiple_of(100) {
             eprintln!("{done} of {}", mutants.len());
@@ -72,7 +72,7 @@ fn report(copy: &Copy, root: &Path, name: &str) -> usize {
     let mut files: BTreeMap<&str, [usize; 3]> = BTreeMap::new();
     let (mut survivors, mut unexpected) = (0, 0);
     for mutant in copy.mutants.iter().filter(|mutant| mutant.file.contains(name)) {
-        let Some(notice) = outcomes.get(mutant.id) else { continue };
+        let Some(notice) = outcomes.get(mutant) else { continue };
         let counts = files.entry(&mutant.file).or_default();
         counts[0] += 1;
         counts[1] += usize::from(notice == Notice::Own);

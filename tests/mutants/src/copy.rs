@@ -16,8 +16,7 @@ pub(crate) struct Copy {
     pub mutants: Vec<Mutant>,
     pub listed: Vec<Listed>,
     pub entries: Vec<Entry>,
-    /// A digest of the code without its laws, and one of the laws.
-    pub code: String,
+    /// A digest of code and laws.
     pub laws: String,
 }
 
@@ -41,27 +40,22 @@ pub(crate) fn build(root: &Path, kind: Kind) -> Copy {
     let home = root.join("target/mutants").join(if kind == Kind::Scaled { "sweep" } else { "all" });
     let kept = home.join("dropped.txt");
     let sources = sources(&root.join("spec"));
-    let [code, laws] = digests(&sources);
-    // Mutants that did not compile the last time, if the specification is the same.
-    let mut dropped: BTreeSet<u32> = match fs::read_to_string(&kept) {
-        Ok(text) if text.lines().next() == Some(&code) => {
-            text.lines().skip(1).filter_map(|line| line.parse().ok()).collect()
-        }
-        _ => BTreeSet::new(),
-    };
+    // Mutants that did not compile the last time.
+    let mut dropped: BTreeSet<String> =
+        fs::read_to_string(&kept).unwrap_or_default().lines().map(String::from).collect();
     loop {
         let (mutants, listed, entries) = write(root, &home, kind, &sources, &dropped);
         let messages = compile(root, &home);
         let found = errors(&messages, &home);
         if found.is_empty() {
-            let list: String = dropped.iter().map(|id| format!("{id}\n")).collect();
-            fs::write(&kept, format!("{code}\n{list}")).expect("a file");
+            fs::write(&kept, dropped.iter().map(|key| format!("{key}\n")).collect::<String>()).expect("a file");
             let tests = messages.iter().filter(|message| message["profile"]["test"] == true);
             let tests = tests.filter_map(|message| message["executable"].as_str()).next_back().expect("a program");
-            return Copy { home, tests: tests.into(), mutants, listed, entries, code, laws };
+            let laws = digest(sources.iter().map(|(_, source)| source.as_str()));
+            return Copy { home, tests: tests.into(), mutants, listed, entries, laws };
         }
         eprintln!("{} mutants do not compile", found.len());
-        dropped.extend(found);
+        dropped.extend(mutants.into_iter().filter(|mutant| found.contains(&mutant.id)).map(|mutant| mutant.key));
     }
 }
 
@@ -84,17 +78,13 @@ fn sources(spec: &Path) -> Vec<(String, String)> {
     paths.iter().map(|path| (name(path), fs::read_to_string(path).expect("a text"))).collect()
 }
 
-/// Digests of the code, without comments, and of the laws. The numbers of mutants depend on the code and on how it is rewritten.
-fn digests(sources: &[(String, String)]) -> [String; 2] {
-    let (mut code, mut laws) = (DefaultHasher::new(), DefaultHasher::new());
-    (LEFT, include_str!("rewrite.rs")).hash(&mut code);
-    for (file, source) in sources {
-        let (formulas, tests) = source.split_once("#[cfg(test)]").unwrap_or((source, ""));
-        let own = if file.contains("/laws") { &mut laws } else { &mut code };
-        formulas.lines().filter(|line| !line.trim_start().starts_with("//")).for_each(|line| line.hash(own));
-        tests.hash(&mut laws);
-    }
-    [code, laws].map(|hasher| format!("{:016x}", hasher.finish()))
+/// A digest of sources without comments, and of how they are rewritten.
+fn digest<'a>(sources: impl Iterator<Item = &'a str>) -> String {
+    let mut hasher = DefaultHasher::new();
+    (LEFT, include_str!("rewrite.rs")).hash(&mut hasher);
+    let lines = sources.flat_map(str::lines).filter(|line| !line.trim_start().starts_with("//"));
+    lines.for_each(|line| line.hash(&mut hasher));
+    format!("{:016x}", hasher.finish())
 }
 
 fn write(
@@ -102,7 +92,7 @@ fn write(
     home: &Path,
     kind: Kind,
     sources: &[(String, String)],
-    dropped: &BTreeSet<u32>,
+    dropped: &BTreeSet<String>,
 ) -> (Vec<Mutant>, Vec<Listed>, Vec<Entry>) {
     let entries: Vec<Entry> =
         sources.iter().filter(|(file, _)| file != "equation.rs").flat_map(|(_, source)| entries(source)).collect();
@@ -110,7 +100,9 @@ fn write(
     for (file, source) in sources {
         let mut text = source.clone();
         if !LEFT.iter().any(|left| file.starts_with(left)) && !file.contains("/laws") {
-            let rewritten = rewrite(kind, file, source, next, dropped, &entries);
+            let formulas = source.split("#[cfg(test)]").next().unwrap_or(source);
+            let rewritten =
+                rewrite(kind, file, source, &digest([file.as_str(), formulas].into_iter()), next, dropped, &entries);
             text = rewritten.text;
             mutants.extend(rewritten.mutants);
             listed.extend(rewritten.listed);

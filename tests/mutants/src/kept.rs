@@ -1,6 +1,7 @@
 //! What is known of the mutants, kept between runs.
 
 use crate::copy::Copy;
+use crate::rewrite::Mutant;
 use std::collections::BTreeMap;
 use std::fs::{File, OpenOptions};
 use std::io::Write;
@@ -22,9 +23,9 @@ const WORDS: [(Notice, &str); 3] = [(Notice::Own, "own"), (Notice::Other, "other
 
 /// Outcomes of mutants, one line each in a file that grows as they are found.
 ///
-/// What is noticed stays so while the code without its laws is the same; what is not is tried again when a law has changed.
+/// What is noticed stays so while the code of its file is the same; what is not is tried again when anything has changed.
 pub(crate) struct Outcomes {
-    known: BTreeMap<u32, Notice>,
+    known: BTreeMap<String, Notice>,
     file: Mutex<File>,
     laws: String,
 }
@@ -32,29 +33,27 @@ pub(crate) struct Outcomes {
 impl Outcomes {
     /// Those of the copy that are known already.
     pub(crate) fn of(copy: &Copy) -> Self {
-        let path = copy.home.join(format!("outcomes-{}.txt", copy.code));
+        let path = copy.home.join("outcomes.txt");
         let mut known = BTreeMap::new();
         for line in std::fs::read_to_string(&path).unwrap_or_default().lines() {
-            let [id, word, laws] = line.split(' ').collect::<Vec<_>>()[..] else { continue };
-            let (Ok(id), Some((notice, _))) = (id.parse(), WORDS.iter().find(|(_, known)| *known == word)) else {
-                continue;
-            };
+            let [key, word, laws] = line.split(' ').collect::<Vec<_>>()[..] else { continue };
+            let Some((notice, _)) = WORDS.iter().find(|(_, known)| *known == word) else { continue };
             if *notice != Notice::Nobody || laws == copy.laws {
-                known.insert(id, *notice);
+                known.insert(key.into(), *notice);
             }
         }
         let file = OpenOptions::new().create(true).append(true).open(&path).expect("a file");
         Self { known, file: Mutex::new(file), laws: copy.laws.clone() }
     }
 
-    pub(crate) fn get(&self, mutant: u32) -> Option<Notice> {
-        self.known.get(&mutant).copied()
+    pub(crate) fn get(&self, mutant: &Mutant) -> Option<Notice> {
+        self.known.get(&mutant.key).copied()
     }
 
     /// Writes an outcome down.
-    pub(crate) fn add(&self, mutant: u32, notice: Notice) {
+    pub(crate) fn add(&self, mutant: &Mutant, notice: Notice) {
         let word = WORDS.iter().find(|(known, _)| *known == notice).expect("a word").1;
-        writeln!(self.file.lock().expect("no panic"), "{mutant} {word} {}", self.laws).expect("a line");
+        writeln!(self.file.lock().expect("no panic"), "{} {word} {}", mutant.key, self.laws).expect("a line");
     }
 }
 

@@ -10,6 +10,8 @@ use syn::{BinOp, Expr, ExprBinary, ExprCall, ExprLit, ExprMethodCall, ExprUnary,
 pub(crate) struct Mutant {
     /// Its number.
     pub id: u32,
+    /// Its name in what is kept between runs: the digest of its file's code, and its place among the mutants of the file.
+    pub key: String,
     /// The file, relative to the specification.
     pub file: String,
     /// The line.
@@ -65,8 +67,9 @@ pub(crate) fn rewrite(
     kind: Kind,
     file: &str,
     source: &str,
+    digest: &str,
     first: u32,
-    dropped: &BTreeSet<u32>,
+    dropped: &BTreeSet<String>,
     entries: &[Entry],
 ) -> Rewritten {
     let tree = syn::parse_file(source).unwrap_or_else(|error| panic!("spec/{file}: {error}"));
@@ -74,7 +77,9 @@ pub(crate) fn rewrite(
         kind,
         file,
         source,
+        digest,
         dropped,
+        first,
         next: first,
         function: vec![],
         entries,
@@ -123,7 +128,9 @@ struct Rewriter<'a> {
     kind: Kind,
     file: &'a str,
     source: &'a str,
-    dropped: &'a BTreeSet<u32>,
+    digest: &'a str,
+    dropped: &'a BTreeSet<String>,
+    first: u32,
     next: u32,
     function: Vec<String>,
     entries: &'a [Entry],
@@ -155,12 +162,14 @@ impl Rewriter<'_> {
         for mutant in mutants {
             let id = self.next;
             self.next += 1;
-            if self.dropped.contains(&id) {
+            let key = format!("{}.{}", self.digest, id - self.first);
+            if self.dropped.contains(&key) {
                 continue;
             }
             text += &format!("if crate::mutants::on({id}) {{ {mutant} }} else /*M{id}*/\n");
             self.mutants.push(Mutant {
                 id,
+                key,
                 file: self.file.into(),
                 line,
                 function: self.function.last().cloned().unwrap_or_default(),

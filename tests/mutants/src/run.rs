@@ -49,7 +49,7 @@ impl Laws {
     /// Finds which mutants each law reaches, and how long it takes; kept as long as code and laws are the same.
     pub(crate) fn record(&mut self, copy: &Copy) {
         let names: Vec<String> = self.times.keys().cloned().collect();
-        let folder = copy.home.join(format!("reached-{}-{}", copy.code, copy.laws));
+        let folder = copy.home.join(format!("reached-{}", copy.laws));
         std::fs::create_dir_all(&folder).expect("a folder");
         let found = in_parallel(&names, |_, name| {
             let file = folder.join(name.replace("::", "."));

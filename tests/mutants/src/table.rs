@@ -29,7 +29,7 @@ pub(crate) fn write(copy: &Copy, root: &Path) -> bool {
     let (mut functions, mut files) = (BTreeMap::<_, Count>::new(), BTreeMap::<_, Count>::new());
     let (mut all, mut equivalent, mut unknown) = (Count::default(), 0, 0);
     for mutant in &copy.mutants {
-        let Some(notice) = outcomes.get(mutant.id) else {
+        let Some(notice) = outcomes.get(mutant) else {
             unknown += 1;
             continue;
         };
