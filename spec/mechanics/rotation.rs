@@ -161,8 +161,9 @@ mod laws {
         #[test]
         fn the_step_is_reversible(start in states(), dt in 0.01..0.5) {
             let mut state = start;
-            (0..100).for_each(|_| state = step(state, dt));
-            (0..100).for_each(|_| state = step(state, -dt));
+            // few steps: near the middle axis rounding errors grow exponentially, up to exp(0.57 t) here
+            (0..10).for_each(|_| state = step(state, dt));
+            (0..10).for_each(|_| state = step(state, -dt));
             prop_assert!(apart(state, start) < 1e-12);
         }
 
