@@ -245,10 +245,7 @@ pub fn choose_necks(case: &mut Case) {
 
 /// The key of a stage in the case.
 pub fn key(case: &Case, number: usize, stage: &SootStage) -> String {
-    match &case.experiment {
-        Experiment::Sequence(_) => format!("experiment.sequence[{number}].{}", stage.name()),
-        _ => format!("experiment.{}", stage.name()),
-    }
+    stage.key(matches!(case.experiment, Experiment::Sequence(_)).then_some(number))
 }
 
 /// The files that a case reads.

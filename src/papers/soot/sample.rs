@@ -54,7 +54,12 @@ impl<S: Reading> Plan<S> {
     pub(super) fn suits(&self, radii: impl Iterator<Item = f64>) -> Result<(), Error> {
         let radii = radii.fold([f64::INFINITY, 0.0], |[least, largest], r| [r.min(least), r.max(largest)]);
         let mut found = Vec::new();
-        sized(&self.soot, radii, self.stages.iter().zip(self.keys.iter().cloned()), &mut found);
+        sized(
+            &self.soot,
+            radii,
+            self.stages.iter().enumerate().map(|(number, stage)| (stage, self.key(number))),
+            &mut found,
+        );
         found.into_iter().next().map_or(Ok(()), |(key, what)| Err(Error::of_key(key, what)))
     }
 

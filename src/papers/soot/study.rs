@@ -1,6 +1,6 @@
 //! The stages of a case of the soot paper: deposition, indentation and restructuring of an aggregate.
 
-use super::case::{Aggregate, Case, Deposition, Soot, SootStage, key, parts};
+use super::case::{Aggregate, Case, Deposition, Experiment, Soot, SootStage, parts};
 use super::columns::columns_of;
 use super::energy::initial_springs;
 use super::lammps;
@@ -39,8 +39,8 @@ pub struct Plan<S> {
     pub sample: Aggregate,
     /// The stages, in succession.
     pub stages: Vec<SootStage>,
-    /// The keys of the stages in the case.
-    pub keys: Vec<String>,
+    /// Whether the case has a sequence of stages, even if of one: their keys then have numbers.
+    pub in_sequence: bool,
 }
 
 /// Skin of the neighbour list, in radii: spheres of a collapsing aggregate take tens of thousands of steps to cross it.
@@ -56,8 +56,8 @@ impl<S: Reading> Plan<S> {
     pub fn of(case: &Case, reading: S) -> Self {
         let (soot, sample, stages) = parts(case).expect("a checked case that is not about a pair");
         let (soot, sample) = (soot.clone(), sample.clone());
-        let keys = stages.iter().enumerate().map(|(number, stage)| key(case, number, stage)).collect();
-        Self { seed: case.seed, max_overlap: case.limits.overlap, soot, reading, sample, stages, keys }
+        let in_sequence = matches!(case.experiment, Experiment::Sequence(_));
+        Self { seed: case.seed, max_overlap: case.limits.overlap, soot, reading, sample, stages, in_sequence }
     }
 }
 
@@ -72,6 +72,11 @@ impl<S: Reading> Plan<S> {
             }
         }
         Ok(serde_json::to_string(&(&self.soot, &sample)).expect("a case is plain data"))
+    }
+
+    /// The key of a stage in the case.
+    pub(super) fn key(&self, stage: usize) -> String {
+        self.stages[stage].key(self.in_sequence.then_some(stage))
     }
 
     /// The contact law of a stage.
@@ -139,7 +144,7 @@ impl<S: Reading> Study for Plan<S> {
             necks: self.stream(stage, NECK_REMOVAL, self.sample.neck_fraction < 1.0, stage::removes_necks),
             target: self.stream(stage, INDENTED_SPHERE, false, indents),
             radius: median_radius(&system.particles),
-            key: self.keys[stage].clone(),
+            key: self.key(stage),
         };
         stage::set_up::<Self::Model>(&self.stages[stage], ground, system)
     }

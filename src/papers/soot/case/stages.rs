@@ -139,6 +139,12 @@ impl SootStage {
         }
     }
 
+    /// Its key in the case, by its place in the sequence if there is one.
+    pub fn key(&self, place: Option<usize>) -> String {
+        let place = place.map_or_else(String::new, |place| format!("sequence[{place}]."));
+        format!("experiment.{place}{}", self.name())
+    }
+
     /// The surface that it needs from a file, if any.
     pub fn solid(&self) -> Option<&Solid> {
         match self {

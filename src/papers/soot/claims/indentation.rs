@@ -102,7 +102,7 @@ fn plan(protocol: &Protocol, seed: u64) -> Plan<Along> {
                 ..defaults()
             }),
         ],
-        keys: Vec::new(),
+        in_sequence: true,
     }
 }
 
