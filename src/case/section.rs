@@ -23,6 +23,10 @@ pub trait Field: serde::Serialize + DeserializeOwned {
     fn read<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         Self::deserialize(deserializer)
     }
+    /// The names of the keys below it.
+    fn names() -> Vec<&'static str> {
+        Vec::new()
+    }
     /// The keys below it.
     fn keys() -> Vec<Key> {
         Vec::new()
@@ -125,6 +129,9 @@ impl<T: Field> Field for Option<T> {
     fn expects() -> String {
         T::expects()
     }
+    fn names() -> Vec<&'static str> {
+        T::names()
+    }
     fn keys() -> Vec<Key> {
         T::keys()
     }
@@ -138,6 +145,9 @@ impl<T: Field> Field for Vec<T> {
     }
     fn expects() -> String {
         format!("a list of: {}", T::expects())
+    }
+    fn names() -> Vec<&'static str> {
+        T::names()
     }
     fn keys() -> Vec<Key> {
         T::keys()
@@ -312,6 +322,9 @@ macro_rules! section {
             fn expects() -> String {
                 "a section".into()
             }
+            fn names() -> Vec<&'static str> {
+                vec![$(stringify!($key)),*]
+            }
             fn keys() -> Vec<$crate::case::section::Key> {
                 vec![$($crate::case::section::Key {
                     key: stringify!($key),
@@ -380,6 +393,9 @@ macro_rules! choice {
         impl $crate::case::section::Field for $name {
             fn expects() -> String {
                 $crate::case::section::one_of_these(&[$($key),*])
+            }
+            fn names() -> Vec<&'static str> {
+                vec![$($key),*]
             }
             fn keys() -> Vec<$crate::case::section::Key> {
                 vec![$($crate::case::section::Key {

@@ -164,6 +164,8 @@ pub trait AnyPaper: Sync {
     /// [`Paper::exported_laws`].
     #[cfg(feature = "cli")]
     fn exported_laws(&self) -> Vec<Exported>;
+    /// The words below `model`, `sample` and `experiment`.
+    fn words(&self) -> Words;
     /// The keys below `model`, `sample` and `experiment`.
     fn sections(&self) -> [Vec<Key>; 3];
     /// [`Paper::imported`].
@@ -222,6 +224,9 @@ impl<P: Paper> AnyPaper for P {
     #[cfg(feature = "cli")]
     fn exported_laws(&self) -> Vec<Exported> {
         P::exported_laws()
+    }
+    fn words(&self) -> Words {
+        Words { model: P::Model::names(), sample: P::Sample::names(), experiment: P::Experiment::names() }
     }
     fn sections(&self) -> [Vec<Key>; 3] {
         [P::Model::keys(), P::Sample::keys(), P::Experiment::keys()]
@@ -307,7 +312,7 @@ impl Papers {
     ///
     /// All problems of the case, by line and key.
     pub fn parse(&self, file: &Path, text: &str) -> Result<Job, Error> {
-        let all = || self.0.iter().map(|paper| words(*paper));
+        let all = || self.0.iter().map(|paper| paper.words());
         let all = Words {
             model: each_once(all().flat_map(|words| words.model)),
             sample: each_once(all().flat_map(|words| words.sample)),
@@ -315,7 +320,7 @@ impl Papers {
         };
         let outline = Outline::read(file, text, &all)?;
         let paper = self.find(outline.model).expect("the outline holds one of the names");
-        outline.suits(&words(paper), file, text)?;
+        outline.suits(&paper.words(), file, text)?;
         paper.read(file, text)
     }
 
@@ -343,12 +348,6 @@ fn each_once(words: impl Iterator<Item = &'static str>) -> Vec<&'static str> {
     })
 }
 
-/// The words of a paper below `model`, `sample` and `experiment`.
-fn words(paper: &dyn AnyPaper) -> Words {
-    let [model, sample, experiment] = paper.sections().map(|keys| keys.into_iter().map(|key| key.key).collect());
-    Words { model, sample, experiment }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -356,7 +355,7 @@ mod tests {
     #[test]
     fn the_only_key_of_a_model_is_the_name_of_its_paper() {
         for paper in PAPERS.0 {
-            assert_eq!(words(*paper).model, [paper.name()]);
+            assert_eq!(paper.words().model, [paper.name()]);
         }
     }
 }
