@@ -242,6 +242,14 @@ mod laws {
     }
 
     #[test]
+    fn without_a_mode_between_the_bounds_there_is_no_value() {
+        for (d_s, d_l) in [(1.0, 2.0), (0.5, 1.0), (1.5, 2.0), (0.2, 0.5)] {
+            let (kept, mean, std, m3) = truncated_moments(1.0, d_s, d_l);
+            assert!([kept, mean, std, m3].iter().all(|number: &f64| number.is_nan()), "{d_s} {d_l}");
+        }
+    }
+
+    #[test]
     fn the_moments_far_in_one_tail_keep_their_digits() {
         // the density by Simpson's rule from a limit to 12 deviations beyond
         let normal = |low: f64, high: f64| -> f64 {

@@ -276,6 +276,8 @@ mod laws {
         assert!((wrench.force + n * (PAIR.c_n * 0.5)).norm() < 1e-15 && losses.tangential_damping > 0.0);
         // the spring takes back what the dashpot was allowed to exceed the cap by
         assert!((memory + Vec3::new(0.0, 0.25, 0.0) * (PAIR.c_t / PAIR.k_t)).norm() < 1e-15);
+        let beyond = PAIR.act_as_published(&at(n, 0.75, v, none, none), v, DT);
+        assert_eq!((beyond.wrench.force, beyond.memory, beyond.losses.tangential_damping), (none, none, 0.0));
         let loose = Parameters { k_t: 0.0, ..PAIR };
         let (xi, c) = (Vec3::new(0.0, 0.0, 0.1), at(n, -0.1, v, none, none));
         let outcome = loose.act_as_published(&c, xi, DT);

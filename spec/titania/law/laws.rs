@@ -332,6 +332,29 @@ fn the_time_step_is_that_of_the_stiffness_at_rest() {
     }
 }
 
+#[test]
+fn rolling_is_resisted_with_half_a_radius_times_strength_times_area_and_touching_is_not_overlapping() {
+    let (none, y) = (Vec3::zero(), Vec3::new(0.0, 1.0, 0.0));
+    for (rolling_over, twist, share) in
+        [(RollingOver::Rolling, 7.0, 1.0), (RollingOver::Spin, 0.0, 1.0), (RollingOver::Spin, 15.0, 0.8)]
+    {
+        let pair = Pair::new(Titania { rolling_over, ..law() }, [8.0, 8.0]);
+        let (r, n) = (pair.r[0], Vec3::new(1.0, 0.0, 0.0));
+        // equal spheres that turn against each other do not slide; 20 and 15 are at right angles to 25
+        let c = pair.contact(n * 8.0, none, [y * 10.0 + n * twist, y * -10.0]);
+        let (wrench, kept, lost) = pair.act(&c, none);
+        let torque = 0.5 * r * 0.25 * Titania::area(&c) * share;
+        assert!((wrench.torque_i + y * torque).norm() < 1e-12 && (wrench.torque_j - y * torque).norm() < 1e-12);
+        assert!(kept.norm() < 1e-15 && (lost.rolling - torque * 20.0 * DT).abs() < 1e-13);
+    }
+    // spheres whose surfaces just touch feel the attraction alone
+    let touch = Contact { gap: 0.0, ..PAIR.contact(Vec3::new(11.2, 0.0, 0.0), y, [y, none]) };
+    let (wrench, kept, lost) = PAIR.act(&touch, y * 0.1);
+    assert_eq!((wrench.force.perpendicular_to(touch.n), kept, lost.normal), (none, none, 0.0));
+    let leaving = Contact { v: touch.n, ..touch };
+    assert_eq!(PAIR.act(&leaving, none).0.force, wrench.force);
+}
+
 /// Two particles pulled apart beyond rupture, slowly, and let together again.
 #[test]
 fn cohesion_gives_back_on_the_way_in_what_it_took_on_the_way_out() {
