@@ -108,6 +108,7 @@ pub fn growth<R: Real>(rate: R, dt: R) -> R {
 /// # Laws
 ///
 /// * `the_work_stretches_a_spring_between_two_faces`
+/// * `each_side_works_alone`
 #[inline(always)]
 pub fn box_work<R: Real>(virial: Vec3<R>, factor: Vec3<R>) -> R {
     let [x, y, z]: [R; 3] = std::array::from_fn(|a| virial.0[a] * (factor.0[a] - R::one()));
