@@ -28,6 +28,7 @@ use crate::{Real, Vec3, equation};
 /// # Laws
 ///
 /// * `a_contact_either_holds_or_slips`
+/// * `at_the_largest_static_force_a_contact_holds`
 #[inline(always)]
 pub fn is_static<R: Real>(f_0: Vec3<R>, f_cs: R) -> R {
     R::select(f_0.norm().le(f_cs), R::one(), R::zero())

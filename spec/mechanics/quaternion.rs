@@ -56,6 +56,7 @@ pub fn product<R: Real>(a_0: R, a: Vec3<R>, b_0: R, b: Vec3<R>) -> (R, Vec3<R>) 
 /// # Laws
 ///
 /// * `a_small_rotation_is_found_again_whatever_the_sign`
+/// * `half_a_turn_goes_the_way_of_the_later_orientation`
 #[inline(always)]
 pub fn rotation_vector<R: Real>(a_0: R, a: Vec3<R>, b_0: R, b: Vec3<R>) -> Vec3<R> {
     let (scalar, vector) = product(b_0, b, a_0, -a);

@@ -128,6 +128,7 @@ impl<R: Real> Twist<R> for Vec3<R> {
 /// * `turning_keeps_the_length_of_a_spring_and_puts_it_into_the_plane`
 /// * `a_spring_in_the_plane_stays_as_it_is`
 /// * `a_spring_carried_round_with_its_pair_turns_with_it`
+/// * `a_spring_along_the_normal_is_lost_and_a_torsion_across_it_counts_as_positive`
 #[inline(always)]
 pub fn rotated_spring<R: Real>(xi: Vec3<R>, n: Vec3<R>) -> Vec3<R> {
     let in_plane = xi.perpendicular_to(n);

@@ -84,6 +84,7 @@ pub fn lognormal<R: Real>(d_0: R, d_s: R, d_l: R) -> (R, R) {
 /// * `the_deviation_of_a_narrow_distribution_keeps_its_digits`
 /// * `the_moments_far_in_one_tail_keep_their_digits`
 /// * `gives_the_numbers_of_particles_of_table_6`
+/// * `without_a_mode_between_the_bounds_there_is_no_value`
 #[inline(always)]
 pub fn truncated_moments<R: Real>(d_0: R, d_s: R, d_l: R) -> (R, R, R, R) {
     let (_, sigma) = lognormal(R::one(), d_s / d_0, d_l / d_0);

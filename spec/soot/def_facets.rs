@@ -34,6 +34,7 @@ use crate::{Real, Vec3, equation};
 /// * `walls_at_right_or_acute_angles_attract_in_full`
 /// * `the_share_vanishes_where_the_place_reaches_the_bottom_of_a_groove`
 /// * `a_groove_attracts_alike_when_its_sides_are_exchanged`
+/// * `the_share_changes_only_between_all_and_nothing`
 #[inline(always)]
 pub fn facet_share<R: Real>(d: Vec3<R>, d_0: Vec3<R>) -> R {
     R::one() - (d.dot(d_0) / d_0.dot(d_0)).max(R::zero()).min(R::one())

@@ -28,6 +28,7 @@ use crate::{Real, equation};
 ///
 /// * `is_a_picosecond_for_the_smallest_particles`
 /// * `half_the_way_round_takes_as_long_as_the_wave_of_rayleigh`
+/// * `the_customary_line_has_its_four_digits`
 #[inline(always)]
 pub fn rayleigh_time<R: Real>(r: R, rho: R, g: R, nu: R) -> R {
     let coefficient = (R::lit(1631.0) * nu + R::lit(8766.0)) / R::lit(10000.0);

@@ -70,6 +70,7 @@ fn broken_line<R: Real, const N: usize>(x: R, points: [(f64, f64); N]) -> R {
 ///
 /// * `the_layer_grows_with_the_humidity`
 /// * `the_layer_is_that_of_the_paper_at_half_humidity`
+/// * `the_layer_has_the_points_of_the_table_and_lines_between_them`
 #[inline]
 pub fn water_layer<R: Real>(rh: R, nanometre: R) -> R {
     let points = [
@@ -113,6 +114,7 @@ pub fn water_layer<R: Real>(rh: R, nanometre: R) -> R {
 ///
 /// * `at_half_humidity_it_has_four_values`
 /// * `water_is_less_tense_the_more_humid_the_air`
+/// * `the_tension_has_the_points_of_the_four_tables_and_lines_between_them`
 #[inline]
 pub fn surface_tension<R: Real>(d_core: R, rh: R, scale: R, nanometre: R, newton_per_metre: R) -> R {
     let four = [

@@ -85,6 +85,7 @@ pub fn sawtooth<R: Real>(tau_s: R, a: R, delta_t: R, lambda_t: R, t: Vec3<R>) ->
 /// * `the_force_never_exceeds_the_peak`
 /// * `a_closed_path_costs_what_the_slips_lose`
 /// * `changing_the_area_under_load_delivers_work`
+/// * `a_spring_slips_when_it_is_as_long_as_a_period`
 #[inline(always)]
 pub fn sliding_spring<R: Real>(tau_s: R, a: R, lambda_t: R, xi: Vec3<R>, slip: R) -> (Vec3<R>, Vec3<R>) {
     let (zero, one, length) = (R::zero(), R::one(), xi.norm());

@@ -31,6 +31,7 @@ use crate::{Real, equation};
 /// * `of_a_sphere_the_knudsen_number_is_the_free_path_over_the_radius`
 /// * `in_a_dense_gas_it_is_the_drag_of_stokes`
 /// * `in_a_thin_gas_it_depends_on_the_projected_area_alone`
+/// * `between_thin_and_dense_gas_the_slip_is_that_of_cunningham`
 #[inline(always)]
 pub fn friction_factor<R: Real>(mu: R, lam: R, r_h: R, pa: R) -> (R, R, R) {
     let decimal = |digits: f64, power: f64| R::lit(digits) / R::lit(power);

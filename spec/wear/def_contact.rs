@@ -144,6 +144,7 @@ impl<R: Real> Parameters<R> {
 /// * `a_spin_about_the_normal_leaves_the_spring`
 /// * `a_dashpot_sets_in_with_a_jump_and_may_pull`
 /// * `spheres_that_overlap_have_the_springs_and_dashpots_of_their_material`
+/// * `at_its_range_a_pair_still_slides_and_is_damped`
 #[inline(always)]
 pub fn contact<R: Real>(
     x_i: Vec3<R>,

@@ -129,6 +129,7 @@ impl<R: Real> Parameters<R> {
 /// * `a_tangential_force_creates_angular_momentum_at_the_rate_of_the_gap`
 /// * `what_spring_and_dashpot_lose_is_the_work_of_the_force`
 /// * `spheres_that_stick_without_spin_act_as_in_the_paper_but_for_the_arms`
+/// * `at_its_range_a_pair_is_damped_and_without_a_stiffness_nothing_lags`
 #[inline(always)]
 pub fn published_contact<R: Real>(
     x_i: Vec3<R>,
