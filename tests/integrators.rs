@@ -169,7 +169,7 @@ fn velocity_verlet_and_synchronous_starts_refuse_walls_and_bodies_by_name() {
         walled.add_wall([Motion::Velocity(0.0); 3], |_, p| p == 0);
         rigid.add_body(&[0, 1]);
         for (system, name) in [(walled, "number of walls"), (rigid, "number of rigid bodies")] {
-            let halt = Simulation::new(undamped(), system, settings.clone()).err().expect("a refusal");
+            let halt = Simulation::new(undamped(), system, settings).err().expect("a refusal");
             assert!(halt.to_string().contains(&format!("`{name}` is 1, expected 0 with velocity Verlet")), "{halt}");
         }
     }
