@@ -583,6 +583,7 @@ def box_work(virial: ArrayLike, factor: ArrayLike, *, check: bool = True) -> Any
     Laws
     ----
     * the work stretches a spring between two faces
+    * each side works alone
 
     mechanics-box-work, spec/mechanics/box_relaxation.rs, rounding error at most 1 ULP
     """
@@ -663,6 +664,7 @@ def rotation_vector(a_0: ArrayLike | str, a: ArrayLike, b_0: ArrayLike | str, b:
     Laws
     ----
     * a small rotation is found again whatever the sign
+    * half a turn goes the way of the later orientation
 
     mechanics-rotation-vector, spec/mechanics/quaternion.rs, rounding error at most 0.5 ULP
     """

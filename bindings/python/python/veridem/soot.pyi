@@ -908,6 +908,7 @@ def rotated_spring(xi: ArrayLike, n: ArrayLike, *, check: bool = True) -> NDArra
     * turning keeps the length of a spring and puts it into the plane
     * a spring in the plane stays as it is
     * a spring carried round with its pair turns with it
+    * a spring along the normal is lost and a torsion across it counts as positive
 
     soot-rotated, spec/mechanics/rotated_spring.rs, rounding error at most 2 ULP
     """
@@ -1324,6 +1325,7 @@ def is_static(f_0: ArrayLike, f_cs: ArrayLike | str, *, check: bool = True) -> A
     Laws
     ----
     * a contact either holds or slips
+    * at the largest static force a contact holds
 
     soot-13, spec/mechanics/friction.rs, rounding error at most 0 ULP
     """
@@ -2291,6 +2293,7 @@ def facet_share(d: ArrayLike, d_0: ArrayLike, *, check: bool = True) -> Any:
     * walls at right or acute angles attract in full
     * the share vanishes where the place reaches the bottom of a groove
     * a groove attracts alike when its sides are exchanged
+    * the share changes only between all and nothing
 
     soot-facet-share, spec/soot/def_facets.rs, rounding error at most 1 ULP
     """

@@ -409,6 +409,7 @@ def water_layer(rh: float | str, nanometre: float | str, *, check: bool = True) 
     ----
     * the layer grows with the humidity
     * the layer is that of the paper at half humidity
+    * the layer has the points of the table and lines between them
 
     titania-water-layer, spec/titania/def_water.rs, rounding error at most 0.5 ULP
     """
@@ -454,6 +455,7 @@ def surface_tension(d_core: float | str, rh: float | str, scale: float | str, na
     ----
     * at half humidity it has four values
     * water is less tense the more humid the air
+    * the tension has the points of the four tables and lines between them
 
     titania-surface-tension, spec/titania/def_water.rs, rounding error at most 0.5 ULP
     """
@@ -1525,6 +1527,7 @@ def sliding_spring(tau_s: ArrayLike | str, a: ArrayLike | str, lambda_t: ArrayLi
     * the force never exceeds the peak
     * a closed path costs what the slips lose
     * changing the area under load delivers work
+    * a spring slips when it is as long as a period
 
     titania-12-spring, spec/titania/eq12_sliding.rs, rounding error at most 1 ULP
     """
@@ -1719,6 +1722,7 @@ def rayleigh_time(r: float | str, rho: float | str, g: float | str, nu: float | 
     ----
     * is a picosecond for the smallest particles
     * half the way round takes as long as the wave of rayleigh
+    * the customary line has its four digits
 
     titania-rayleigh, spec/titania/def_rayleigh.rs, rounding error at most 1 ULP
     """
@@ -2550,6 +2554,7 @@ def friction_factor(mu: ArrayLike | str, lam: ArrayLike | str, r_h: ArrayLike | 
     * of a sphere the knudsen number is the free path over the radius
     * in a dense gas it is the drag of stokes
     * in a thin gas it depends on the projected area alone
+    * between thin and dense gas the slip is that of cunningham
 
     titania-14, spec/titania/eq14_friction_factor.rs, rounding error at most 1 ULP
     """

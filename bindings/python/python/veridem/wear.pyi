@@ -797,6 +797,7 @@ def contact(x_i: ArrayLike, x_j: ArrayLike, v_i: ArrayLike, v_j: ArrayLike, omeg
     * a spin about the normal leaves the spring
     * a dashpot sets in with a jump and may pull
     * spheres that overlap have the springs and dashpots of their material
+    * at its range a pair still slides and is damped
 
     wear-contact, spec/wear/def_contact.rs, rounding error at most 2 ULP
     """
@@ -886,6 +887,7 @@ def published_contact(x_i: ArrayLike, x_j: ArrayLike, v_i: ArrayLike, v_j: Array
     * a tangential force creates angular momentum at the rate of the gap
     * what spring and dashpot lose is the work of the force
     * spheres that stick without spin act as in the paper but for the arms
+    * at its range a pair is damped and without a stiffness nothing lags
 
     wear-published-contact, spec/wear/def_published.rs, rounding error at most 4 ULP
     """
@@ -2281,6 +2283,7 @@ def truncated_moments(d_0: ArrayLike | str, d_s: ArrayLike | str, d_l: ArrayLike
     * the deviation of a narrow distribution keeps its digits
     * the moments far in one tail keep their digits
     * gives the numbers of particles of table 6
+    * without a mode between the bounds there is no value
 
     wear-lognormal-truncated, spec/mechanics/truncated_lognormal.rs, rounding error at most 100 ULP
     """

@@ -74,7 +74,7 @@ pub const LISTED: &[Listed] = &[
         claim: "few necks: local compaction; nearly all necks: global compaction; the convexity varies more",
         paper: "local, global",
         rows: &[("restructuring", "varies more"), ("pathway", "local")],
-        open: "75, 15 and 5 broken necks",
+        open: "",
     },
     Listed {
         id: "D-T10",
@@ -130,7 +130,7 @@ pub const LISTED: &[Listed] = &[
         claim: "major restructuring with only one or two necks broken",
         paper: "major",
         rows: &[("pathway", "major restructuring")],
-        open: "what decides with two broken necks: torsion, the reach of the coating, friction",
+        open: "",
     },
     Listed {
         id: "D-T17",
@@ -138,7 +138,7 @@ pub const LISTED: &[Listed] = &[
         claim: "the Hamaker constant controls the height of the peaks, the morphology their number",
         paper: "controls",
         rows: &[("indentation", "Section 3.1.2")],
-        open: "half an hour of computing",
+        open: "",
     },
     Listed {
         id: "D-T18",
@@ -146,7 +146,7 @@ pub const LISTED: &[Listed] = &[
         claim: "the time scale of restructuring depends mostly on the driving force",
         paper: "mostly",
         rows: &[("pathway", "time scale")],
-        open: "a quarter of an hour of computing",
+        open: "",
     },
     Listed {
         id: "D-T19",
@@ -154,6 +154,6 @@ pub const LISTED: &[Listed] = &[
         claim: "the shortest branches collapse first",
         paper: "first",
         rows: &[("pathway", "shortest")],
-        open: "a quarter of an hour of computing",
+        open: "",
     },
 ];

@@ -102,7 +102,7 @@ pub const LISTED: &[Listed] = &[
         claim: "constant largest diameters harmonise the strengths of all discretisations",
         paper: "roughly equal for eight lengths",
         rows: &[("amorphous", "Fig. A.9")],
-        open: "seven of the eight lengths that the chapter computes",
+        open: "",
     },
     Listed {
         id: "P-T13",
@@ -115,7 +115,7 @@ pub const LISTED: &[Listed] = &[
             ("junction", "Fig. A.10"),
             ("junction", "critical diameter"),
         ],
-        open: "the critical diameter as an interval, which the chapter computes at d_0 = 6 nm",
+        open: "",
     },
     Listed {
         id: "P-T14",
@@ -155,6 +155,6 @@ pub const LISTED: &[Listed] = &[
         claim: "similar results with smaller normal loads",
         paper: "the same fates",
         rows: &[("junction", "normal load")],
-        open: "four minutes of computing",
+        open: "",
     },
 ];
