@@ -5,16 +5,9 @@ mod program;
 
 use program::veridem as run;
 use veridem::papers::PAPERS;
-use veridem::reproduce::{Row, recorded};
+use veridem::reproduce::{Row, claims_of, recorded};
 
 const FINDINGS: &str = include_str!("../docs/findings.md");
-
-/// The table of a paper.
-fn table(paper: &str) -> &'static str {
-    let heading = format!("Claims of the {paper} paper\n");
-    let rest = FINDINGS.split("\n## ").find(|part| part.starts_with(&heading)).expect("a table for every paper");
-    rest.split("\n# ").next().unwrap_or_default()
-}
 
 #[test]
 fn the_claims_that_follow_from_the_equations_stand_in_the_tables_as_they_are_computed() {
@@ -26,7 +19,7 @@ fn the_claims_that_follow_from_the_equations_stand_in_the_tables_as_they_are_com
         let rows: Vec<String> = computed.lines().skip(2).map(|row| format!("\n{row} `exact` |\n")).collect();
         assert!(!rows.is_empty());
         for row in rows {
-            assert!(table(paper.name()).contains(&row), "the table of {} lacks{row}", paper.name());
+            assert!(claims_of(FINDINGS, paper.name()).contains(&row), "the table of {} lacks{row}", paper.name());
         }
     }
 }
@@ -37,7 +30,7 @@ fn every_chapter_has_rows_in_the_table_of_its_paper_or_is_said_to_have_none() {
         for chapter in paper.chapters() {
             let (row, none) =
                 (format!(" `{}` |\n", chapter.name), format!("`{}` has no recorded result", chapter.name));
-            let table = table(paper.name());
+            let table = claims_of(FINDINGS, paper.name());
             assert!(table.contains(&row) != table.contains(&none), "{}: {}", paper.name(), chapter.name);
         }
     }

@@ -129,9 +129,6 @@ impl<T: Field> Field for Option<T> {
     fn expects() -> String {
         T::expects()
     }
-    fn names() -> Vec<&'static str> {
-        T::names()
-    }
     fn keys() -> Vec<Key> {
         T::keys()
     }
@@ -145,9 +142,6 @@ impl<T: Field> Field for Vec<T> {
     }
     fn expects() -> String {
         format!("a list of: {}", T::expects())
-    }
-    fn names() -> Vec<&'static str> {
-        T::names()
     }
     fn keys() -> Vec<Key> {
         T::keys()

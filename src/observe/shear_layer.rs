@@ -2,9 +2,10 @@
 
 use crate::spec::Vec3;
 use crate::system::System;
+use serde::{Deserialize, Serialize};
 
 /// A layer of a profile: means over the spheres whose centres lie in it, weighted by mass.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Layer {
     /// Height of its middle above the bottom of the box, nm.
     pub height: f64,

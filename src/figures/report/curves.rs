@@ -40,7 +40,7 @@ fn plot(&Graph { name, stages, x, y, marks }: &Graph, series: &Series, events: &
     Plot { title: name.into(), x: Axis::linear(&x.to_string()), y: Axis::linear(&y.to_string()), curves }
 }
 
-/// At most so many of a list, evenly spread and the last among them.
+/// At most `most` elements of a list, evenly spread and the last among them.
 fn spread<T>(all: Vec<T>, most: usize) -> Vec<T> {
     let (n, kept) = (all.len(), all.len().min(most));
     let mut next = (1..=kept).map(|k| (k * n).div_ceil(kept) - 1).peekable();

@@ -31,7 +31,7 @@ pub struct Sliding {
     windows: Vec<Window>,
     closed: bool,
     /// The profile of the last window: of the mean velocity, m/s, and of the displacement since the beginning, nm.
-    profile: Vec<(f64, usize, [f64; 2])>,
+    profile: Vec<Layer>,
     /// Ids of the spheres that had left both bodies at the end of the last window, in ascending order.
     members: Vec<u32>,
 }
@@ -124,8 +124,7 @@ impl Sliding {
         let along = |i: usize, from: &[Vec3<f64>]| p.x[i].0[0] - from[p.id[i] as usize].0[0];
         let layers = profile(system, self.diameter, |i| [along(i, &before) / time, along(i, &start)]);
         let third = left_both(system, &start, self.start.slid(system), self.diameter);
-        self.members = (0..p.len()).filter(|&i| third[i]).map(|i| p.id[i]).collect();
-        self.members.sort_unstable();
+        self.members = p.by_id().into_iter().filter(|&i| third[i]).map(|i| p.id[i]).collect();
         self.windows.push(Window {
             slid,
             rise,
@@ -133,7 +132,7 @@ impl Sliding {
             sheared: sheared_thickness(layers.iter().map(|layer| (layer.height, layer.means[0] / velocity))),
             third_body: thickness_of(system, self.density, |i| third[i]),
         });
-        self.profile = layers.iter().map(|&Layer { height, spheres, means }| (height, spheres, means)).collect();
+        self.profile = layers;
         self.mark = Moment::of(system);
     }
 
@@ -152,7 +151,7 @@ impl Sliding {
     }
 
     pub(super) fn profile(&self) -> Vec<Vec<Cell>> {
-        let cells = |&(height, spheres, [velocity, displacement]): &(f64, usize, [f64; 2])| {
+        let cells = |&Layer { height, spheres, means: [velocity, displacement] }: &Layer| {
             let spheres = Cell::Count(spheres as u64);
             vec![Cell::Number(height), spheres, Cell::Number(velocity), Cell::Number(displacement)]
         };
