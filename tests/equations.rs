@@ -4,6 +4,9 @@
 #[expect(dead_code, reason = "its law is needed, not its spheres")]
 mod crystal;
 
+use rayon::prelude::*;
+use std::collections::HashMap;
+use std::sync::LazyLock;
 use veridem::golden::{Sample, documented, error, measure, samples};
 use veridem_spec::columns::{CoefficientsKernel, PairKernel, Results, StoredKernel, in_rows, one_by_one};
 use veridem_spec::document::{Document, Quantity};
@@ -23,16 +26,22 @@ fn every_equation(check: impl Fn(&Equation, &Document) -> Result<(), String>) {
     assert!(failures.is_empty(), "\n{}", failures.join("\n"));
 }
 
+/// The samples of every equation by its identifier, drawn once for all tests: whether an input has a value takes an evaluation with many digits.
+static SAMPLES: LazyLock<HashMap<&str, Vec<Sample>>> = LazyLock::new(|| {
+    let equations = documented().expect("every equation is documented");
+    equations.par_iter().map(|(equation, document)| (equation.id, samples(equation, document, COUNT))).collect()
+});
+
 /// Sampled inputs, which must not be scarce: a table whose domains are wrong leaves few inputs with a value.
-fn inputs(equation: &Equation, document: &Document) -> Result<Vec<Vec<f64>>, String> {
-    let samples = samples(equation, document, COUNT);
+fn inputs(equation: &Equation) -> Result<Vec<&'static [f64]>, String> {
+    let samples = &SAMPLES[equation.id];
     for (flag, count) in [("sampled", COUNT), ("small", COUNT / 2), ("near", COUNT / 2)] {
         let found = samples.iter().filter(|sample| sample.flag == flag).count();
         if found < count {
             return Err(format!("only {found} {flag} inputs have a value"));
         }
     }
-    Ok(samples.into_iter().map(|sample| sample.numbers).collect())
+    Ok(samples.iter().map(|sample| &*sample.numbers).collect())
 }
 
 fn references(numbers: &[f64]) -> Vec<Reference> {
@@ -58,8 +67,8 @@ fn units_of_the_results_follow_from_those_of_the_arguments() {
 
 #[test]
 fn eight_lanes_have_the_bits_of_eight_doubles() {
-    every_equation(|equation, document| {
-        for eight in inputs(equation, document)?.chunks_exact(8) {
+    every_equation(|equation, _| {
+        for eight in inputs(equation)?.chunks_exact(8) {
             let lanes: Vec<Lanes<8>> =
                 (0..eight[0].len()).map(|k| Lanes(std::array::from_fn(|lane| eight[lane][k]))).collect();
             let out = (equation.eval.lanes)(&lanes);
@@ -76,8 +85,8 @@ fn eight_lanes_have_the_bits_of_eight_doubles() {
 
 #[test]
 fn columns_have_the_bits_of_single_numbers_with_every_instruction_set() {
-    every_equation(|equation, document| {
-        let inputs = inputs(equation, document)?;
+    every_equation(|equation, _| {
+        let inputs = inputs(equation)?;
         let singles: Vec<Vec<f64>> = inputs.iter().map(|numbers| (equation.eval.f64)(numbers)).collect();
         // with and without a rest that does not fill a row
         for count in [1, 8, inputs.len() - 3] {
@@ -157,8 +166,8 @@ fn contact_laws_over_columns_have_the_bits_of_single_pairs() {
 
 #[test]
 fn intervals_contain_the_double_and_the_exact_value() {
-    every_equation(|equation, document| {
-        for numbers in inputs(equation, document)? {
+    every_equation(|equation, _| {
+        for numbers in inputs(equation)? {
             let points: Vec<Interval> = numbers.iter().map(|x| Interval::point(*x)).collect();
             let bounds = (equation.eval.interval)(&points);
             let (out, exact) = ((equation.eval.f64)(&numbers), (equation.eval.reference)(&references(&numbers)));
@@ -175,8 +184,8 @@ fn intervals_contain_the_double_and_the_exact_value() {
 #[test]
 fn rounding_errors_are_within_their_bounds_and_the_bounds_are_tight() {
     every_equation(|equation, document| {
-        let inputs = inputs(equation, document)?;
-        let measured = measure(equation, inputs.iter().map(Vec::as_slice));
+        let inputs = inputs(equation)?;
+        let measured = measure(equation, inputs.iter().copied());
         let stated = document.rounding.ok_or(format!("no `Rounding:` line; measured {:.3}", measured.ulps))?;
         if measured.ulps > stated {
             return Err(format!("{} ULP at {:?}, stated are {stated}", measured.ulps, measured.at));
@@ -195,9 +204,9 @@ fn single_precision_loses_digits_no_faster_than_double() {
         // literals such as pi are rounded, too, and differently in each precision
         let stated = document.rounding.unwrap_or(0.0) + 0.5;
         // numbers of the magnitudes in SI units leave the range of single precision
-        let of_order_one = |sample: &Sample| !["small", "near"].contains(&sample.flag);
-        let samples = samples(equation, document, COUNT);
-        for Sample { numbers, .. } in samples.into_iter().filter(of_order_one) {
+        let of_order_one = |sample: &&Sample| !["small", "near"].contains(&sample.flag);
+        let samples = &SAMPLES[equation.id];
+        for Sample { numbers, .. } in samples.iter().filter(of_order_one) {
             let single: Vec<f32> = numbers.iter().map(|x| *x as f32).collect();
             let rounded: Vec<f64> = single.iter().map(|x| f64::from(*x)).collect();
             let out: Vec<f64> = (equation.eval.f32)(&single).into_iter().map(f64::from).collect();
