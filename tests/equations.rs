@@ -170,7 +170,7 @@ fn intervals_contain_the_double_and_the_exact_value() {
         for numbers in inputs(equation)? {
             let points: Vec<Interval> = numbers.iter().map(|x| Interval::point(*x)).collect();
             let bounds = (equation.eval.interval)(&points);
-            let (out, exact) = ((equation.eval.f64)(&numbers), (equation.eval.reference)(&references(&numbers)));
+            let (out, exact) = ((equation.eval.f64)(numbers), (equation.eval.reference)(&references(numbers)));
             for ((bounds, y), exact) in bounds.iter().zip(out).zip(exact) {
                 if !bounds.contains(y) || !bounds.contains(exact.to_f64()) {
                     return Err(format!("{numbers:?}: {y} or {} is not in {bounds:?}", exact.to_f64()));
