@@ -48,8 +48,8 @@ def main():
             continue
         try:
             text, count = vectors(name)
-        except Wrong as error:
-            wrong.append(str(error))
+        except (Wrong, ArithmeticError, TypeError, ValueError) as error:
+            wrong.append(f"{name}: {error}")
             continue
         path = file_of(name)
         if count < counts.get(name, 0):

@@ -155,7 +155,7 @@ def results(id, inputs):
     less, more = found
     for name, numbers in more.items():
         if numbers and not all(agree(a, b, TOLERANCE / 100) for a, b in zip(less[name], numbers)):
-            raise Wrong(f"{id}: `{name}` of {inputs} loses too many digits: {less[name]}, {numbers}")
+            raise Wrong(f"`{name}` of {inputs} loses too many digits: {less[name]}, {numbers}")
     return more
 
 
@@ -174,10 +174,10 @@ def written(id, inputs, names, source):
     """The line of a new vector. `names`: of the arguments and of the results, in order."""
     arguments, result_names = names
     if set(inputs) != set(arguments):
-        raise Wrong(f"{id}: a case has the arguments {sorted(inputs)}, expected {arguments}")
+        raise Wrong(f"a case has the arguments {sorted(inputs)}, expected {arguments}")
     out = results(id, inputs)
     if set(out) != set(result_names):
-        raise Wrong(f"{id}: the oracle returns {sorted(out)}, expected {result_names}")
+        raise Wrong(f"the oracle returns {sorted(out)}, expected {result_names}")
     texts = {name: [decimal(number) for number in out[name]] for name in result_names if out[name] is not None}
     texts = {name: text[0] if len(text) == 1 else text for name, text in texts.items()}
     return line({"source": source, "in": {name: inputs[name] for name in arguments}, "out": texts})
@@ -191,11 +191,11 @@ def check_kept(id, vector):
             continue
         expected = [exact(text) for text in (value if isinstance(value, list) else [value])]
         if len(found.get(name, ())) != len(expected):
-            raise Wrong(f"{id}: the oracle lacks `{name}`")
+            raise Wrong(f"the oracle lacks `{name}`")
         if not all(agree(a, b, TOLERANCE) for a, b in zip(found[name], expected)):
             now = [decimal(number) for number in found[name]]
             other = vector.get("source", "the project")
-            raise Wrong(f"{id}: `{name}` of {vector['in']}: the oracle computes {now}, {other} has {value}")
+            raise Wrong(f"`{name}` of {vector['in']}: the oracle computes {now}, {other} has {value}")
 
 
 def vectors(id):
@@ -204,7 +204,7 @@ def vectors(id):
     _, cases, source, defined = EQUATIONS[id]
     path = file_of(id)
     if not path.exists():
-        raise Wrong(f"{id}: {path} is missing: run `veridem golden regenerate` first")
+        raise Wrong(f"{path} is missing: run `veridem golden regenerate` first")
     lines = path.read_text().split("\n")
     start, end = lines.index('  "vectors": [') + 1, lines.index("  ]")
     kept, count = [], 0

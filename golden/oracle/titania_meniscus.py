@@ -44,9 +44,11 @@ def meniscus_gap(r_eff, r_k, theta, beta):
     return dict(gap=_gap(r_eff, r_k, theta, beta), slope=_gap_slope(r_eff, r_k, theta, beta))
 
 
-# The angle itself is flat in the distance: sixty bisections leave it to 18 digits, so it is not compared.
+# The distance is flat in the angle: sixty bisections leave the angle to 18 places, so it is not compared, and the distance where the
+# angle is small has fewer digits than are compared.
 @equation(
     "titania-rupture",
+    defined=lambda r_eff, r_k, theta: r_k > r_eff / 1000,
     cases=[dict(r_eff=4.153312960445846e-9, r_k=1.1273674384933128e-9, theta=0.1), dict(r_eff=1.1e-8, r_k=9.5e-10, theta=0.0)],
 )
 def rupture(r_eff, r_k, theta):
