@@ -236,4 +236,6 @@ fn the_book_shows_laws_values_of_others_claims_and_links() {
     assert!(shows("claims-wear.html", "<a href=\"wear-19.html\">Eq. 19, Table 4</a>"));
     assert!(shows("wear-19.html", "Table 4") && !shows("wear-4.html", "Table 4"));
     assert!(shows("tables.html", "73 GPa"));
+    assert!(shows("claims.html", "never measured") && shows("claims.html", "href=\"index.html#claims\""));
+    assert!(shows("verification.html", "href=\"titania.eq02_torque.rs.html\""));
 }

@@ -1,5 +1,6 @@
 //! What the files of the repository know of an equation.
 
+use crate::error::{AtPath, Error};
 use crate::golden::{File, Vector, read};
 use crate::spec::document::Document;
 use crate::spec::equation::Equation;
@@ -98,12 +99,24 @@ pub(super) struct Other {
     pub(super) equations: Vec<String>,
 }
 
-/// The tests of values of others: each names its source, and in the paragraph `Equations:` what it compares.
+/// The tests of values of others in the files of a folder: each names its source, and in the paragraph `Equations:` what it compares.
 ///
 /// # Errors
 ///
-/// If the text is no Rust.
-pub(super) fn others(text: &str) -> Result<Vec<Other>, String> {
+/// If a file cannot be read or is no Rust.
+pub(super) fn others(folder: &Path) -> Result<Vec<Other>, Error> {
+    let listed: Result<Vec<_>, _> = std::fs::read_dir(folder).at(folder)?.collect();
+    let mut files: Vec<_> = listed.at(folder)?.iter().map(std::fs::DirEntry::path).collect();
+    files.sort();
+    let mut all = vec![];
+    for file in files {
+        let tests = others_in(&std::fs::read_to_string(&file).at(&file)?);
+        all.extend(tests.map_err(|error| Error::Verification(format!("{}: {error}", file.display())))?);
+    }
+    Ok(all)
+}
+
+fn others_in(text: &str) -> Result<Vec<Other>, String> {
     let file = syn::parse_file(text).map_err(|error| error.to_string())?;
     let functions = file.items.into_iter().filter_map(|item| match item {
         syn::Item::Fn(function) if function.attrs.iter().any(|a| a.path().is_ident("test")) => Some(function),

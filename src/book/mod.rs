@@ -72,7 +72,8 @@ const SHARED: [(&str, &str); 3] = [
 /// The pages of the repository on claims, and on how laws were tested; the tests with values of others.
 const FINDINGS: &str = "docs/findings.md";
 const VERIFICATION: &str = "docs/verification.md";
-const OTHERS: &str = "tests/others.rs";
+const CLAIMS: &str = "docs/claims.md";
+const OTHERS: &str = "tests/others";
 
 /// The files of the book by name, from the repository at `root`.
 ///
@@ -93,7 +94,7 @@ pub fn files(root: &Path, registry: &Registry, papers: Papers) -> Result<Vec<(St
         files.push((chapter.claims_page(), claims::page(&book, chapter)));
     }
     for (file, title, markdown) in &book.documents {
-        files.push((file.to_string(), frame::whole(title, text::markdown(markdown, &|_| None))));
+        files.push((file.to_string(), frame::whole(title, text::markdown(markdown, &|link| book.page_of(link)))));
     }
     files.extend(equation::pages(&book));
     files.extend(equation::sources(&book));
@@ -135,7 +136,7 @@ impl<'a> Book<'a> {
                 }),
             }
         }
-        let others = facts::others(&read(OTHERS)?).map_err(Error::Verification)?;
+        let others = facts::others(&root.join(OTHERS))?;
         for other in &others {
             let unknown = other.equations.iter().find(|id| registry.0.iter().all(|entry| entry.equation.id != **id));
             if other.equations.is_empty() || unknown.is_some() {
@@ -146,8 +147,11 @@ impl<'a> Book<'a> {
                 )));
             }
         }
-        let documents =
-            vec![("verification.html", "Verification", read(VERIFICATION)?), ("proofs.html", "Proofs", about_proofs)];
+        let documents = vec![
+            ("claims.html", "All claims, with command and result", read(CLAIMS)?),
+            ("verification.html", "Verification", read(VERIFICATION)?),
+            ("proofs.html", "Proofs", about_proofs),
+        ];
         let laws = papers.0.iter().flat_map(|paper| paper.shown_laws()).map(|law| law.id).collect();
         Ok(Self { chapters, others, laws, documents })
     }
@@ -160,6 +164,20 @@ impl<'a> Book<'a> {
     /// All equations with their chapters, in order.
     fn entries(&self) -> impl Iterator<Item = (&Chapter<'a>, &Entry<'a>)> {
         self.chapters.iter().flat_map(|chapter| chapter.entries.iter().map(move |entry| (chapter, entry)))
+    }
+
+    /// The page that has what a page of the repository links to.
+    fn page_of(&self, link: &str) -> Option<String> {
+        let path = link.split('#').next().unwrap_or_default().trim_start_matches("../");
+        let of_document =
+            |name: &str| self.documents.iter().find(|(file, ..)| file.strip_suffix(".html") == Some(name));
+        let of_source = |file: &str| self.entries().find(|(_, entry)| entry.equation.file == file);
+        match path.strip_suffix(".md") {
+            Some("spec/INDEX") => Some("index.html".into()),
+            Some("findings") => Some("index.html#claims".into()),
+            Some(name) => of_document(name).map(|(file, ..)| file.to_string()),
+            None => of_source(path.strip_prefix("spec/")?).map(|(_, entry)| entry.source_page()),
+        }
     }
 
     /// The page of the function that the documentation of a chapter links to.

@@ -2,7 +2,7 @@
 """Looks at the book with a browser: python3 tests/browser/book.py BOOK
 
 Every link leads to a page, no page has an error on the console or fetches from a network, the search finds an equation by its number in each paper and every
-table, a slider and a choice move the curve, every slider of a contact law moves its forces, every law and every erratum says how it is established, nothing is cut at the
+table, a slider and a choice move the curve, every slider of a contact law moves its forces, every law and every erratum says how it is established, every claim how it is measured, nothing is cut at the
 width of a telephone, paper has no controls, and the dark page is dark. Needs Chromium and the Python package `playwright`.
 """
 
@@ -117,6 +117,17 @@ def statements(page, folder):
     page.emulate_media(media="screen")
 
 
+def claims(page, folder):
+    """Each claim has a command that measures it, or a reason why nothing does; its page leads to what was measured."""
+    page.goto((folder / "claims.html").as_uri())
+    rows = page.eval_on_selector_all("main tbody tr", "rows => rows.map((row) => Array.from(row.cells, (cell) => cell.innerText))")
+    expect(len(rows) > 50, f"{len(rows)} claims")
+    for row in rows:
+        expect(row[4].startswith("veridem reproduce") or row[5].startswith("never measured"), f"nothing measures {row}")
+    page.click("main a[href^='index.html']")
+    page.wait_for_url("**/index.html#claims")
+
+
 def main(folder):
     pages = links(folder)
     with sync_playwright() as playwright:
@@ -139,6 +150,7 @@ def main(folder):
                 curve(page, folder / f"{name}.html")
             forces(page, folder)
             statements(page, folder)
+            claims(page, folder)
             page.close()
         browser.close()
     print(f"{len(pages)} pages of the book are as they should be")

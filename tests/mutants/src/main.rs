@@ -20,7 +20,7 @@ mod run;
 mod table;
 
 use copy::Copy;
-use rewrite::Kind;
+use rewrite::{Entry, Kind};
 use run::{ENDLESS, Laws, NONE, SWEEP, in_parallel, patience};
 use std::path::Path;
 use std::process::ExitCode;
@@ -73,6 +73,13 @@ fn sweep(copy: &Copy, name: &str) -> bool {
         );
     }
     let count = missed.iter().map(Vec::len).sum::<usize>();
-    println!("{} equations, {} mutants, {count} not noticed", listed.len(), 3 * listed.len());
-    count > 0
+    println!("{} functions, {} mutants, {count} not noticed", listed.len(), 3 * listed.len());
+    // Several equations may be one function.
+    let is_changed = |[file, _, function]: &&Entry| {
+        copy.listed.iter().any(|equation| equation.file == *file && equation.function == *function)
+    };
+    let left: Vec<&str> =
+        copy.entries.iter().filter(|entry| !is_changed(entry)).map(|entry| entry[1].as_str()).collect();
+    println!("{} equations, {} not changed: {}", copy.entries.len(), left.len(), left.join(", "));
+    count > 0 || !left.is_empty()
 }
