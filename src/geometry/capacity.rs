@@ -98,6 +98,15 @@ mod tests {
     }
 
     #[test]
+    fn two_unequal_spheres_that_cut_at_right_angles_have_the_capacity_of_three_charges() {
+        let (a, b) = (1.0f64, 0.5f64);
+        let distance = a.hypot(b);
+        let sphere = |x: f64, radius: f64| Sphere { centre: Vec3([x, 0.0, 0.0]), radius };
+        let begin = distance * a.powi(3) / (a.powi(3) + b.powi(3)) + b;
+        agrees(&[sphere(0.0, a), sphere(distance, b)], a + b - a * b / distance, begin);
+    }
+
+    #[test]
     fn a_hidden_sphere_changes_nothing() {
         let shell = [Sphere { centre: Vec3::zero(), radius: 3.0 }, Sphere { centre: Vec3::zero(), radius: 1.0 }];
         assert_eq!(taken(&shell, 10, 1), [3.0, 0.0]);
