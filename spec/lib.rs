@@ -26,6 +26,7 @@ pub mod wear;
 
 pub use contact::Contact;
 use equation::{Equation, Paper};
+pub use mechanics::carried::{Carried, Turns};
 pub use mechanics::necked::{self, Necked};
 pub use model::{Flat, Named, Outcome, PairModel, Touch, Wrench};
 pub use real::{Real, piecewise};

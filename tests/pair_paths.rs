@@ -108,3 +108,31 @@ fn the_neck_of_two_spheres_of_soot_answers_each_motion_with_its_own_spring() {
     assert!(near(torque, sliding + turning, bent), "{torque:?} {:?}", sliding + turning);
     assert!(near(torque_second, sliding - turning, bent), "{torque_second:?}");
 }
+
+/// Half a turn about the normal, with both spheres alike, after sliding: the force turns with the pair where springs are carried, and stays in space where they are projected, as in the papers.
+#[test]
+fn carried_springs_turn_with_a_pair_that_spins_about_its_normal() {
+    let (spin, zero) = (50.0, "0 1/ns");
+    let legs = format!(
+        "[{{duration: 0.01 ns, velocity: [4 m/s, 0 m/s]}}, {{duration: {} ns, spin_of_first: [{spin} 1/ns, {zero}, {zero}], spin_of_second: [{spin} 1/ns, {zero}, {zero}]}}]",
+        std::f64::consts::PI / spin
+    );
+    for (model, distance) in
+        [("titania: {", ""), ("soot: {hamaker_constant: 0 J, capillary_force: 0 nN, ", "distance: 27.9 nm, ")]
+    {
+        let forces = |springs: &str| {
+            let found = rows(&format!(
+                "title: a spin\nmodel: {{{model}springs: {springs}}}}}\nsample: {{pair: {{}}}}\nexperiment: {{path: {{{distance}dt: 10 fs, legs: {legs}}}}}\noutput: {{series: 10 steps}}\n"
+            ));
+            let slid = found[99][0].perpendicular_to(X);
+            (slid, found.last().unwrap()[0].perpendicular_to(X))
+        };
+        let ((slid, carried), (same, projected)) = (forces("carried"), forces("projected"));
+        assert_eq!(slid, same);
+        // The dashpot, which only the sliding has, is 1 % of the force.
+        assert!(slid.norm() > 0.0 && (projected - slid).norm() < 0.02 * slid.norm(), "{model} {projected:?} {slid:?}");
+        // The duration is rounded to steps, in each of which the pair turns by 5e-4.
+        let size = projected.norm();
+        assert!((carried + projected).norm() < 1e-3 * size, "{model} {carried:?} {projected:?}");
+    }
+}

@@ -178,3 +178,19 @@ def elongation(delta, delta_0):
 )
 def contact_rest(delta, delta_0):
     return dict(delta_c=delta_0 if delta < 0 and delta_0 < 0 else 0)
+
+
+@equation(
+    "mechanics-carried-spring",
+    cases=[
+        dict(xi=[1e-11, -3e-12, 2e-12], n=[0.0, 0.0, 1.0], omega_i=SPINS[0], omega_j=SPINS[1], dt=2e-10),
+        dict(xi=[2e-9, 1e-9, -5e-10], n=[0.6, 0.0, -0.8], omega_i=SPINS[1], omega_j=SPINS[2], dt=5e-9),
+        dict(xi=[-4e-10, 0.0, 7e-10], n=[0.0, -1.0, 0.0], omega_i=SPINS[2], omega_j=SPINS[3], dt=1e-6),
+        dict(xi=[5e-10, 6e-10, 0.0], n=[0.0, 0.8, 0.6], omega_i=SPINS[3], omega_j=[-part for part in SPINS[3]], dt=1e-3),
+    ],
+)
+def carried_spring(xi, n, omega_i, omega_j, dt):
+    # By Rodrigues' formula, about the normal by the angle of the midpoint rule.
+    angle = 2 * mp.atan((omega_i + omega_j).dot(n) * dt / 4)
+    b = n.cross(xi)
+    return dict(carried=xi + b * mp.sin(angle) + n.cross(b) * (2 * mp.sin(angle / 2) ** 2))

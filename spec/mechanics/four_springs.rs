@@ -105,6 +105,12 @@ impl<R: Real, O: Twist<R>> Memory<R, O> {
         Self { tangential: Vec3::zero(), rolling: Vec3::zero(), torsion: O::none(), rest: R::zero() }
     }
 
+    /// The same with the springs in the contact plane turned; torsion lies along the normal.
+    #[inline(always)]
+    pub fn turned(self, turn: impl Fn(Vec3<R>) -> Vec3<R>) -> Self {
+        Self { tangential: turn(self.tangential), rolling: turn(self.rolling), ..self }
+    }
+
     /// The gap at rest of the normal spring: of a neck where `bonded` is true, elsewhere of a contact.
     #[inline(always)]
     fn rest_of(&self, bonded: R::Mask, delta: R) -> R {

@@ -2,7 +2,7 @@
 //!
 //! Relations used by several models are defined once, here. An equation that a paper prints or prescribes keeps the id of that paper, under which it is listed; the paper's
 //! module refers to it. Equations with an id of this module belong to no paper. [`four_springs`] are the springs of a contact or a neck, [`necked`] adds necks to any contact
-//! law.
+//! law, and [`carried`] springs that follow a pair which spins.
 
 #[cfg(test)]
 pub(crate) mod amplification;
@@ -12,6 +12,8 @@ pub mod body_inertia;
 pub mod box_relaxation;
 pub mod box_stress;
 pub mod capacity;
+pub mod carried;
+pub mod carried_spring;
 pub mod contact_kinematics;
 pub mod convex_hull;
 pub mod coordinated_step;
@@ -79,6 +81,7 @@ fn equations() -> Vec<Equation> {
         friction_share::equations(),
         thermal::equations(),
         neck_rest::equations(),
+        carried_spring::equations(),
     ]
     .into_iter()
     .flatten()

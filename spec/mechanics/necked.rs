@@ -8,6 +8,7 @@
 //! relaxed springs. A neck joins the bare particles, which touch at equilibrium: their spheres are smaller than the spheres of the
 //! contact law by the equilibrium overlap.
 
+use super::carried::Turns;
 use super::contact_kinematics::ContactKinematics;
 use super::four_springs::{Friction, Memory, Springs};
 use crate::{Contact, Flat, Outcome, PairModel, Real, Vec3, Wrench, flat_struct};
@@ -153,6 +154,13 @@ impl<M: PairModel> PairModel for Necked<M> {
 
     fn critical_time_step_among(&self, r: f64, m: f64, largest: f64) -> f64 {
         self.law.critical_time_step_among(r, m, largest).min(self.neck.critical_time_step(r, m, largest))
+    }
+}
+
+impl<M: Turns> Turns for Necked<M> {
+    #[inline(always)]
+    fn turned<R: Real>((memory, springs): Self::Memory<R>, turn: impl Fn(Vec3<R>) -> Vec3<R>) -> Self::Memory<R> {
+        (M::turned(memory, &turn), springs.turned(&turn))
     }
 }
 

@@ -4,6 +4,7 @@ use super::def_body_forces::Attraction;
 use super::def_facets::{facet_share, facet_share_slope};
 use super::def_neck_stress::neck_stress;
 use super::eq12_spring_force::turning_torque;
+use crate::mechanics::carried_spring::carried_spring;
 use crate::mechanics::contact_kinematics::ContactKinematics;
 use crate::mechanics::four_springs::{Friction, Losses, Memory, Order, Springs, SpringsOutcome, never};
 use crate::mechanics::rotated_spring::Twist;
@@ -17,6 +18,8 @@ pub trait Reading: Copy + Send + Sync {
     type Torsion<R: Real>: Twist<R>;
     /// Order of stretching and acting within a step.
     const ORDER: Order;
+    /// Whether a pair that spins about its normal carries its springs along, see [`carried_spring`].
+    const CARRIED: bool = false;
 }
 
 /// Torsion springs lie along the normal: torsion is resisted by a spring and a dashpot, like every other motion. See [`rotated_torsion`](crate::mechanics::rotated_spring::rotated_torsion).
@@ -25,6 +28,15 @@ pub struct Along;
 impl Reading for Along {
     type Torsion<R: Real> = R;
     const ORDER: Order = Order::StretchFirst;
+}
+
+/// As [`Along`], and tangential and rolling springs follow a pair that spins about its normal. A surface does not spin: there they follow half the spin of the sphere.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Following;
+impl Reading for Following {
+    type Torsion<R: Real> = R;
+    const ORDER: Order = Order::StretchFirst;
+    const CARRIED: bool = true;
 }
 
 /// Torsion springs along the normal, and all springs act before they are stretched, lagging by one step.
@@ -146,6 +158,7 @@ impl<S: Reading> PairModel for Soot<S> {
     ) -> SpringsOutcome<R, S::Torsion<R>> {
         let bonded = is_bonded(k);
         let at = ContactKinematics::of_spheres(c);
+        let memory = carried::<R, S>(memory, c.n, c.omega_i, c.omega_j, dt);
         let mut evaluate = self.springs(bonded).grip_in(S::ORDER, &lifted(&self.friction), bonded, &at, memory, dt);
         evaluate.wrench.force = evaluate.wrench.force + self.far(c);
         evaluate
@@ -210,6 +223,7 @@ impl<S: Reading> PairModel for Soot<S> {
         memory: Self::Memory<f64>,
         dt: f64,
     ) -> SpringsOutcome<f64, S::Torsion<f64>> {
+        let memory = carried::<f64, S>(memory, touch.n, touch.omega, Vec3::zero(), dt);
         self.walls[material].evaluate(S::ORDER, touch, memory, dt)
     }
 
@@ -272,6 +286,18 @@ impl<S> Soot<S> {
     fn springs<R: Real>(&self, bonded: R::Mask) -> Springs<R> {
         Springs::from_fn(|k| R::select(bonded, R::lit(*self.neck.at(k)), R::lit(*self.contact.at(k))))
     }
+}
+
+/// The springs of a pair that has spun, where the reading carries them.
+#[inline(always)]
+fn carried<R: Real, S: Reading>(
+    memory: Memory<R, S::Torsion<R>>,
+    n: Vec3<R>,
+    omega_i: Vec3<R>,
+    omega_j: Vec3<R>,
+    dt: R,
+) -> Memory<R, S::Torsion<R>> {
+    if S::CARRIED { memory.turned(|xi| carried_spring(xi, n, omega_i, omega_j, dt)) } else { memory }
 }
 
 #[inline(always)]

@@ -41,7 +41,7 @@ pub use crate::mechanics::spring_force as eq12_spring_force;
 
 pub use def_body_forces::Attraction;
 pub use law::{
-    Along, Coefficients, Lagging, Printed, Programmed, Reading, SUBSTRATE, Soot, Stored, Strength, TIP, Wall,
+    Along, Coefficients, Following, Lagging, Printed, Programmed, Reading, SUBSTRATE, Soot, Stored, Strength, TIP, Wall,
 };
 
 use crate::equation::{Equation, Paper};

@@ -101,6 +101,20 @@ pub(super) fn angle_slope<R: Real>(gamma: R, r_k: R, r_eff: R, theta: R, beta: R
 /// * `the_force_is_the_slope_of_the_work`
 #[inline]
 pub fn capillary_work<R: Real>(gamma: R, r_k: R, r_eff: R, theta: R, beta: R, beta_r: R) -> R {
+    work_along(gamma, r_k, r_eff, theta, beta, beta_r, |beta| meniscus_gap(r_eff, r_k, theta, beta).1)
+}
+
+/// The work of a meniscus of any shape, given the slope of its distance against the half-filling angle.
+#[inline]
+pub(super) fn work_along<R: Real>(
+    gamma: R,
+    r_k: R,
+    r_eff: R,
+    theta: R,
+    beta: R,
+    beta_r: R,
+    slope: impl Fn(R) -> R,
+) -> R {
     const POINTS: [(f64, f64); 5] = [
         (0.14887433898163122, 0.29552422471475287),
         (0.4333953941292472, 0.26926671930999636),
@@ -109,7 +123,7 @@ pub fn capillary_work<R: Real>(gamma: R, r_k: R, r_eff: R, theta: R, beta: R, be
         (0.9739065285171717, 0.06667134430868814),
     ];
     let (middle, half) = (R::lit(0.5) * (beta + beta_r), R::lit(0.5) * (beta_r - beta));
-    let power = |beta: R| capillary_force(gamma, r_k, r_eff, theta, beta) * meniscus_gap(r_eff, r_k, theta, beta).1;
+    let power = |beta: R| capillary_force(gamma, r_k, r_eff, theta, beta) * slope(beta);
     let weighed = POINTS.map(|(x, weight)| {
         let off = half * R::lit(x);
         (power(middle - off) + power(middle + off)) * R::lit(weight)

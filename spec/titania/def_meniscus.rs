@@ -113,15 +113,21 @@ pub fn meniscus_gap<R: Real>(r_eff: R, r_k: R, theta: R, beta: R) -> (R, R) {
 /// * `scales_with_radius_and_kelvin_radius`
 #[inline]
 pub fn rupture<R: Real>(r_eff: R, r_k: R, theta: R) -> (R, R) {
+    rupture_of(theta, |beta| meniscus_gap(r_eff, r_k, theta, beta))
+}
+
+/// The rupture of a meniscus of any shape, given its distance against the half-filling angle, and the slope.
+#[inline]
+pub(super) fn rupture_of<R: Real>(theta: R, distance: impl Fn(R) -> (R, R)) -> (R, R) {
     let (half, mut low, mut high) = (R::lit(0.5), R::zero(), R::lit(0.5) * R::pi() - theta);
     for _ in 0..60 {
         let middle = half * (low + high);
-        let rises = Profile::new(r_eff, r_k, theta, middle).slope(r_k).gt(R::zero());
+        let rises = distance(middle).1.gt(R::zero());
         low = R::select(rises, middle, low);
         high = R::select(rises, high, middle);
     }
     let beta_r = half * (low + high);
-    (beta_r, Profile::new(r_eff, r_k, theta, beta_r).gap(r_eff))
+    (beta_r, distance(beta_r).0)
 }
 
 /// Half-filling angle of the meniscus at a given distance: the stable branch, zero beyond the rupture.
@@ -153,20 +159,20 @@ pub fn rupture<R: Real>(r_eff: R, r_k: R, theta: R) -> (R, R) {
 #[inline]
 pub fn half_filling_angle<R: Real>(r_eff: R, r_k: R, theta: R, gap: R) -> R {
     let (beta_r, gap_r) = rupture(r_eff, r_k, theta);
-    angle(r_eff, r_k, theta, beta_r, gap_r, gap)
+    angle_on(theta, beta_r, gap_r, gap, |beta| meniscus_gap(r_eff, r_k, theta, beta))
 }
 
-/// The half-filling angle, when the rupture is known.
+/// The half-filling angle of a meniscus of any shape, when its rupture is known.
 #[inline]
-pub(super) fn angle<R: Real>(r_eff: R, r_k: R, theta: R, beta_r: R, gap_r: R, gap: R) -> R {
+pub(super) fn angle_on<R: Real>(theta: R, beta_r: R, gap_r: R, gap: R, distance: impl Fn(R) -> (R, R)) -> R {
     let (half, zero, two) = (R::lit(0.5), R::zero(), R::lit(2.0));
     let depth = |gap: R| (gap_r - gap).max(zero).sqrt();
     let end = half * R::pi() - theta;
-    let (target, largest) = (depth(gap), depth(Profile::new(r_eff, r_k, theta, end).gap(r_eff)));
+    let (target, largest) = (depth(gap), depth(distance(end).0));
     let mut beta = beta_r + (end - beta_r) * (target / largest).min(R::one());
     for _ in 0..9 {
-        let profile = Profile::new(r_eff, r_k, theta, beta);
-        let (slope, here) = (profile.slope(r_k), depth(profile.gap(r_eff)));
+        let (here, slope) = distance(beta);
+        let here = depth(here);
         let newton = beta + two * here * (here - target) / slope;
         let inside = R::select(newton.lt(beta_r), half * (beta + beta_r), newton.min(end));
         beta = R::select(slope.lt(zero), inside, beta);

@@ -1,6 +1,6 @@
 //! The contact law, composed from its equations, for an engine.
 
-use super::attraction::Attraction;
+use super::attraction::{Attracted, Attraction, Meniscus};
 use super::def_radius::{effective_radius, radii};
 use super::def_water::{kelvin, surface_tension, water_layer};
 use super::eq01_total_force::total_force;
@@ -19,7 +19,7 @@ use crate::mechanics::projected_spring::stretched_spring;
 use crate::mechanics::reduced_mass::effective_mass;
 use crate::mechanics::sphere::moment_of_inertia;
 use crate::mechanics::stable_step::stable_time_step;
-use crate::{Contact, Outcome, PairModel, Real, Vec3, Wrench, flat_struct};
+use crate::{Contact, Outcome, PairModel, Real, Turns, Vec3, Wrench, flat_struct};
 
 /// The liquid that wets the particles.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,6 +53,8 @@ pub struct Titania {
     pub contact_angle: f64,
     /// The liquid of the layer and the menisci.
     pub liquid: Liquid,
+    /// The profile of a meniscus.
+    pub meniscus: Meniscus,
     /// A nanometre in the caller's units.
     pub nanometre: f64,
     /// A newton per metre in the caller's units.
@@ -129,7 +131,7 @@ flat_struct! {
 }
 
 /// The constants of a pair with its attraction, for an engine that solves for the meniscus instead of tabulating it.
-pub type Coefficients<R> = (Parameters<R>, Attraction<R>);
+pub type Coefficients<R> = (Parameters<R>, Attracted<R>);
 
 impl Titania {
     /// The parameters of the paper, at half humidity and 300 K, in units in which a nanometre, a nanonewton and a nanosecond have these values.
@@ -143,6 +145,7 @@ impl Titania {
             thermal_pressure: Self::thermal_pressure_of_water(300.0) * 1e-9 * gigapascal,
             contact_angle: 0.0,
             liquid: Liquid::Water { scale: 0.072 / 0.04729279 },
+            meniscus: Meniscus::Circular,
             nanometre,
             newton_per_metre,
             solvation: Solvation::Israelachvili,
@@ -195,13 +198,14 @@ impl Titania {
             Solvation::Printed => (printed, -(core_i + core_j)),
             Solvation::Israelachvili => (-printed, R::lit(0.25) * sigma),
         };
-        Attraction::new(core_i, core_j, h_w, gamma, r_k, R::lit(self.contact_angle), f_0, sigma, least)
+        let theta = R::lit(self.contact_angle);
+        Attraction::new(self.meniscus, core_i, core_j, h_w, gamma, r_k, theta, f_0, sigma, least)
     }
 
     /// The attraction between two particles as a table with an error of at most `tolerance`.
     pub fn table(&self, r_i: f64, r_j: f64, tolerance: f64) -> Table {
         let attraction = self.attraction(r_i, r_j);
-        let start = attraction.kink().max(attraction.cores);
+        let start = attraction.kink().max(attraction.pair.cores);
         let slope = attraction.slope(start * (1.0 - 1e-12));
         Table::new(|u| attraction.rooted(u), start, attraction.rupture(), slope, tolerance)
     }
@@ -265,7 +269,7 @@ impl PairModel for Titania {
     type Stored<R: Real> = Held<R>;
 
     fn coefficients<R: Real>(&self, r_i: R, r_j: R, m_i: R, m_j: R) -> Coefficients<R> {
-        (self.parameters(r_i, r_j, m_i, m_j), self.attraction(r_i, r_j))
+        (self.parameters(r_i, r_j, m_i, m_j), self.attraction(r_i, r_j).pair)
     }
 
     const FRICTION_STOPS: bool = true;
@@ -278,11 +282,13 @@ impl PairModel for Titania {
         self.attraction(r_i, r_j).rupture().max(r_i + r_j)
     }
 
-    fn pair<R: Real>(&self, c: &Contact<R>, (contact, attraction): &Coefficients<R>, spring: Vec3<R>, dt: R) -> Act<R> {
+    fn pair<R: Real>(&self, c: &Contact<R>, (contact, pair): &Coefficients<R>, spring: Vec3<R>, dt: R) -> Act<R> {
+        let attraction = Attraction { meniscus: self.meniscus, pair: *pair };
         self.act(contact, self.arms.of(c, self.h_n), c, attraction.force(c.distance), spring, dt)
     }
 
-    fn stored<R: Real>(&self, c: &Contact<R>, (contact, attraction): &Coefficients<R>, spring: &Vec3<R>) -> Held<R> {
+    fn stored<R: Real>(&self, c: &Contact<R>, (contact, pair): &Coefficients<R>, spring: &Vec3<R>) -> Held<R> {
+        let attraction = Attraction { meniscus: self.meniscus, pair: *pair };
         self.held(contact, c, attraction.potential(c.distance), spring)
     }
 
@@ -292,6 +298,12 @@ impl PairModel for Titania {
         let (_, repulsion, _) = hertz(k.k_n, r + r - d, k.r_eff);
         let stiffness = repulsion - self.attraction(r, r).slope(d);
         stable_time_step(effective_mass(m, m), if stiffness > 0.0 { stiffness } else { repulsion }, k.gamma_n)
+    }
+}
+
+impl Turns for Titania {
+    fn turned<R: Real>(spring: Vec3<R>, turn: impl Fn(Vec3<R>) -> Vec3<R>) -> Vec3<R> {
+        turn(spring)
     }
 }
 

@@ -4,7 +4,7 @@
 //! Oxide particles of a few nanometres under a layer of water: a meniscus and the layers of water between the surfaces attract, compressed layers
 //! repel, rough surfaces stick and slip, and roll against a constant resistance. The modules `eq..` are the numbered equations, `def_..` unnumbered
 //! relations. The attraction is not in the paper, which refers to earlier work for it: [`def_water`], [`def_meniscus`] and [`def_capillary`] are
-//! classical capillarity, [`attraction`] composes it for a pair, [`table`] makes it fast. [`law`] is the law for an engine, [`tabulated`] the same
+//! classical capillarity, [`def_exact_meniscus`] its exact profile, [`attraction`] composes it for a pair, [`table`] makes it fast. [`law`] is the law for an engine, [`tabulated`] the same
 //! for many particles of a few sizes. Every numbered equation, 1 to 14, has a function.
 //!
 //! # Errata
@@ -15,11 +15,12 @@
 //! # Choices
 //!
 //! Where the text allows several readings, the equation says which is taken. Options of [`law::Titania`] are the sign of the solvation force
-//! ([`eq03_attraction::Solvation`]), the tangential spring after a slip ([`eq12_sliding::Slip`]), the damping constant of Eq. 7.
+//! ([`eq03_attraction::Solvation`]), the shape of the meniscus ([`attraction::Meniscus`]), the tangential spring after a slip ([`eq12_sliding::Slip`]), the damping constant of Eq. 7.
 
 pub mod attraction;
 pub mod def_aggregate;
 pub mod def_capillary;
+pub mod def_exact_meniscus;
 pub mod def_meniscus;
 pub mod def_radius;
 pub mod def_rayleigh;
@@ -43,7 +44,7 @@ pub mod law;
 pub mod table;
 pub mod tabulated;
 
-pub use attraction::Attraction;
+pub use attraction::{Attraction, Meniscus};
 pub use law::{Act, Coefficients, Held, Liquid, Lost, Parameters, Titania};
 pub use table::Table;
 pub use tabulated::Tabulated;
@@ -65,6 +66,7 @@ fn equations() -> Vec<Equation> {
         def_water::equations(),
         def_meniscus::equations(),
         def_capillary::equations(),
+        def_exact_meniscus::equations(),
         eq04_solvation::equations(),
         def_radius::equations(),
         eq05_amplitude::equations(),

@@ -2,7 +2,7 @@
 
 use super::law::{Act, Held, Lost, Parameters, Titania};
 use super::table::{Lists, Piece};
-use crate::{Contact, Flat, PairModel, Real, Vec3};
+use crate::{Contact, Flat, PairModel, Real, Turns, Vec3};
 
 /// The contact law with its attraction in tables.
 #[derive(Clone, Debug)]
@@ -115,6 +115,13 @@ impl PairModel for Tabulated {
 
     fn critical_time_step(&self, r: f64, m: f64) -> f64 {
         self.law.critical_time_step(r, m)
+    }
+}
+
+impl Turns for Tabulated {
+    #[inline(always)]
+    fn turned<R: Real>(spring: Vec3<R>, turn: impl Fn(Vec3<R>) -> Vec3<R>) -> Vec3<R> {
+        turn(spring)
     }
 }
 

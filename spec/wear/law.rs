@@ -8,7 +8,7 @@ use super::eq17_effective_mass::effective_mass;
 use crate::mechanics::projected_spring::spring_energy;
 use crate::mechanics::sphere::sliding_mass;
 use crate::mechanics::stable_step::stable_time_step;
-use crate::{Contact, Outcome, PairModel, Real, Vec3, flat_struct};
+use crate::{Carried, Contact, Outcome, PairModel, Real, Turns, Vec3, flat_struct};
 
 /// The material to be matched: Table 3 of the paper, and the scaling parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -129,6 +129,19 @@ impl PairModel for Wear {
             k.k_t,
             k.c_t,
         ))
+    }
+}
+
+impl Turns for Wear {
+    #[inline(always)]
+    fn turned<R: Real>(spring: Vec3<R>, turn: impl Fn(Vec3<R>) -> Vec3<R>) -> Vec3<R> {
+        turn(spring)
+    }
+}
+
+impl From<Wear> for Carried<Wear> {
+    fn from(law: Wear) -> Self {
+        Self(law)
     }
 }
 

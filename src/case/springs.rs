@@ -1,8 +1,8 @@
-//! The four springs of a neck or of a frictional contact, as sections of a case file.
+//! The four springs of a neck or of a frictional contact, as sections of a case file, and the transport of springs.
 
 use super::check::{Found, expect};
 use super::quantity::{Drag, Energy, Quantity, Stiffness, quantity};
-use super::section::section;
+use super::section::{section, words};
 use crate::spec::mechanics::four_springs::Springs;
 
 section! {
@@ -24,6 +24,26 @@ section! {
         rolling_damping: Quantity<Drag>,
         /// Torsional damping coefficient.
         torsional_damping: Quantity<Drag>,
+    }
+}
+
+words! {
+    /// Whether springs in the contact plane follow a pair that spins about its normal.
+    pub enum Transport {
+        /// They are projected into the contact plane, as in the papers: they follow the normal, and stay fixed in space while the pair spins about it.
+        Projected = "projected",
+        /// They are also turned about the normal with the mean spin of the two spheres: a pair that turns as a body carries them along.
+        Carried = "carried",
+    }
+}
+
+impl Transport {
+    /// The word of a case file.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Projected => "projected",
+            Self::Carried => "carried",
+        }
     }
 }
 

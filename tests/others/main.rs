@@ -21,10 +21,15 @@ const UP: Vec3<f64> = Vec3([0.0, 0.0, 1.0]);
 
 /// Friction of spheres and walls, with `mu` of sliding, rolling and torsion, and no attraction.
 fn rough(contact: Springs<f64>, mu: [f64; 3]) -> Soot {
+    read(contact, mu, Along)
+}
+
+/// The same with springs read like this.
+fn read<S>(contact: Springs<f64>, mu: [f64; 3], reading: S) -> Soot<S> {
     let friction = Friction::from_ratio(mu, 1.0);
     let wall = Wall { contact, friction, hamaker: 0.0, delta_0: 1.0, cutoff: 10.0 };
     let attraction = Attraction { a: 0.0, delta_0: 1.0, psi: 0.0, kappa: 1.0, d_cutoff: 10.0, cutoff: 10.0 };
-    Soot { neck: contact, contact, friction, attraction, reading: Along, walls: [wall; 2] }
+    Soot { neck: contact, contact, friction, attraction, reading, walls: [wall; 2] }
 }
 
 #[track_caller]

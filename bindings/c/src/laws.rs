@@ -5,16 +5,16 @@ use crate::law::{Breaks, Law, Of};
 use crate::words::{Key, Values, Words};
 use std::sync::Arc;
 use veridem_spec::mechanics::four_springs::{Friction, Springs};
-use veridem_spec::soot::{self, Along, Lagging, Printed, Programmed, Reading, Soot};
+use veridem_spec::soot::{self, Along, Following, Lagging, Printed, Programmed, Reading, Soot};
 use veridem_spec::titania::eq02_torque::Arms;
 use veridem_spec::titania::eq03_attraction::Solvation;
 use veridem_spec::titania::eq07_damping_coefficient::DampingRadius;
 use veridem_spec::titania::eq09_stiffness::Stiffness;
 use veridem_spec::titania::eq12_sliding::Slip;
 use veridem_spec::titania::eq13_rolling::{Rolling, RollingOver};
-use veridem_spec::titania::{Liquid, Tabulated, Titania};
+use veridem_spec::titania::{Liquid, Meniscus, Tabulated, Titania};
 use veridem_spec::wear::{Interaction, Material, Published, Wear};
-use veridem_spec::{Flat, Necked, PairModel};
+use veridem_spec::{Carried, Flat, Necked, Turns};
 
 /// The law of this name. For `titania`, `radii` are those of all spheres, in ascending order: the attraction of every two is tabulated.
 pub(crate) fn named(name: &str, words: &[&str], radii: &[f64]) -> Done<Box<dyn Law>> {
@@ -41,6 +41,7 @@ const WEAR: &[Key] = &[
     ("interaction", Values::OneOf(&["full", "normal", "repulsive"])),
     ("readings", Values::OneOf(&["own", "as-published"])),
     ("forget_stretched_springs", Values::OneOf(&["false", "true"])),
+    ("springs", Values::OneOf(&["projected", "carried"])),
 ];
 
 fn wear(words: &Words) -> Done<Box<dyn Law>> {
@@ -58,7 +59,14 @@ fn wear(words: &Words) -> Done<Box<dyn Law>> {
     let interaction = [Interaction::Full, Interaction::Normal, Interaction::Repulsive][words.choice("interaction")?];
     let law = Wear { material, interaction };
     let forgets = material.forget_stretched_springs;
-    Ok(if as_published { Of::forgetting(Published(law), forgets) } else { Of::forgetting(law, forgets) })
+    Ok(match (as_published, words.choice("springs")? == 1) {
+        (false, false) => Of::forgetting(law, forgets),
+        (false, true) => Of::forgetting(Carried(law), forgets),
+        (true, false) => Of::forgetting(Published(law), forgets),
+        (true, true) => {
+            return wrong("wear: found `springs carried`, expected `projected` with `readings as-published`");
+        }
+    })
 }
 
 const SOOT: &[Key] = &[
@@ -78,6 +86,7 @@ const SOOT: &[Key] = &[
     ("break_stress", Values::Numbers(3, "> 0")),
     ("torsion", Values::OneOf(&["spring", "as-printed", "as-published"])),
     ("springs_act", Values::OneOf(&["after-stretching", "before-stretching"])),
+    ("springs", Values::OneOf(&["projected", "carried"])),
 ];
 
 fn springs(words: &Words, key: &str) -> Done<Springs<f64>> {
@@ -115,6 +124,12 @@ fn soot(words: &Words) -> Done<Box<dyn Law>> {
     let energy = words.numbers("break_energy")?.map(|[energy]| energy);
     let strength = soot::Strength { energy, stress: words.numbers("break_stress")? };
     Ok(match (words.choice("torsion")?, words.choice("springs_act")?) {
+        (0, 0) if words.choice("springs")? == 1 => breaking(read(law, Following), strength),
+        _ if words.choice("springs")? == 1 => {
+            return wrong(
+                "soot: found `springs carried`, expected `torsion spring` and `springs_act after-stretching` beside it",
+            );
+        }
         (0, 0) => breaking(read(law, Along), strength),
         (0, _) => breaking(read(law, Lagging), strength),
         (1, 0) => breaking(read(law, Printed), strength),
@@ -141,6 +156,7 @@ const TITANIA: &[Key] = &[
     ("surface_tension", Values::OneOf(&["experimental", "tip3p"])),
     ("liquid", Values::Numbers(3, "> 0")),
     ("contact_angle", NOT_BELOW),
+    ("meniscus", Values::OneOf(&["circular", "exact"])),
     ("core_gap", ABOVE),
     ("layer", ABOVE),
     ("solvation", Values::OneOf(&["israelachvili", "printed"])),
@@ -157,6 +173,7 @@ const TITANIA: &[Key] = &[
     ("moment_arms", Values::OneOf(&["half-gap", "half-layer"])),
     ("rolling", Values::OneOf(&["stopping", "unlimited"])),
     ("rolling_over", Values::OneOf(&["rolling", "spin"])),
+    ("springs", Values::OneOf(&["projected", "carried"])),
     ("neck_springs", SPRINGS),
     ("break_energy", ABOVE),
 ];
@@ -184,6 +201,7 @@ fn titania(words: &Words, radii: &[f64]) -> Done<Box<dyn Law>> {
         humidity: words.number("humidity", paper.humidity)?,
         thermal_pressure,
         contact_angle: words.number("contact_angle", paper.contact_angle)?,
+        meniscus: [Meniscus::Circular, Meniscus::Exact][words.choice("meniscus")?],
         liquid,
         solvation: [Solvation::Israelachvili, Solvation::Printed][words.choice("solvation")?],
         f_00: words.number("solvation_force", paper.f_00)?,
@@ -210,21 +228,30 @@ fn titania(words: &Words, radii: &[f64]) -> Done<Box<dyn Law>> {
     if energy.is_some() && neck.is_none() {
         return wrong("titania: found `break_energy`, expected `neck_springs` beside it");
     }
+    let carried = words.choice("springs")? == 1;
     Ok(match radii {
-        [] => necked(law, neck, layer, energy),
-        radii => necked(Tabulated::new(law, radii, TOLERANCE), neck, layer, energy),
+        [] => necked(law, neck, layer, energy, carried),
+        radii => necked(Tabulated::new(law, radii, TOLERANCE), neck, layer, energy, carried),
     })
 }
 
-/// The law with necks of these springs, if there are any, that break at this energy, if they do.
-fn necked<M: PairModel + Send + 'static>(
+/// The law with necks of these springs, if there are any, that break at this energy, if they do, and with springs that may follow a pair which spins.
+fn necked<M: Turns + Send + 'static>(
     law: M,
     neck: Option<[f64; 8]>,
     layer: f64,
     energy: Option<f64>,
+    carried: bool,
 ) -> Box<dyn Law> {
-    let Some(neck) = neck else { return Of::boxed(law) };
+    let Some(neck) = neck else { return if carried { Of::boxed(Carried(law)) } else { Of::boxed(law) } };
+    let law = Necked { law, neck: Springs::from_fn(|k| neck[k]), layer };
+    if carried {
+        let breaks = |energy| {
+            Arc::new(move |_: &_, _: &_, _: &_, held: &_| Necked::<M>::neck_breaks(held, energy)) as Breaks<Carried<_>>
+        };
+        return Of::breaking(Carried(law), energy.map(breaks));
+    }
     let breaks =
         |energy| Arc::new(move |_: &_, _: &_, _: &_, held: &_| Necked::<M>::neck_breaks(held, energy)) as Breaks<_>;
-    Of::breaking(Necked { law, neck: Springs::from_fn(|k| neck[k]), layer }, energy.map(breaks))
+    Of::breaking(law, energy.map(breaks))
 }

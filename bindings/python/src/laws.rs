@@ -3,6 +3,7 @@
 use crate::simulation::Steps;
 use std::path::Path;
 use std::sync::Arc;
+use veridem::case::springs::Transport;
 use veridem::error::{Error, Problem};
 use veridem::interrupt::Interrupt;
 use veridem::papers::{CaseOf, Paper, parse, soot, titania, wear};
@@ -10,10 +11,10 @@ use veridem::simulation::{Settings, Simulation};
 use veridem::system::System;
 use veridem_spec::columns::{CoefficientsKernel, PairKernel, Results, StoredKernel, in_rows, one_by_one};
 use veridem_spec::numbers::Instructions;
-use veridem_spec::soot::{Along, Lagging, Printed, Programmed};
+use veridem_spec::soot::{Along, Following, Lagging, Printed, Programmed};
 use veridem_spec::titania::Tabulated;
 use veridem_spec::wear::{Interaction, Published};
-use veridem_spec::{Flat, Named, Necked, PairModel};
+use veridem_spec::{Carried, Flat, Named, Necked, PairModel, Turns};
 
 /// Numbers of a pair.
 pub(crate) struct Lengths {
@@ -115,9 +116,10 @@ fn of_wear(model: &str, _: Option<Vec<f64>>) -> Result<Arc<dyn AnyLaw>, Error> {
     )?;
     let material = wear::material(&case);
     let law = material.law(Interaction::Full);
-    Ok(match material.readings {
-        Readings::Own => Arc::new(law),
-        Readings::AsPublished => Arc::new(Published(law)),
+    Ok(match (material.readings, material.springs) {
+        (Readings::AsPublished, _) => Arc::new(Published(law)),
+        (Readings::Own, Transport::Projected) => Arc::new(law),
+        (Readings::Own, Transport::Carried) => Arc::new(Carried(law)),
     })
 }
 
@@ -125,11 +127,12 @@ fn of_soot(model: &str, _: Option<Vec<f64>>) -> Result<Arc<dyn AnyLaw>, Error> {
     use soot::case::{Model, Torsion};
     let case = case_with::<soot::Soot>(model, "sample: {aggregate: {}}\nexperiment: {restructuring: {}}\n")?;
     let Model::Soot(soot) = &case.model;
-    Ok(match (soot.torsion, soot.lags()) {
-        (Torsion::Spring, false) => Arc::new(soot.law(Along)),
-        (Torsion::Spring, true) => Arc::new(soot.law(Lagging)),
-        (_, false) => Arc::new(soot.law(Printed)),
-        (_, true) => Arc::new(soot.law(Programmed)),
+    Ok(match (soot.torsion, soot.lags(), soot.springs) {
+        (.., Transport::Carried) => Arc::new(soot.law(Following)),
+        (Torsion::Spring, false, _) => Arc::new(soot.law(Along)),
+        (Torsion::Spring, true, _) => Arc::new(soot.law(Lagging)),
+        (_, false, _) => Arc::new(soot.law(Printed)),
+        (_, true, _) => Arc::new(soot.law(Programmed)),
     })
 }
 
@@ -137,16 +140,22 @@ fn of_titania(model: &str, radii: Option<Vec<f64>>) -> Result<Arc<dyn AnyLaw>, E
     use titania::{Law, case::Model};
     let case = case_with::<titania::Titania>(model, "sample: {pair: {}}\nexperiment: {contact: {approach: {}}}\n")?;
     let Model::Titania(titania) = &case.model;
-    let Some(mut radii) = radii else { return Ok(Arc::new(titania.law())) };
+    let carried = titania.springs == Transport::Carried;
+    let Some(mut radii) = radii else { return Ok(transported(titania.law(), carried)) };
     radii.sort_unstable_by(f64::total_cmp);
     radii.dedup();
     if radii.is_empty() {
         return Err(Error::Usage("`radii` is empty".into()));
     }
     Ok(match &titania.neck_springs {
-        Some(_) => Arc::new(<Necked<Tabulated> as Law>::new(titania, &radii)),
-        None => Arc::new(<Tabulated as Law>::new(titania, &radii)),
+        Some(_) => transported(<Necked<Tabulated> as Law>::new(titania, &radii), carried),
+        None => transported(<Tabulated as Law>::new(titania, &radii), carried),
     })
+}
+
+/// The law with springs that may follow a pair which spins.
+fn transported<M: Turns + Clone + Send + 'static>(law: M, carried: bool) -> Arc<dyn AnyLaw> {
+    if carried { Arc::new(Carried(law)) } else { Arc::new(law) }
 }
 
 /// A case with this model, of which only the model is wanted: what is wrong with the rest does not count, as with a time step that is too long

@@ -12,7 +12,7 @@ pub use stages::*;
 
 use crate::case::quantity::{Density, Energy, Force, Length, Pressure, Quantity, Sharpness, quantity};
 use crate::case::section::{choice, defaults, section, words};
-use crate::case::springs::{FourSprings, four_springs};
+use crate::case::springs::{FourSprings, Transport, four_springs};
 use crate::initial::aggregate::import::Import;
 use crate::spec::PairModel;
 use crate::spec::mechanics::four_springs::Friction;
@@ -92,6 +92,8 @@ section! {
         torsion: Torsion = Torsion::Spring,
         /// Whether the springs of contacts and necks act before or after they are stretched by a step.
         springs_act: SpringsAct = SpringsAct::AfterStretching,
+        /// Whether tangential and rolling springs follow a pair that spins about its normal; `carried` is a reading that no paper takes.
+        springs: Transport = Transport::Projected,
     }
 }
 

@@ -2,10 +2,10 @@
 
 use super::case::{
     Aggregate, Case, Deposition, Experiment, Indentation, Model, NeckStrength, Path, Restructuring, Solid, Soot,
-    SootStage, TwoSpheres, key, parts, path,
+    SootStage, Torsion, TwoSpheres, key, parts, path,
 };
 use crate::case::check::{Found, expect};
-use crate::case::springs::{necks, springs};
+use crate::case::springs::{Transport, necks, springs};
 use crate::case::units::{decimal, in_unit};
 use crate::papers::path::legs;
 use crate::spec::soot::eq24_fractal::gyration_radius;
@@ -174,6 +174,9 @@ fn interactions(soot: &Soot, found: &mut Found) {
         let most = format!("zero or more and at most the static coefficient, {}", decimal(*rest));
         expect(found, (0.0..=*rest).contains(&moving), &key("in_motion"), decimal(moving), &most);
     }
+    let projects = (soot.torsion == Torsion::Spring && !soot.lags()) || soot.springs == Transport::Projected;
+    let what = "`projected` with other `torsion` than `spring`, or with `springs_act: before-stretching`";
+    expect(found, projects, &at("springs"), "carried", what);
     springs(&soot.contact, "model.soot.contact", found);
     if soot.necks.is_some() && soot.neck_springs.is_some() {
         found.push((at("necks"), "expected no `necks` beside `neck_springs`, which replace them".into()));

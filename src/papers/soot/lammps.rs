@@ -19,6 +19,7 @@ pub(super) fn pair_style<S>(case: &case::Soot, law: &soot::Soot<S>) -> String {
         SpringsAct::AfterStretching => "after-stretching",
         SpringsAct::BeforeStretching => "before-stretching",
     };
+    let transport = case.springs.word();
     let soot::Strength { energy, stress } = case.strength();
     let energy = energy.map_or(String::new(), |energy| format!(" break_energy {energy}"));
     let stress = stress.map_or(String::new(), |stress| format!(" break_stress {}", numbers(&stress)));
@@ -26,7 +27,7 @@ pub(super) fn pair_style<S>(case: &case::Soot, law: &soot::Soot<S>) -> String {
     format!(
         "soot neck_springs {} contact {} friction_at_rest {} friction_in_motion {} hamaker_constant {a} \
          substrate_hamaker_constant {substrate} tip_hamaker_constant {tip} saturation {delta_0} capillary_force {psi} \
-         capillary_sharpness {kappa} capillary_reach {d_cutoff} cutoff {cutoff} torsion {torsion} springs_act {order}{energy}{stress}",
+         capillary_sharpness {kappa} capillary_reach {d_cutoff} cutoff {cutoff} torsion {torsion} springs_act {order} springs {transport}{energy}{stress}",
         springs(&law.neck),
         springs(&law.contact),
         numbers(&[static_t, static_r, static_o]),

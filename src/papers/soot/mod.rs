@@ -23,6 +23,7 @@ pub use study::Plan;
 use super::{AtStart, Paper};
 use crate::case::check::Found;
 use crate::case::quantity::{Length, Quantity};
+use crate::case::springs::Transport;
 use crate::error::Error;
 use crate::figures::Graph;
 use crate::geometry::Sphere;
@@ -38,7 +39,7 @@ use crate::papers::path::{self, PathPlan};
 use crate::reproduce::{Chapter, Listed};
 use crate::run::Runnable;
 use crate::spec::mechanics::sphere::sphere_mass;
-use crate::spec::soot::{Along, Lagging, Printed, Programmed, Reading};
+use crate::spec::soot::{Along, Following, Lagging, Printed, Programmed, Reading};
 use case::{Case, Experiment, Model, Sample, Torsion};
 use columns::{HEIGHT, PULL, READING, TIP_DISPLACEMENT};
 use std::path::{Path, PathBuf};
@@ -120,11 +121,12 @@ impl Paper for Soot {
     }
     fn study(case: Case) -> Box<dyn Runnable> {
         let Model::Soot(model) = &case.model;
-        match (model.torsion, model.lags()) {
-            (Torsion::Spring, false) => planned(&case, Along),
-            (Torsion::Spring, true) => planned(&case, Lagging),
-            (_, false) => planned(&case, Printed),
-            (_, true) => planned(&case, Programmed),
+        match (model.torsion, model.lags(), model.springs) {
+            (.., Transport::Carried) => planned(&case, Following),
+            (Torsion::Spring, false, _) => planned(&case, Along),
+            (Torsion::Spring, true, _) => planned(&case, Lagging),
+            (_, false, _) => planned(&case, Printed),
+            (_, true, _) => planned(&case, Programmed),
         }
     }
 }

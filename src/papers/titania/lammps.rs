@@ -8,7 +8,7 @@ use crate::spec::titania::eq07_damping_coefficient::DampingRadius;
 use crate::spec::titania::eq09_stiffness::Stiffness;
 use crate::spec::titania::eq12_sliding::Slip;
 use crate::spec::titania::eq13_rolling::{Rolling, RollingOver};
-use crate::spec::titania::{Liquid, Titania};
+use crate::spec::titania::{Liquid, Meniscus, Titania};
 
 /// The style: its name and its keys with their values in nm, ns and ag.
 pub(super) fn pair_style(case: &case::Titania) -> String {
@@ -21,6 +21,10 @@ pub(super) fn pair_style(case: &case::Titania) -> String {
             let tension = if scale == 1.0 { "tip3p" } else { "experimental" };
             format!("temperature {} surface_tension {tension}", case.temperature.value)
         }
+    };
+    let meniscus = match law.meniscus {
+        Meniscus::Circular => "circular",
+        Meniscus::Exact => "exact",
     };
     let solvation = match law.solvation {
         Solvation::Israelachvili => "israelachvili",
@@ -56,9 +60,10 @@ pub(super) fn pair_style(case: &case::Titania) -> String {
     });
     let energy = case.break_energy.as_ref().map_or(String::new(), |energy| format!(" break_energy {}", energy.value));
     format!(
-        "titania {liquid} humidity {humidity} contact_angle {contact_angle} core_gap {core_gap} layer {h_n} solvation {solvation} \
+        "titania {liquid} humidity {humidity} contact_angle {contact_angle} meniscus {meniscus} core_gap {core_gap} layer {h_n} solvation {solvation} \
          solvation_force {f_00} solvation_growth {f_01} solvation_period {sigma} damping_constant {gamma_0} \
          damping_radius {radius} sliding_strength {tau_s} rolling_strength {tau_r} slip_period {lambda_t} slip {slip} \
-         contact_stiffness {stiffness} moment_arms {arms} rolling {rolling} rolling_over {over}{necks}{energy}"
+         contact_stiffness {stiffness} moment_arms {arms} rolling {rolling} rolling_over {over} springs {}{necks}{energy}",
+        case.springs.word()
     )
 }

@@ -3,7 +3,7 @@
 use super::case;
 use crate::initial::film::Bonding;
 use crate::spec::titania::{Tabulated, Titania};
-use crate::spec::{Necked, PairModel, Vec3};
+use crate::spec::{Carried, Necked, PairModel, Turns, Vec3};
 use crate::system::System;
 
 /// Largest error of the tables of the attraction, pN.
@@ -97,5 +97,26 @@ impl Law for Necked<Tabulated> {
     }
     fn slipped((lost, _): &Self::Losses<f64>) -> f64 {
         lost.sliding
+    }
+}
+
+/// The same with springs that follow a pair which spins.
+impl<M: Law + Turns> Law for Carried<M> {
+    const BONDING: Bonding = M::BONDING;
+
+    fn new(titania: &case::Titania, radii: &[f64]) -> Self {
+        Self(M::new(titania, radii))
+    }
+    fn law(&self) -> &Titania {
+        self.0.law()
+    }
+    fn spring(memory: &Self::Memory<f64>) -> Vec3<f64> {
+        M::spring(memory)
+    }
+    fn neck_breaks(held: &Self::Stored<f64>, energy: f64) -> bool {
+        M::neck_breaks(held, energy)
+    }
+    fn slipped(lost: &Self::Losses<f64>) -> f64 {
+        M::slipped(lost)
     }
 }

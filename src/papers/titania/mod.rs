@@ -28,6 +28,7 @@ pub use watch::rolling_resistance;
 
 use super::{Paper, path};
 use crate::case::check::Found;
+use crate::case::springs::Transport;
 use crate::figures::Graph;
 #[cfg(feature = "verify")]
 use crate::golden::Trajectory;
@@ -36,10 +37,10 @@ use crate::output::columns::TIME;
 #[cfg(feature = "cli")]
 use crate::reproduce::{Chapter, Listed};
 use crate::run::Runnable;
-use crate::spec::Necked;
 #[cfg(feature = "cli")]
 use crate::spec::languages::{Exported, law as exported_law};
 use crate::spec::titania::{self, Tabulated};
+use crate::spec::{Carried, Necked};
 use case::{Case, Experiment, Model, Sample, TitaniaTest};
 use columns::{CONTACTS, DISTANCE, FRICTION, MEAN_PULL, MOVED, PULLED, ROLLING_RESISTANCE};
 use film::columns::{FORCE, MOVED as TIP_MOVED};
@@ -119,14 +120,27 @@ impl Paper for Titania {
         shown::laws()
     }
     fn study(case: Case) -> Box<dyn Runnable> {
-        match case::checked(&case) {
-            (titania, TitaniaTest::Spectroscopy(..)) if titania.neck_springs.is_some() => {
-                Box::new(film::Plan::<Necked<Tabulated>>::of(&case))
+        let Model::Titania(titania) = &case.model;
+        match titania.springs {
+            Transport::Projected => planned::<titania::Titania, Tabulated, Necked<Tabulated>>(&case),
+            Transport::Carried => {
+                planned::<Carried<titania::Titania>, Carried<Tabulated>, Carried<Necked<Tabulated>>>(&case)
             }
-            (_, TitaniaTest::Spectroscopy(..)) => Box::new(film::Plan::<Tabulated>::of(&case)),
-            (titania, TitaniaTest::Path(pair, path)) => Box::new(pair::path(titania, pair, path, case.limits.overlap)),
-            (_, TitaniaTest::Chain(..)) => Box::new(Plan::<Tabulated>::of(&case)),
-            (_, TitaniaTest::Contact(..)) => Box::new(Plan::<titania::Titania>::of(&case)),
         }
+    }
+}
+
+/// The plan of a case, under one law for a few spheres, one for many, and one for many with necks.
+fn planned<Few: Law + 'static, Many: Law + 'static, Joined: Law + 'static>(case: &Case) -> Box<dyn Runnable> {
+    match case::checked(case) {
+        (titania, TitaniaTest::Spectroscopy(..)) if titania.neck_springs.is_some() => {
+            Box::new(film::Plan::<Joined>::of(case))
+        }
+        (_, TitaniaTest::Spectroscopy(..)) => Box::new(film::Plan::<Many>::of(case)),
+        (titania, TitaniaTest::Path(pair, path)) => {
+            Box::new(pair::path::<Few>(titania, pair, path, case.limits.overlap))
+        }
+        (_, TitaniaTest::Chain(..)) => Box::new(Plan::<Many>::of(case)),
+        (_, TitaniaTest::Contact(..)) => Box::new(Plan::<Few>::of(case)),
     }
 }

@@ -1,9 +1,9 @@
 //! Two particles of the titania paper, and the dragging of one over the other.
 
 use super::case::{Path, Titania, TwoParticles};
+use super::law::Law;
 use crate::papers::path::PathPlan;
 use crate::spec::Vec3;
-use crate::spec::titania::Titania as Law;
 use crate::spec::titania::eq02_torque::moment_arm;
 use crate::system::{Domain, Motion, Particles, System};
 
@@ -25,10 +25,10 @@ pub fn pair(titania: &Titania, diameters: [f64; 2], axis: usize, gap: f64) -> Sy
 }
 
 /// The plan of a path of two particles.
-pub(super) fn path(titania: &Titania, pair: &TwoParticles, path: &Path, overlap: f64) -> PathPlan<Law> {
+pub(super) fn path<M: Law>(titania: &Titania, pair: &TwoParticles, path: &Path, overlap: f64) -> PathPlan<M> {
     let spheres = pair.diameters.each_ref().map(|d| titania.particle(d.value));
-    let model = titania.law();
-    let at_rest = || model.equilibrium(spheres[0].0, spheres[1].0);
+    let model = M::new(titania, &spheres.map(|(radius, _)| radius));
+    let at_rest = || model.law().equilibrium(spheres[0].0, spheres[1].0);
     let distance = path.distance.as_ref().map_or_else(at_rest, |distance| distance.value);
     PathPlan { model, spheres, distance, neck: false, legs: path.legs.clone(), dt: path.dt.value, overlap }
 }

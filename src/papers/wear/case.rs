@@ -6,6 +6,7 @@ use crate::case::quantity::{
     Quantity, Scaled, SurfaceEnergy, Time, Velocity, YoungModulus,
 };
 use crate::case::section::{choice, defaults, section, words};
+use crate::case::springs::Transport;
 use std::path::PathBuf;
 
 /// A length, or a multiple of the most frequent particle diameter.
@@ -52,6 +53,8 @@ section! {
         /// Resets the tangential springs of pairs that do not touch whenever the neighbour list is rebuilt, as the authors' published
         /// program does; for comparison only.
         forget_stretched_springs: bool = false,
+        /// Whether tangential springs follow a pair that spins about its normal; `carried` is a reading that no paper takes.
+        springs: Transport = Transport::Projected,
     }
 }
 

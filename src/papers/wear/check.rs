@@ -1,8 +1,9 @@
 //! Checks of a case of the wear paper beyond its grammar.
 
-use super::case::{Case, Deformation, Experiment, Sample, Sliding};
+use super::case::{Case, Deformation, Experiment, Readings, Sample, Sliding};
 use super::derived::{Critical, Scales, dampings, material, spheres, time_steps};
 use crate::case::check::{Found, expect};
+use crate::case::springs::Transport;
 use crate::case::units::{decimal, in_unit, rounded};
 use crate::spec::wear::eq19_minimum_diameter::minimum_diameter;
 
@@ -65,6 +66,8 @@ fn properties(case: &Case, found: &mut Found) {
     let limit = "more than -1 and at most 1/4: above 1/4 the tangential stiffness would be negative";
     expect(found, nu > -1.0 && nu <= 0.25, &at("poisson_ratio"), decimal(nu), limit);
     expect(found, (0.0..=1.0).contains(&m.restitution), &at("restitution"), decimal(m.restitution), "0 to 1");
+    let projects = m.readings == Readings::Own || m.springs == Transport::Projected;
+    expect(found, projects, &at("springs"), "carried", "`projected` with `readings: as-published`");
     expect(found, m.scaling >= 0.0 && m.scaling.is_finite(), &at("scaling"), decimal(m.scaling), "zero or more");
 }
 

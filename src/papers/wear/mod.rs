@@ -24,6 +24,7 @@ pub use study::Plan;
 
 use super::Paper;
 use crate::case::check::Found;
+use crate::case::springs::Transport;
 use crate::figures::Graph;
 #[cfg(feature = "verify")]
 use crate::golden::Trajectory;
@@ -32,7 +33,7 @@ use crate::output::columns::STEP;
 #[cfg(feature = "cli")]
 use crate::reproduce::{Chapter, Listed};
 use crate::run::Runnable;
-use crate::spec::wear as spec;
+use crate::spec::{Carried, wear as spec};
 use case::{Case, Experiment, Model, Readings, Sample};
 use columns::{
     LAYER_DISPLACEMENT, LAYER_HEIGHT, LAYER_VELOCITY, MEAN_FRICTION, NORMAL_STRAIN, NORMAL_STRESS, SEPARATION,
@@ -109,9 +110,10 @@ impl Paper for Wear {
         shown::laws()
     }
     fn study(case: Case) -> Box<dyn Runnable> {
-        match material(&case).readings {
-            Readings::Own => Box::new(Plan::<spec::Wear>::of(&case)),
-            Readings::AsPublished => Box::new(Plan::<spec::Published>::of(&case)),
+        match (material(&case).readings, material(&case).springs) {
+            (Readings::AsPublished, _) => Box::new(Plan::<spec::Published>::of(&case)),
+            (Readings::Own, Transport::Projected) => Box::new(Plan::<spec::Wear>::of(&case)),
+            (Readings::Own, Transport::Carried) => Box::new(Plan::<Carried<spec::Wear>>::of(&case)),
         }
     }
 }

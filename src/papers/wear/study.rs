@@ -131,7 +131,7 @@ impl<M: PairModel + From<Wear>> Study for Plan<M> {
 
     fn pair_style(&self, stage: usize) -> Result<String, String> {
         let material = material(&self.case);
-        Ok(lammps::pair_style(&material.law(self.stages[stage].interaction), material.readings))
+        Ok(lammps::pair_style(&material.law(self.stages[stage].interaction), material.readings, material.springs))
     }
 
     fn settings(&self, stage: usize, system: &System) -> Settings {

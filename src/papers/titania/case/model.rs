@@ -6,7 +6,7 @@ use crate::case::quantity::{
     quantity,
 };
 use crate::case::section::{defaults, section, words};
-use crate::case::springs::FourSprings;
+use crate::case::springs::{FourSprings, Transport};
 use crate::case::units::BOLTZMANN;
 use crate::spec::mechanics::sphere::sphere_mass;
 use crate::spec::mechanics::thermal::thermal_energy;
@@ -29,6 +29,8 @@ section! {
         liquid: Option<Liquid> = None,
         /// Contact angle of the meniscus, in radians.
         contact_angle: f64 = 0.0,
+        /// Profile of the meniscus.
+        meniscus: Meniscus = Meniscus::Circular,
         /// Equilibrium distance between the bare surfaces of two particles.
         core_gap: Quantity<Length> = quantity("0.57 nm"),
         /// Thickness h_n of the compressed water layer.
@@ -63,6 +65,8 @@ section! {
         rolling: Rolling = Rolling::Stopping,
         /// Angular velocity over whose length the rolling torque is spread.
         rolling_over: RollingOver = RollingOver::Rolling,
+        /// Whether tangential springs, and those of necks, follow a pair that spins about its normal; `carried` is a reading that no paper takes.
+        springs: Transport = Transport::Projected,
         /// Springs of the necks between the particles of an aggregate, as in the soot paper; without them aggregates are rigid.
         neck_springs: Option<FourSprings> = None,
         /// Energy stored in the four springs of a neck at which it breaks; without this key necks never break.
@@ -154,6 +158,16 @@ words! {
 }
 
 words! {
+    /// The profile of a meniscus.
+    pub enum Meniscus {
+        /// An arc of a circle, as in the earlier work that the paper refers to.
+        Circular = "circular",
+        /// The profile of constant curvature, a reading that the paper does not take: it attracts more, and ruptures farther out.
+        Exact = "exact",
+    }
+}
+
+words! {
     /// The sign of the solvation force.
     pub enum Convention {
         /// As in the earlier work cited by the paper.
@@ -193,6 +207,10 @@ impl Titania {
                 }
                 (None, Tension::Experimental) => paper.liquid,
                 (None, Tension::Tip3p) => titania::Liquid::Water { scale: 1.0 },
+            },
+            meniscus: match self.meniscus {
+                Meniscus::Circular => titania::Meniscus::Circular,
+                Meniscus::Exact => titania::Meniscus::Exact,
             },
             solvation: match self.solvation {
                 Convention::Israelachvili => eq03_attraction::Solvation::Israelachvili,
@@ -280,6 +298,8 @@ pub fn unlike_published(titania: &Titania) -> Vec<(&'static str, String)> {
         ),
         written(titania.moment_arms == program.moment_arms, "moment_arms", "half-layer".into()),
         written(titania.solvation == program.solvation, "solvation", word(&titania.solvation)),
+        written(titania.meniscus == program.meniscus, "meniscus", word(&titania.meniscus)),
+        written(titania.springs == program.springs, "springs", word(&titania.springs)),
     ];
     if titania.readings == Readings::AsPublished { all.into_iter().flatten().collect() } else { Vec::new() }
 }
