@@ -119,7 +119,7 @@ pub fn exact_gap<R: Real>(r_eff: R, r_k: R, theta: R, beta: R) -> (R, R) {
 /// | → `beta_r` | $\beta_r$ | rad | | half-filling angle at rupture |
 /// | → `gap_r` | $D_r$ | m | | distance of the layers at rupture |
 ///
-/// Rounding: at most 3 ULP.
+/// Rounding: at most 4 ULP.
 ///
 /// # Laws
 ///
@@ -149,7 +149,7 @@ pub fn exact_rupture<R: Real>(r_eff: R, r_k: R, theta: R) -> (R, R) {
 /// | `gap` | $D$ | m | any | distance of the layers |
 /// | → `beta` | $\beta$ | rad | | half-filling angle |
 ///
-/// Rounding: at most 1 ULP.
+/// Rounding: at most 2 ULP.
 ///
 /// # Laws
 ///

@@ -833,7 +833,7 @@ def exact_rupture(r_eff: ArrayLike | str, r_k: ArrayLike | str, theta: ArrayLike
     * an exact meniscus ruptures farther out than a circular one
     * scales with radius and kelvin radius
 
-    titania-exact-rupture, spec/titania/def_exact_meniscus.rs, rounding error at most 3 ULP
+    titania-exact-rupture, spec/titania/def_exact_meniscus.rs, rounding error at most 4 ULP
     """
 
 @overload
@@ -871,7 +871,7 @@ def exact_half_filling_angle(r_eff: float | str, r_k: float | str, theta: float 
     * the angle gives back the distance
     * the force of the exact meniscus at the distances of a worked example
 
-    titania-exact-half-filling, spec/titania/def_exact_meniscus.rs, rounding error at most 1 ULP
+    titania-exact-half-filling, spec/titania/def_exact_meniscus.rs, rounding error at most 2 ULP
     """
 @overload
 def exact_half_filling_angle(r_eff: ArrayLike | str, r_k: ArrayLike | str, theta: ArrayLike | str, gap: ArrayLike | str, *, check: bool = True) -> NDArray[np.float64]: ...
