@@ -1,4 +1,4 @@
-"""Laube et al. 2018: the liquid bridge of two particles with the profile of constant curvature, by quadrature of the profile."""
+"""Laube et al. 2018: the liquid bridge of two particles with the profile of constant curvature, by elliptic integrals."""
 
 from frame import equation, mp, mpf
 from titania_meniscus import BRIDGES, _force, _gauss
@@ -6,19 +6,18 @@ from titania_meniscus import BRIDGES, _force, _gauss
 
 def _gap(r_eff, r_k, theta, beta):
     """Twice the height of the profile from the neck to the sphere, less the two caps. Along it y / sqrt(1 + y'^2) + y^2 / (2 r_K) is constant, so
-    dz/dy = q / sqrt(1 - q^2) with q = (C - y^2 / (2 r_K)) / y, which is one at the neck."""
+    dz/dy = (n m - y^2) / sqrt((y^2 - n^2) (m^2 - y^2)) with the radius n of the neck and m = n + 2 r_K; y = m sqrt(1 - k^2 sin^2(phi)) makes it
+    elliptic integrals in the form of Legendre."""
     wetted, lean = r_eff * mp.sin(beta), mp.sin(theta + beta)
     constant = wetted * lean + wetted**2 / (2 * r_k)
     neck = 2 * r_k * constant / (r_k + mp.sqrt(r_k**2 + 2 * r_k * constant))
-    length = mp.re(wetted - neck)
-
-    def height(x):
-        # y = neck + length x^2 takes the root of the neck; 1 - q = (y - neck) (y + neck + 2 r_K) / (2 r_K y)
-        y = neck + length * x**2
-        q = (constant - y**2 / (2 * r_k)) / y
-        return 2 * mp.sqrt(abs(length)) * q / mp.sqrt((y + neck + 2 * r_k) * (1 + q) / (2 * r_k * y))
-
-    return 2 * mp.quad(height, [0, mpf(1) / 4, 1]) - 2 * r_eff * (1 - mp.cos(beta))
+    m = neck + 2 * r_k
+    k2 = 1 - (neck / m) ** 2
+    # The angle against the neck, where phi is pi / 2: of the wetted circle, and without a loss of digits near it.
+    cos_phi = mp.sqrt(max((wetted**2 - neck**2) / (m**2 - neck**2), 0))
+    phi = mp.pi / 2 - mp.sign(mp.cos(theta + beta)) * mp.asin(cos_phi)
+    first, second = mp.ellipk(k2) - mp.ellipf(phi, k2), mp.ellipe(k2) - mp.ellipe(phi, k2)
+    return 2 * (neck * first - m * second) - 2 * r_eff * (1 - mp.cos(beta))
 
 
 def _gap_slope(r_eff, r_k, theta, beta):

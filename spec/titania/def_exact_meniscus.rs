@@ -19,6 +19,10 @@ use crate::{Real, equation};
 /// Steps of the arithmetic-geometric mean: each doubles the digits. They suffice for numbers of 256 bits while the neck is less than $10^8$ times as wide as the Kelvin radius.
 const STEPS: usize = 10;
 
+/// Largest radius, in Kelvin radii. The terms of the height exceed the height by $w / r_K$: between larger particles too many digits cancel, and there
+/// the circular approximation suffices.
+const LARGEST: f64 = 1e4;
+
 /// Distance of two layers whose meniscus has a given half-filling angle, by the exact profile, and its slope.
 ///
 /// ```math
@@ -50,9 +54,9 @@ const STEPS: usize = 10;
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
-/// | `r_eff` | $R$ | m | > 0 | harmonic mean radius of the water-covered particles |
+/// | `r_eff` | $R$ | m | > 0 | harmonic mean radius of the water-covered particles, at most $10^4 \, r_K$ |
 /// | `r_k` | $r_K$ | m | > 0 | Kelvin radius |
-/// | `theta` | $\theta$ | rad | [0, pi/2) | contact angle |
+/// | `theta` | $\theta$ | rad | [0, 1.5] | contact angle |
 /// | `beta` | $\beta$ | rad | (0, pi/2] | half-filling angle, at most $\pi/2 - \theta$ |
 /// | → `gap` | $D$ | m | | distance of the layers, negative when they overlap |
 /// | → `slope` | $dD/d\beta$ | m | | its slope |
@@ -64,6 +68,7 @@ const STEPS: usize = 10;
 /// * `the_height_is_the_integral_of_the_profile`
 /// * `the_slope_of_the_gap_is_its_derivative`
 /// * `short_menisci_are_nearly_circular`
+/// * `particles_much_larger_than_the_kelvin_radius_have_no_value`
 #[inline]
 pub fn exact_gap<R: Real>(r_eff: R, r_k: R, theta: R, beta: R) -> (R, R) {
     let (one, two, half) = (R::one(), R::lit(2.0), R::lit(0.5));
@@ -98,7 +103,8 @@ pub fn exact_gap<R: Real>(r_eff: R, r_k: R, theta: R, beta: R) -> (R, R) {
     let c_slope = r_k * (w_slope * s + w * c) + w * w_slope;
     let grows = c_slope * (two * r_k.squared() * integral + height) - r_k * w * (w_slope * c + around + r_k);
     let gap = two * height - R::lit(4.0) * r_eff * (half * beta).sin().squared();
-    (gap, two * grows / a.squared() - two * w)
+    let (resolved, none) = (r_eff.le(R::lit(LARGEST) * r_k), R::zero() / R::zero());
+    (R::select(resolved, gap, none), R::select(resolved, two * grows / a.squared() - two * w, none))
 }
 
 /// Where the exact meniscus ruptures: the angle and the distance at which its branch ends.
@@ -113,13 +119,13 @@ pub fn exact_gap<R: Real>(r_eff: R, r_k: R, theta: R, beta: R) -> (R, R) {
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
-/// | `r_eff` | $R$ | m | > 0 | harmonic mean radius of the water-covered particles |
+/// | `r_eff` | $R$ | m | > 0 | harmonic mean radius of the water-covered particles, at most $10^4 \, r_K$ |
 /// | `r_k` | $r_K$ | m | > 0 | Kelvin radius |
-/// | `theta` | $\theta$ | rad | [0, pi/2) | contact angle |
+/// | `theta` | $\theta$ | rad | [0, 1.5] | contact angle |
 /// | → `beta_r` | $\beta_r$ | rad | | half-filling angle at rupture |
 /// | → `gap_r` | $D_r$ | m | | distance of the layers at rupture |
 ///
-/// Rounding: at most 4 ULP.
+/// Rounding: at most 8 ULP.
 ///
 /// # Laws
 ///
@@ -143,9 +149,9 @@ pub fn exact_rupture<R: Real>(r_eff: R, r_k: R, theta: R) -> (R, R) {
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
-/// | `r_eff` | $R$ | m | > 0 | harmonic mean radius of the water-covered particles |
+/// | `r_eff` | $R$ | m | > 0 | harmonic mean radius of the water-covered particles, at most $10^4 \, r_K$ |
 /// | `r_k` | $r_K$ | m | > 0 | Kelvin radius |
-/// | `theta` | $\theta$ | rad | [0, pi/2) | contact angle |
+/// | `theta` | $\theta$ | rad | [0, 1.5] | contact angle |
 /// | `gap` | $D$ | m | any | distance of the layers |
 /// | → `beta` | $\beta$ | rad | | half-filling angle |
 ///
@@ -175,8 +181,8 @@ pub fn exact_half_filling_angle<R: Real>(r_eff: R, r_k: R, theta: R, gap: R) -> 
 /// |---|---|---|---|---|
 /// | `gamma` | $\gamma$ | N/m | > 0 | surface tension |
 /// | `r_k` | $r_K$ | m | > 0 | Kelvin radius |
-/// | `r_eff` | $R$ | m | > 0 | harmonic mean radius of the water-covered particles |
-/// | `theta` | $\theta$ | rad | [0, pi/2) | contact angle |
+/// | `r_eff` | $R$ | m | > 0 | harmonic mean radius of the water-covered particles, at most $10^4 \, r_K$ |
+/// | `theta` | $\theta$ | rad | [0, 1.5] | contact angle |
 /// | `beta` | $\beta$ | rad | (0, pi/2] | half-filling angle, not the angle at rupture |
 /// | → `slope` | $F'_{cap}$ | N/m | | change of the force with the distance |
 ///
@@ -204,8 +210,8 @@ pub fn exact_slope<R: Real>(gamma: R, r_k: R, r_eff: R, theta: R, beta: R) -> R 
 /// |---|---|---|---|---|
 /// | `gamma` | $\gamma$ | N/m | > 0 | surface tension |
 /// | `r_k` | $r_K$ | m | > 0 | Kelvin radius |
-/// | `r_eff` | $R$ | m | > 0 | harmonic mean radius of the water-covered particles |
-/// | `theta` | $\theta$ | rad | [0, pi/2) | contact angle |
+/// | `r_eff` | $R$ | m | > 0 | harmonic mean radius of the water-covered particles, at most $10^4 \, r_K$ |
+/// | `theta` | $\theta$ | rad | [0, 1.5] | contact angle |
 /// | `beta` | $\beta$ | rad | (0, pi/2] | half-filling angle |
 /// | `beta_r` | $\beta_r$ | rad | (0, pi/2] | half-filling angle at rupture |
 /// | → `w` | $W$ | J | | work |
@@ -337,6 +343,20 @@ mod laws {
             let central = (work(gap - h) - work(gap + h)) / (2.0 * h);
             prop_assert!((force(gap) - central).abs() < 1e-5, "{} {central}", force(gap));
         }
+    }
+
+    #[test]
+    fn particles_much_larger_than_the_kelvin_radius_have_no_value() {
+        let ends = |r_eff: f64| {
+            let (beta_r, gap_r) = exact_rupture(r_eff, 1.0, 0.2);
+            let along = [exact_slope(1.0, 1.0, r_eff, 0.2, 0.5), exact_work(1.0, 1.0, r_eff, 0.2, 0.5, beta_r)];
+            [gap_r, exact_gap(r_eff, 1.0, 0.2, 0.5).1, along[0], along[1]]
+        };
+        assert!(
+            ends(9_990.0).iter().all(|x| x.is_finite()) && ends(10_010.0).iter().all(|x| x.is_nan()),
+            "{:?}",
+            ends(10_010.0)
+        );
     }
 
     /// Solved with the first integral by an integrator and by root finding, independently of the formulas here.
