@@ -68,6 +68,7 @@ pub fn tip_velocity<R: Real>(t: R, v_tip: R, rate: R, t_reversal: R) -> R {
 /// * `the_tip_of_the_paper_goes_7_44_nm_deep`
 /// * `is_the_printed_way`
 /// * `a_short_way_keeps_the_digits_that_the_difference_of_two_logarithms_loses`
+/// * `the_way_keeps_its_digits_where_the_tip_is_back`
 #[inline(always)]
 pub fn tip_way<R: Real>(t: R, v_tip: R, rate: R, t_reversal: R) -> R {
     let (half, one, two) = (R::lit(0.5), R::one(), R::lit(2.0));
@@ -115,12 +116,23 @@ mod laws {
         }
 
         #[test]
-        fn is_the_printed_way(log_t in -6.0..1.5f64, v_tip in 0.1..3.0, rate in 0.1..3.0, t_reversal in 0.0..10.0) {
-            let [t, v, l, r] = [10f64.powf(log_t), v_tip, rate, t_reversal].map(Reference::exact);
+        fn is_the_printed_way(log_t in -6.0..1.5f64, side in prop_oneof![Just(1.0), Just(-1.0)], v_tip in 0.1..3.0, rate in 0.1..3.0, t_reversal in 0.0..10.0) {
+            let [t, v, l, r] = [side * 10f64.powf(log_t), v_tip, rate, t_reversal].map(Reference::exact);
             let cosh = |x: Reference| (x.exp() + (-x).exp()) / Reference::exact(2.0);
             let printed = v / l * (cosh(l * (t - r)) / cosh(l * r)).ln();
             prop_assert!(((tip_way(t, v, l, r) - printed) / printed).abs().to_f64() < 1e-33);
         }
+    }
+
+    #[test]
+    fn the_way_keeps_its_digits_where_the_tip_is_back() {
+        // at twice the time of reversal, and a little before and after
+        for beyond in [-1e-3, -1e-9, -1e-14, 1e-12, 1e-6, 0.1] {
+            let (t, v, l, r) = (4.0 + beyond, 1.5, 1.0, 2.0);
+            let exact = tip_way(Reference::exact(t), Reference::exact(v), Reference::exact(l), Reference::exact(r));
+            assert!((tip_way(t, v, l, r) / exact.to_f64() - 1.0).abs() < 1e-14, "{beyond}");
+        }
+        assert_eq!(tip_way(4.0, 1.5, 1.0, 2.0), 0.0);
     }
 
     #[test]

@@ -68,3 +68,15 @@ impl<R: Real> ContactKinematics<R> {
         }
     }
 }
+
+#[cfg(test)]
+mod laws {
+    use super::*;
+
+    #[test]
+    fn the_contact_point_of_a_wall_is_on_the_wall() {
+        let none = Vec3::zero();
+        let at = ContactKinematics::of_wall(Vec3::new(0.0, 0.0, 1.0), 0.25, none, none, 2.0);
+        assert_eq!([at.a_i, at.a_j, at.a, at.r], [2.25, 0.0, 2.25, 2.0]);
+    }
+}

@@ -60,6 +60,7 @@ pub fn diffusion<R: Real>(kt: R, f: R) -> R {
 /// * `the_random_number_is_the_share_of_exits_behind`
 /// * `a_slow_walk_goes_anywhere_and_a_fast_one_ahead`
 /// * `the_mean_cosine_of_exits_is_that_of_langevin`
+/// * `exits_behind_keep_their_digits`
 #[inline]
 pub fn exit_cosine<R: Real>(u: R, v: R, ell: R, d: R) -> R {
     let (one, two) = (R::one(), R::lit(2.0));
@@ -86,7 +87,7 @@ pub(crate) fn equations() -> Vec<Equation> {
 #[cfg(test)]
 mod laws {
     use super::*;
-    use crate::numbers::Dual;
+    use crate::numbers::{Dual, Reference};
     use proptest::prelude::*;
 
     proptest! {
@@ -125,6 +126,16 @@ mod laws {
         fn a_slow_walk_goes_anywhere_and_a_fast_one_ahead(u in 0.01..1.0f64) {
             prop_assert!((exit_cosine(u, 1e-9, 1.0, 1.0) - (2.0 * u - 1.0)).abs() < 1e-8);
             prop_assert!((exit_cosine(u, 1e9, 1.0, 1.0) - 1.0).abs() < 1e-7);
+        }
+
+        #[test]
+        fn exits_behind_keep_their_digits(log_u in -50.0..0.0f64, log_kappa in -6.0..6.0f64) {
+            let (u, v) = (log_u.exp2(), log_kappa.exp2());
+            let exact = |x: f64| Reference::exact(x);
+            let cosine = exit_cosine(exact(u), exact(v), exact(2.0), exact(1.0));
+            let share = cosine - exact(exit_cosine(u, v, 2.0, 1.0));
+            // the logarithm is over the drift
+            prop_assert!(share.to_f64().abs() < 1e-15 * (1.0 + 1.0 / v), "{u} {v} {}", share.to_f64());
         }
 
         #[test]

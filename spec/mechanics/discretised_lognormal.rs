@@ -59,6 +59,7 @@ fn moments<R: Real>(median: R, sigma_g: R, lo: R, hi: R) -> [R; 4] {
 ///
 /// * `the_shares_of_all_classes_are_one`
 /// * `the_shares_of_the_paper_are_the_independent_values`
+/// * `there_may_be_32_classes`
 #[inline]
 pub fn lognormal_share<R: Real>(d: R, median: R, s_g: R, lo: R, hi: R) -> R {
     density(d, median, s_g) / moments(median, s_g, lo, hi)[0]
@@ -109,6 +110,12 @@ mod laws {
             let all: f64 = (3..=23).map(|d| lognormal_share(f64::from(d), median, s_g, 3.0, 23.0)).sum();
             prop_assert!((all - 1.0).abs() < 1e-14);
         }
+    }
+
+    #[test]
+    fn there_may_be_32_classes() {
+        let all: f64 = (3..35).map(|d| lognormal_share(f64::from(d), 20.0, 2.0, 3.0, 34.0)).sum();
+        assert!((all - 1.0).abs() < 1e-14, "{all}");
     }
 
     #[test]

@@ -171,5 +171,8 @@ mod laws {
         assert_eq!(v, 0.0);
         assert!((z + 25e-9f64).abs() < 1e-22);
         assert_eq!(tip(0.5, 0.2e-6, 0.2e-6), (0.5, 0.0));
+        // from there it leaves as it came
+        assert_eq!(tip(0.5, 2.0, 3.0), (0.5, 0.5));
+        assert_eq!(tip(0.5, 2.0, -1.0), (-0.5, 0.5));
     }
 }

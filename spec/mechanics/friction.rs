@@ -293,8 +293,10 @@ mod laws {
         fn friction_never_exceeds_its_cap(
             xi in vector(), v in vector(), k in 0.1..10.0, eta in 0.0..2.0, mu_s in 0.0..2.0, share in 0.0..1.0, f_n in 0.0..3.0,
         ) {
-            let (slip, f_cs, f_cd, f, _) = spring_with_friction(xi, v, k, eta, mu_s, share * mu_s, f_n);
+            let (slip, f_cs, f_cd, f, next) = spring_with_friction(xi, v, k, eta, mu_s, share * mu_s, f_n);
             prop_assert!(f.norm() <= f_cs * (1.0 + 1e-15));
+            // what holds keeps its bits
+            prop_assert!(slip == 1.0 || next == xi);
             prop_assert!(slip == 0.0 || (f.norm() - f_cd).abs() <= 1e-14);
         }
 

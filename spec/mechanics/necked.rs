@@ -362,6 +362,7 @@ mod laws {
         assert!(!Necked::<Law>::neck_breaks(&held, exactly));
         assert_eq!(model.relisted(&c, &k, springs), (springs, (Energies::from_fn(|_| 0.0), OfNeck::from_fn(|_| 0.0))));
         assert_eq!(model.turning(k, 7.0), k);
+        assert_eq!([constants::<f64>(&model).0.1, k.1].map(|pair| pair.joined), [0.0, 1.0]);
     }
 
     #[test]

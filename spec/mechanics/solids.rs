@@ -106,6 +106,10 @@ mod laws {
         fn four_spheres_fill_0_74_of_the_cell(d in 0.1..10.0f64) {
             let (a, b, c) = hcp_cell(d);
             prop_assert!((4.0 * sphere_volume(0.5 * d) / (a * b * c) - 0.7404804896930609).abs() < 1e-14);
+            // neighbours in the row, in the next row and in the next layer touch
+            for (x, y, z) in [(a, 0.0, 0.0), (0.5 * a, 0.5 * b, 0.0), (0.5 * a, b / 6.0, 0.5 * c)] {
+                prop_assert!(((x * x + y * y + z * z).sqrt() / d - 1.0).abs() < 1e-14);
+            }
         }
     }
 }

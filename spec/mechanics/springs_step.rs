@@ -90,6 +90,26 @@ mod laws {
     }
 
     #[test]
+    fn each_dashpot_alone_limits_the_step() {
+        // a dashpot that acts with the velocity of the step before turns it around at eta dt = m_eff, and makes it larger from twice that on
+        for (spring, inverse) in [2.0f64, 7.0, 5.0, 5.0].into_iter().enumerate() {
+            let mut eta = [0.0; 4];
+            eta[spring] = 0.25;
+            let limit = springs([0.0; 4], eta).critical_time_step(1.0, 1.0, 1.0);
+            assert!((limit - 2.0 / (0.25 * inverse)).abs() < 1e-9 * limit, "{spring}: {limit}");
+        }
+    }
+
+    #[test]
+    fn a_sphere_of_three_times_the_radius_has_27_times_the_mass() {
+        // times mass over stiffness: sliding 98/27, rolling and torsion 305/54, and between the first two 100/27
+        let torsion = springs([0.0, 0.0, 0.0, 1.0], [0.0; 4]).critical_time_step(1.0, 1.0, 3.0);
+        assert!((torsion - 2.0 / (305.0f64 / 54.0).sqrt()).abs() < 1e-9, "{torsion}");
+        let both = springs([0.0, 1.0, 1.0, 0.0], [0.0; 4]).critical_time_step(1.0, 1.0, 3.0);
+        assert!((both - 2.0 / ((501.0 + 171_881f64.sqrt()) / 108.0).sqrt()).abs() < 1e-9, "{both}");
+    }
+
+    #[test]
     fn the_weakest_dashpot_limits_the_lag() {
         let limits = |eta: [f64; 3]| springs([1.0; 4], [0.0, eta[0], eta[1], eta[2]]).lag_limit();
         for eta in [[0.3, 0.7, 0.9], [0.7, 0.3, 0.9], [0.7, 0.9, 0.3]] {

@@ -35,6 +35,7 @@ use crate::{Real, equation};
 ///
 /// * `has_the_mode_and_the_standard_deviation`
 /// * `does_not_depend_on_the_unit_of_length`
+/// * `narrow_and_wide_distributions_have_the_standard_deviation`
 #[inline(always)]
 pub fn lognormal<R: Real>(d_0: R, d_s: R, d_l: R) -> (R, R) {
     let (one, three) = (R::one(), R::lit(3.0));
@@ -190,6 +191,16 @@ mod laws {
         }
 
         #[test]
+        fn narrow_and_wide_distributions_have_the_standard_deviation(log_width in -60.0..40.0f64) {
+            let (d_s, d_l) = (1.0 - 0.5 * log_width.exp2().min(1.0), 1.0 + 0.5 * log_width.exp2());
+            let (mu, sigma) = lognormal(1.0, d_s, d_l);
+            let square: f64 = sigma * sigma;
+            prop_assert!(relative_eq!(mu, square, max_relative = 1e-15));
+            let std = ((2.0 * mu + square).exp() * square.exp_m1()).sqrt();
+            prop_assert!(relative_eq!(std, 0.2 * (d_l - d_s), max_relative = 1e-12), "{std} {}", 0.2 * (d_l - d_s));
+        }
+
+        #[test]
         fn does_not_depend_on_the_unit_of_length(d_0 in 0.1..100.0, d_l in 1.01..20.0) {
             let (in_nm, in_m) = (lognormal(d_0, 0.75 * d_0, d_l * d_0), lognormal(1e-9 * d_0, 0.75e-9 * d_0, 1e-9 * d_l * d_0));
             prop_assert!(relative_eq!(in_nm.1, in_m.1, max_relative = 1e-14));
@@ -268,7 +279,7 @@ mod laws {
         };
         for (low, high) in [(-1.0, 2.0), (0.5, 2.4), (2.4, 2.6), (2.6, 3.0), (3.0, 9.0), (6.0, 8.0)] {
             for share in [between(low, high), between(-high, -low)] {
-                assert!(relative_eq!(share, normal(low, high), max_relative = 1e-11), "{low} {high}");
+                assert!((share / normal(low, high) - 1.0).abs() < 1e-11, "{low} {high}");
             }
         }
         // both forms, each with digits enough, where the one gives way to the other and at their ends
@@ -277,13 +288,24 @@ mod laws {
             let (tail, rest) = (beyond(z), Reference::exact(0.5) - beyond_the_middle(z));
             assert!((tail - rest).abs().to_f64() < 1e-38 && (tail / rest).to_f64() > 0.999, "{z:?}");
         }
-        assert_eq!(beyond_the_middle(14.0), beyond_the_middle(13.0));
+        for limit in [13.0, 14.0, 1e3] {
+            let [above, below] = [limit, -limit].map(|z| beyond_the_middle(Reference::exact(z)));
+            let left = Reference::exact(0.5) - above;
+            assert!(
+                left.to_f64() > 0.0 && left.to_f64() < 1e-38 && above.to_decimal() == (-below).to_decimal(),
+                "{limit}: {left:?}"
+            );
+        }
         // diameters whose largest is many modes: all moments are in one tail
-        let [d_0, d_s, d_l] = [1.0, 0.5, 300.0];
-        let exact = truncated_moments(Reference::exact(d_0), Reference::exact(d_s), Reference::exact(d_l));
-        let double = truncated_moments(d_0, d_s, d_l);
-        let pairs = [(double.0, exact.0), (double.1, exact.1), (double.2, exact.2), (double.3, exact.3)];
-        assert!(pairs.iter().all(|(double, exact)| relative_eq!(*double, exact.to_f64(), max_relative = 1e-12)));
+        for [d_0, d_s, d_l] in [[1.0, 0.5, 300.0], [1.0, 0.5, 1e8]] {
+            let exact = truncated_moments(Reference::exact(d_0), Reference::exact(d_s), Reference::exact(d_l));
+            let double = truncated_moments(d_0, d_s, d_l);
+            let pairs = [(double.0, exact.0), (double.1, exact.1), (double.2, exact.2), (double.3, exact.3)];
+            assert!(
+                pairs.iter().all(|(double, exact)| (double / exact.to_f64() - 1.0).abs() < 1e-12),
+                "{d_l} {double:?}"
+            );
+        }
     }
 
     #[test]
