@@ -277,4 +277,15 @@ mod laws {
             prop_assert!(x.is_nan() || Real::floor(x).to_bits() == x.floor().to_bits(), "{x}");
         }
     }
+
+    #[test]
+    fn where_doubles_are_whole_floor_leaves_them() {
+        // from spacings of a half to spacings of four
+        for power in 51..55 {
+            for step in -9..9 {
+                let x = f64::from_bits(libm::ldexp(1.0, power).to_bits().wrapping_add_signed(step));
+                assert_eq!([x, -x].map(Real::floor), [x.floor(), (-x).floor()], "{x}");
+            }
+        }
+    }
 }

@@ -277,6 +277,7 @@ mod laws {
     #[test]
     fn zero_has_every_dimension() {
         assert_eq!(LENGTH + Dimension::zero(), LENGTH);
+        assert_eq!([Dimension::zero(), Dimension::one(), LENGTH].map(|number| number.is_zero()), [true, false, false]);
         assert_eq!(Dimension::select(LENGTH.ge(Dimension::zero()), Dimension::zero(), TIME), TIME);
     }
 

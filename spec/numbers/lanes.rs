@@ -175,3 +175,16 @@ impl<const N: usize> Not for LaneMask<N> {
         Self(self.0.map(|a| !a))
     }
 }
+
+#[cfg(test)]
+mod laws {
+    use super::*;
+
+    #[test]
+    fn lanes_are_compared_one_by_one() {
+        let (a, b) = (Lanes([1.0, 2.0, 3.0, f64::NAN]), Lanes([2.0, 2.0, 2.0, 2.0]));
+        let ones = |mask| Lanes::select(mask, Lanes::one(), Lanes::zero()).0;
+        assert_eq!([ones(a.lt(b)), ones(a.le(b))], [[1.0, 0.0, 0.0, 0.0], [1.0, 1.0, 0.0, 0.0]]);
+        assert_eq!([ones(a.gt(b)), ones(a.ge(b))], [[0.0, 0.0, 1.0, 0.0], [0.0, 1.0, 1.0, 0.0]]);
+    }
+}

@@ -310,11 +310,26 @@ mod laws {
         assert_eq!((Reference::exact(f64::MAX) * Reference::exact(2.0)).to_f64(), f64::INFINITY);
         assert_eq!((Reference::exact(f64::from_bits(1)) / Reference::exact(2.0)).to_f64(), 0.0);
         assert_eq!((Reference::exact(f64::from_bits(3)) / Reference::exact(2.0)).to_f64(), f64::from_bits(2));
+        assert_eq!((-Reference::exact(f64::INFINITY)).to_f64(), f64::NEG_INFINITY);
+        // just above the middle between two doubles: the last of 256 bits decides
+        let middle = Reference::exact(1.0 + f64::EPSILON) + Reference::exact(0.5 * f64::EPSILON);
+        let [up, down] = [0.5f64.powi(255), -0.5f64.powi(255)].map(|bit| (middle + Reference::exact(bit)).to_f64());
+        assert_eq!([up, down], [1.0 + 2.0 * f64::EPSILON, 1.0 + f64::EPSILON]);
+        let even = Reference::exact(1.0) + Reference::exact(0.5 * f64::EPSILON) + Reference::exact(0.5f64.powi(255));
+        assert_eq!(even.to_f64(), 1.0 + f64::EPSILON);
         // of the smallest double: below a half, a half, just above it, three halves and their neighbours
         let smallest = Reference::exact(f64::from_bits(1));
-        for (share, bits) in
-            [(0.25, 0), (0.5, 0), (0.5f64.next_up(), 1), (0.75, 1), (1.25, 1), (1.5, 2), (2.5, 2), (2.75, 3)]
-        {
+        for (share, bits) in [
+            (0.25, 0),
+            (0.375, 0),
+            (0.5, 0),
+            (0.5f64.next_up(), 1),
+            (0.75, 1),
+            (1.25, 1),
+            (1.5, 2),
+            (2.5, 2),
+            (2.75, 3),
+        ] {
             assert_eq!((smallest * Reference::exact(share)).to_f64(), f64::from_bits(bits), "{share}");
         }
     }
