@@ -387,6 +387,33 @@ mod laws {
         }
 
         #[test]
+        fn a_published_contact_that_slips_goes_on_with_the_friction_that_it_feels(c in pair(), memory in memory()) {
+            prop_assume!(c.gap < -1e-3);
+            let at = ContactKinematics::of_spheres(&c);
+            let [tangential, rolling] = [memory.tangential, memory.rolling].map(|xi| xi.perpendicular_to(c.n));
+            prop_assume!(tangential.norm() > 0.5);
+            let before = Memory { tangential, rolling, torsion: Vec3::zero(), rest: 0.0 };
+            let acted = SPRINGS.grip_in(Order::ActFirst, &FRICTION, false, &at, before, DT);
+            let (felt, f_n) = (acted.wrench.force.perpendicular_to(c.n), acted.wrench.force.dot(c.n));
+            prop_assume!(f_n > 1e-6 && (felt.norm() - FRICTION.dynamic_t * f_n).abs() < 1e-12);
+            let kept = acted.memory.tangential * SPRINGS.k_t + at.v_t * SPRINGS.eta_t;
+            prop_assert!((kept - felt).norm() < 1e-12, "{kept:?} {felt:?}");
+        }
+
+        #[test]
+        fn spheres_that_just_touch_feel_and_remember_nothing(v in vector(), omega in vector(), memory in memory()) {
+            let touch = Contact::new(Vec3::new(1.75, 0.0, 0.0), Vec3([-v.0[0].abs(), v.0[1], v.0[2]]), omega, -omega, 1.0, 0.75);
+            prop_assert_eq!(touch.gap, 0.0);
+            // dashpots without springs remember nothing either
+            let dashpots = Springs { k_n: 0.0, k_t: 0.0, k_r: 0.0, k_o: 0.0, ..SPRINGS };
+            for springs in [SPRINGS, dashpots] {
+                let SpringsOutcome { wrench, memory, .. } = springs.evaluate(&FRICTION, false, &ContactKinematics::of_spheres(&touch), memory, DT);
+                prop_assert_eq!([wrench.force, wrench.torque_i, wrench.torque_j].map(Vec3::norm), [0.0; 3]);
+                prop_assert_eq!(memory, Memory::zero());
+            }
+        }
+
+        #[test]
         fn a_contact_never_pulls_and_rubs_no_more_than_its_normal_force_allows(c in pair(), memory in memory()) {
             let evaluate = act(&c, false, memory);
             let f_n = evaluate.wrench.force.dot(c.n);

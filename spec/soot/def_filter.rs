@@ -134,6 +134,17 @@ mod laws {
         }
 
         #[test]
+        fn responses_to_short_steps_keep_their_digits(log_y in -40.0..5.0f64) {
+            let y = log_y.exp2();
+            let (double, exact) = (settled(y), settled(Reference::exact(y)));
+            for (double, exact) in [(double.0, exact.0), (double.1, exact.1), (double.2, exact.2), (double.3, exact.3)] {
+                prop_assert!((double / exact.to_f64() - 1.0).abs() < 1e-14, "{y}: {double} {}", exact.to_f64());
+            }
+            // of the first order that is left of each
+            prop_assert!(y > 1e-3 || (double.1 / (0.5 * y * y) - 1.0).abs() < y && (double.2 / (y * y / 6.0) - 1.0).abs() < y);
+        }
+
+        #[test]
         fn a_step_is_reached_without_overshoot(omega_0 in 0.1..3.0, t in 0.0..100.0f64, later in 0.0..10.0) {
             let step = |t| time_response(omega_0, t).1;
             prop_assert!(step(t) <= step(t + later) + 1e-15 && step(t) <= 1.0 && step(0.0) == 0.0);

@@ -54,6 +54,7 @@ pub fn coordination_number<R: Real>(sum: R, n: R) -> R {
 /// # Laws
 ///
 /// * `neighbours_are_less_than_a_hundredth_of_a_diameter_apart`
+/// * `a_gap_of_just_the_threshold_is_too_far`
 #[inline(always)]
 pub fn are_neighbours<R: Real>(x_i: Vec3<R>, x_j: Vec3<R>, r_i: R, r_j: R, threshold: R) -> R {
     R::select(gap(x_i, x_j, r_i, r_j).lt(threshold * (r_i + r_j)), R::one(), R::zero())
@@ -87,5 +88,11 @@ mod laws {
             let apart = |share: f64| are_neighbours(x, x + n * ((r_i + r_j) * (1.0 + share)), r_i, r_j, 0.01);
             prop_assert_eq!((apart(-0.1), apart(0.0), apart(0.0099), apart(0.0101)), (1.0, 1.0, 1.0, 0.0));
         }
+    }
+
+    #[test]
+    fn a_gap_of_just_the_threshold_is_too_far() {
+        let apart = |gap: f64| are_neighbours(Vec3::zero(), Vec3::new(2.0 + gap, 0.0, 0.0), 1.0, 1.0, 0.125);
+        assert_eq!([apart(0.25 - 1e-15), apart(0.25)], [1.0, 0.0]);
     }
 }

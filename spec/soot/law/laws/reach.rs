@@ -52,6 +52,7 @@ fn a_joined_pair_has_the_springs_of_a_neck_and_any_other_those_of_a_contact() {
     let law = Soot { neck: STIFF, contact: UNDAMPED, ..law(UNDAMPED, NONE) };
     let free = law.coefficients(1.0, 1.0, 1.0, 1.0);
     let neck = law.joined(free);
+    assert_eq!([free, neck].map(|pair| pair.bonded), [0.0, 1.0]);
     let memory =
         Memory { tangential: Vec3::new(0.0, 0.1, 0.0), rolling: Vec3::new(0.0, 0.0, 0.2), torsion: 0.3, rest: 0.0 };
     let (held, loose) = (law.stored(&at(1.75), &neck, &memory), law.stored(&at(1.75), &free, &memory));
@@ -86,4 +87,19 @@ fn a_neck_bears_its_strength_and_leaves_the_gap_of_spheres_that_overlap() {
     assert!(!breaks(None, Some([2.0 * tension, 2.0 * shear, radius])));
     let left = |rest: f64| Soot::<Along>::left_by_neck(Memory { rest, ..memory });
     assert_eq!([left(-0.1), left(0.2)], [Memory { rest: -0.1, ..Memory::zero() }, Memory::zero()]);
+}
+
+#[test]
+fn spheres_apart_attract_each_other_as_their_energies_say() {
+    let law = law(UNDAMPED, ATTRACTION);
+    let free = law.coefficients(1.0, 1.0, 1.0, 1.0);
+    let energy = |d: f64| {
+        let held = law.stored(&at(d), &free, &Memory::zero());
+        held.van_der_waals + held.capillary
+    };
+    for d in [2.05, 2.2, 2.8, 3.5, 4.0] {
+        let force = law.pair(&at(d), &free, Memory::zero(), 0.1).wrench.force;
+        let slope = (energy(d + 1e-5) - energy(d - 1e-5)) / 2e-5;
+        assert!(slope > 1e-4 && (force + along(slope)).norm() < 1e-6 * (1.0 + slope), "{d}: {force:?} {slope}");
+    }
 }
