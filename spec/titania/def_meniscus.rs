@@ -111,6 +111,7 @@ pub fn meniscus_gap<R: Real>(r_eff: R, r_k: R, theta: R, beta: R) -> (R, R) {
 ///
 /// * `no_meniscus_reaches_beyond_the_rupture`
 /// * `scales_with_radius_and_kelvin_radius`
+/// * `a_liquid_that_hardly_wets_ruptures_too`
 #[inline]
 pub fn rupture<R: Real>(r_eff: R, r_k: R, theta: R) -> (R, R) {
     rupture_of(theta, |beta| meniscus_gap(r_eff, r_k, theta, beta))
@@ -156,6 +157,7 @@ pub(super) fn rupture_of<R: Real>(theta: R, distance: impl Fn(R) -> (R, R)) -> (
 ///
 /// * `the_angle_gives_back_the_distance`
 /// * `the_angle_falls_as_the_particles_part`
+/// * `the_branch_ends_at_the_angle_of_rupture_and_at_the_largest`
 #[inline]
 pub fn half_filling_angle<R: Real>(r_eff: R, r_k: R, theta: R, gap: R) -> R {
     let (beta_r, gap_r) = rupture(r_eff, r_k, theta);
@@ -245,8 +247,25 @@ mod laws {
         }
 
         #[test]
+        fn the_branch_ends_at_the_angle_of_rupture_and_at_the_largest((r_eff, r_k, theta, _) in menisci(), pressed in 0.0..1.0) {
+            let ((beta_r, gap_r), end) = (rupture(r_eff, r_k, theta), FRAC_PI_2 - theta);
+            prop_assert_eq!(half_filling_angle(r_eff, r_k, theta, gap_r), beta_r);
+            prop_assert_eq!(half_filling_angle(r_eff, r_k, theta, gap_r.next_up()), 0.0);
+            let deepest = half_filling_angle(r_eff, r_k, theta, meniscus_gap(r_eff, r_k, theta, end).0 - pressed * r_eff);
+            prop_assert!((deepest - end).abs() < 1e-8 && deepest <= end, "{deepest} {end}");
+        }
+
+        #[test]
         fn the_angle_falls_as_the_particles_part((r_eff, r_k, theta, _) in menisci(), gap in -5.0..1.0, more in 0.01..1.0) {
             prop_assert!(half_filling_angle(r_eff, r_k, theta, gap + more) <= half_filling_angle(r_eff, r_k, theta, gap));
+        }
+    }
+
+    #[test]
+    fn a_liquid_that_hardly_wets_ruptures_too() {
+        for theta in [1.4, 1.5, 1.55, 1.57] {
+            let slope = |share: f64| meniscus_gap(1.0, 0.5, theta, share * rupture(1.0, 0.5, theta).0).1;
+            assert!(slope(0.99) > 0.0 && slope(1.01) < 0.0, "{theta}");
         }
     }
 }

@@ -266,6 +266,26 @@ mod laws {
     }
 
     #[test]
+    fn beyond_the_end_nothing_is_left_of_force_and_potential() {
+        for (_, table) in PAIRS.iter() {
+            for d in [table.end(), table.end().next_up(), 2.0 * table.end()] {
+                assert_eq!([table.force(d), table.potential(d)], [0.0; 2]);
+            }
+        }
+    }
+
+    #[test]
+    fn a_constant_needs_no_more_than_the_first_cells_and_errors_of_either_sign_are_found() {
+        let constant = Table::new(|_| (2.0, 0.0), 0.0, 1.5, 0.0, 0.0);
+        assert_eq!((constant.cells(), constant.error()), (16, 0.0));
+        // the fourth derivative has one sign, and with it the difference between function and cubics
+        for sign in [1.0, -1.0] {
+            let table = Table::new(|u| (sign * Real::exp(u), sign * Real::exp(u)), 0.0, 1.5, 0.0, 1e-9);
+            assert!(table.cells() > 16 && table.error() > 0.7e-9 && table.error() <= 1e-9, "{}", table.error());
+        }
+    }
+
+    #[test]
     fn line_and_cubics_meet() {
         for (_, table) in PAIRS.iter() {
             let start = table.piece.start;

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::Flat;
+use crate::titania::Tabulated;
 use proptest::prelude::*;
 use std::sync::LazyLock;
 
@@ -206,6 +207,46 @@ fn another_liquid_with_the_tension_and_the_layer_of_water_attracts_like_water() 
     let force = |law| Pair::new(law, [d_i, d_j]).attraction.force(11.5);
     assert_eq!(force(like), force(law()));
     assert!(force(weaker) > force(law()));
+}
+
+#[test]
+fn solvation_begins_at_a_quarter_of_its_period_and_as_printed_at_any_distance() {
+    for (solvation, beyond) in
+        [(Solvation::Israelachvili, 0.25 * 0.21), (Solvation::Printed, -(8.0 + 14.0) / 2.0 + 0.57)]
+    {
+        let attraction = Pair::new(Titania { solvation, ..law() }, [8.0, 14.0]).attraction;
+        assert!((attraction.kink() - attraction.cores - beyond).abs() < 1e-14, "{}", attraction.kink());
+    }
+}
+
+#[test]
+fn nearer_than_bare_surfaces_touch_a_table_goes_on_along_a_line_also_as_printed() {
+    let printed = Titania { solvation: Solvation::Printed, ..law() };
+    let [r_i, r_j] = PAIR.r;
+    let table = printed.table(r_i, r_j, 1e-3);
+    let touch = printed.attraction(r_i, r_j).cores;
+    let force = |nearer: f64| table.force(touch - nearer);
+    assert!((force(0.5) + force(1.5) - 2.0 * force(1.0)).abs() < 1e-9);
+    assert!((force(0.0) - printed.attraction(r_i, r_j).force(touch)).abs() < 1e-3);
+}
+
+#[test]
+fn the_time_step_does_not_depend_on_the_units() {
+    let r = law().contact_radius(8.0);
+    let step = law().critical_time_step(r, mass(r));
+    // forces in units of a giganewton: stiffnesses and masses are a billionth
+    let large = Titania::paper(1.0, 1e-9, 1.0);
+    assert!((large.critical_time_step(r, 1e-9 * mass(r)) / step - 1.0).abs() < 1e-9);
+}
+
+#[test]
+fn particles_without_a_free_layer_reach_as_far_as_they_touch() {
+    let dry = Titania { liquid: Liquid::Other { gamma: 1e-3, h_w: 0.0 }, ..law() };
+    let (touch, [r_i, r_j]) = (11.0 + 0.15, PAIR.r);
+    assert!(dry.attraction(r_i, r_j).rupture() < touch - 0.1);
+    assert!((dry.range(r_i, r_j) - touch).abs() < 1e-14);
+    let tabulated = Tabulated::new(dry, &[r_i, r_j], 1e-3);
+    assert_eq!(tabulated.range(r_i, r_j), dry.range(r_i, r_j));
 }
 
 #[test]
