@@ -177,6 +177,9 @@ mod laws {
     fn six_half_critical_steps_return() {
         assert_eq!(amplification_power(1.0, 6.0), (1.0, 0.0, 0.0, 1.0));
         assert_eq!(amplification_power(1.0, 3.0), (-1.0, 0.0, 0.0, -1.0));
+        // the largest number of steps is a multiple of three, and odd; of a broken one the whole part counts
+        assert_eq!(amplification_power(1.0, 4_294_967_295.0), (-1.0, 0.0, 0.0, -1.0));
+        assert_eq!(amplification_power(1.0, 6.75), (1.0, 0.0, 0.0, 1.0));
     }
 
     #[test]

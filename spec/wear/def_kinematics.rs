@@ -70,6 +70,7 @@ pub fn separation<R: Real>(x_i: Vec3<R>, x_j: Vec3<R>, v_i: Vec3<R>, v_j: Vec3<R
 /// * `sliding_lies_in_the_contact_plane`
 /// * `spheres_without_spin_slide_by_what_the_gap_does_not_take`
 /// * `a_spin_alone_slides_by_its_arm`
+/// * `sliding_does_not_depend_on_the_place`
 #[inline(always)]
 pub fn sliding_velocity<R: Real>(
     x_i: Vec3<R>,
@@ -192,6 +193,14 @@ mod laws {
             prop_assume!(x.norm() > 0.1);
             let v_t = sliding_velocity(x, Vec3::zero(), drift + omega.cross(x), drift, omega, omega, r_i, r_j);
             prop_assert!(v_t.norm() < 1e-13);
+        }
+
+        #[test]
+        fn sliding_does_not_depend_on_the_place(x in vector(), place in vector(), v in vector(), omega in vector()) {
+            prop_assume!(x.norm() > 0.1);
+            let zero = Vec3::zero();
+            let at = |place| sliding_velocity(x + place, place, v, zero, omega, zero, 0.2, 0.3);
+            prop_assert!((at(place) - at(zero)).norm() < 1e-13);
         }
 
         #[test]

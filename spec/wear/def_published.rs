@@ -284,5 +284,11 @@ mod laws {
         let outcome = loose.act_as_published(&c, xi, DT);
         assert!((outcome.memory - xi - Vec3::new(0.0, 0.25 * DT, 0.0)).norm() < 1e-15);
         assert_eq!(outcome.wrench.force.perpendicular_to(n), none);
+        // beyond its range such a pair remembers nothing either
+        let beyond = at(n, 0.75, v, none, none);
+        assert_eq!(
+            [loose.act_as_published(&beyond, xi, DT), loose.act(&beyond, xi, DT)].map(|outcome| outcome.memory),
+            [none; 2]
+        );
     }
 }
