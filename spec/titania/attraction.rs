@@ -215,14 +215,15 @@ mod laws {
     fn it_begins_to_oscillate_at_the_kink_and_ends_at_the_rupture() {
         // numbers of few bits: distances at the kink and at the rupture are exact
         let pair = pair(8.0, 8.0);
-        let gap_r = (pair.gap_r * 1024.0 * 1024.0).floor() / 1024.0 / 1024.0;
-        let pair = Attraction { cores: 8.0, covered: 8.25, least: 0.25, gap_r, ..pair };
+        let gap_r = (pair.pair.gap_r * 1024.0 * 1024.0).floor() / 1024.0 / 1024.0;
+        let of = Attracted { cores: 8.0, covered: 8.25, least: 0.25, gap_r, ..pair.pair };
+        let pair = Attraction { pair: of, ..pair };
         let (kink, rupture) = (pair.kink(), pair.rupture());
-        let solvation = solvation_force(pair.f_0, kink, pair.cores, 0.0, pair.sigma);
+        let solvation = solvation_force(of.f_0, kink, of.cores, 0.0, of.sigma);
         assert!(solvation.abs() > 0.1);
         assert!((pair.force(kink) - pair.force(kink.next_down()) + solvation).abs() < 1e-12);
         assert!((pair.slope(kink) - pair.slope(kink.next_down())).abs() > 0.1);
-        let solvation = solvation_force(pair.f_0, rupture, pair.cores, 0.0, pair.sigma);
+        let solvation = solvation_force(of.f_0, rupture, of.cores, 0.0, of.sigma);
         assert!(solvation.abs() > 1e-3 && (pair.force(rupture) - pair.rooted(0.0).0).abs() < 1e-4);
         assert_eq!([pair.force(rupture.next_up()), pair.slope(rupture.next_up())], [0.0; 2]);
         assert!(pair.slope(rupture).abs() > 1e3, "{}", pair.slope(rupture));

@@ -215,7 +215,7 @@ fn solvation_begins_at_a_quarter_of_its_period_and_as_printed_at_any_distance() 
         [(Solvation::Israelachvili, 0.25 * 0.21), (Solvation::Printed, -(8.0 + 14.0) / 2.0 + 0.57)]
     {
         let attraction = Pair::new(Titania { solvation, ..law() }, [8.0, 14.0]).attraction;
-        assert!((attraction.kink() - attraction.cores - beyond).abs() < 1e-14, "{}", attraction.kink());
+        assert!((attraction.kink() - attraction.pair.cores - beyond).abs() < 1e-14, "{}", attraction.kink());
     }
 }
 
@@ -224,7 +224,7 @@ fn nearer_than_bare_surfaces_touch_a_table_goes_on_along_a_line_also_as_printed(
     let printed = Titania { solvation: Solvation::Printed, ..law() };
     let [r_i, r_j] = PAIR.r;
     let table = printed.table(r_i, r_j, 1e-3);
-    let touch = printed.attraction(r_i, r_j).cores;
+    let touch = printed.attraction(r_i, r_j).pair.cores;
     let force = |nearer: f64| table.force(touch - nearer);
     assert!((force(0.5) + force(1.5) - 2.0 * force(1.0)).abs() < 1e-9);
     assert!((force(0.0) - printed.attraction(r_i, r_j).force(touch)).abs() < 1e-3);
