@@ -144,6 +144,7 @@ pub fn neck<R: Real>(
 /// * `seen_from_the_other_particle_the_pair_is_the_same`
 /// * `dashpots_never_deliver_power`
 /// * `a_contact_that_sticks_has_its_four_springs_and_dashpots`
+/// * `spheres_that_just_touch_feel_and_remember_nothing`
 #[inline(always)]
 pub fn frictional_contact<R: Real>(
     x_i: Vec3<R>,
@@ -229,6 +230,7 @@ pub fn frictional_contact<R: Real>(
 ///
 /// * `published_springs_act_before_they_are_stretched`
 /// * `a_published_contact_has_the_springs_of_the_step_before`
+/// * `a_published_contact_that_slips_goes_on_with_the_friction_that_it_feels`
 #[inline(always)]
 pub fn published_contact<R: Real>(
     x_i: Vec3<R>,

@@ -74,6 +74,7 @@ pub fn time_response<R: Real>(omega_0: R, t: R) -> (R, R, R) {
 /// * `a_steady_force_is_read_and_a_steady_ramp_lags_by_two_time_constants`
 /// * `the_area_under_the_force_is_the_area_under_the_reading`
 /// * `a_step_of_any_length_keeps_the_digits_of_the_force_before`
+/// * `responses_to_short_steps_keep_their_digits`
 #[inline(always)]
 pub fn filter_step<R: Real>(omega_0: R, dt: R, g: R, g_dot: R, f_0: R, f_1: R) -> (R, R) {
     let y = omega_0 * dt;
