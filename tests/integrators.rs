@@ -131,7 +131,7 @@ fn velocity_verlet_keeps_momentum_and_accounts_for_surfaces_and_necks_that_break
     account(&simulation);
     for _ in 0..10_000 {
         advance(&mut simulation, 1).expect("a stable step");
-        broken += simulation.break_necks(|_, _, held| held.necks > 20.0).expect("neighbours").len();
+        broken += simulation.break_necks(|_, _, _, held| held.necks > 20.0).expect("neighbours").len();
     }
     account(&simulation);
     assert!(broken > 0 && !simulation.system().necks.is_empty(), "{broken} broken");

@@ -46,7 +46,7 @@ fn torn(dt: f64) -> (u64, Simulation<Necked<Titania>>) {
     loop {
         advance(&mut simulation, 1).unwrap();
         let broken = simulation
-            .break_necks(|_, _, (_, held)| {
+            .break_necks(|_, _, _, (_, held)| {
                 held.neck_normal + held.neck_tangential + held.neck_rolling + held.neck_torsion > STRENGTH
             })
             .unwrap();

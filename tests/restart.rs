@@ -83,6 +83,12 @@ fn patch_tests_go_on_with_the_same_bits_wherever_they_are_stopped() {
 }
 
 #[test]
+fn necks_of_different_strengths_break_at_the_same_steps_wherever_a_run_is_stopped() {
+    // Necks break after 10 to 20 steps, and after 270, 495 and 1070.
+    survives_stops("soot-neck-strengths", &[0, 17, 269, 600]);
+}
+
+#[test]
 fn a_run_stopped_by_time_can_be_resumed() {
     let place = tempfile::tempdir().unwrap();
     let out = place.path().display().to_string();

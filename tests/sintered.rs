@@ -74,7 +74,7 @@ fn rings_of_overlaps_have_necks_if_they_are_asked_for() {
 fn an_overlap_whose_neck_breaks_keeps_its_place_and_no_energy_appears() {
     let plan = plan("sintered.xyz", "neck_length: as-given, neck_fraction: 1");
     let mut simulation = begun(&plan);
-    assert_eq!(simulation.break_necks(|_, _, _| true).expect("a list of neighbours").len(), 3);
+    assert_eq!(simulation.break_necks(|_, _, _, _| true).expect("a list of neighbours").len(), 3);
     assert_eq!(stored(&simulation), 0.0);
     assert!(way(&mut simulation, 2000) < 1e-10);
     // Pushed together they rebound: with the gap at rest until they have parted, as whole spheres thereafter. What springs of whole spheres held in these overlaps would be millions of zJ.

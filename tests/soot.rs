@@ -138,7 +138,9 @@ fn drawn(speed: f64, breaks: impl Fn(&Contact<f64>, &Memory<f64>, &Stored<f64>) 
     let mut broken = Vec::new();
     for _ in 0..200 {
         advance(&mut simulation, 1).expect("a stable step");
-        broken.extend(simulation.break_necks(&breaks).expect("neighbours"));
+        broken.extend(
+            simulation.break_necks(|_, contact, memory, held| breaks(contact, memory, held)).expect("neighbours"),
+        );
     }
     let ledger = simulation.ledger();
     assert!(ledger.physical_residual().abs() < 1e-2 * ledger.turnover(), "{ledger:?}");

@@ -194,3 +194,16 @@ def carried_spring(xi, n, omega_i, omega_j, dt):
     angle = 2 * mp.atan((omega_i + omega_j).dot(n) * dt / 4)
     b = n.cross(xi)
     return dict(carried=xi + b * mp.sin(angle) + n.cross(b) * (2 * mp.sin(angle / 2) ** 2))
+
+
+@equation(
+    "mechanics-weibull-quantile",
+    cases=[dict(p=p, scale=scale, shape=shape) for p, scale, shape in ((0.5, 1.0, 3.0), (0.01, 2.5, 1.0), (0.99, 0.7, 12.0), (0.25, 4.0, 0.5))],
+)
+def weibull_quantile(p, scale, shape):
+    # The logarithm of x over the scale at which the share of those that are stronger is p.
+    def stronger(folds):
+        return mp.e ** -(mp.e ** (shape * folds)) - p
+
+    folds = mp.findroot(stronger, (-100 / shape, 5 / shape), solver="bisect", tol=mp.mpf(10) ** (-1.9 * mp.dps), maxsteps=600)
+    return dict(x=scale * mp.e**folds)

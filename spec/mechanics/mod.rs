@@ -55,6 +55,7 @@ pub mod thermal;
 pub mod truncated_lognormal;
 pub mod verlet;
 pub mod virial;
+pub mod weibull;
 pub mod work;
 
 use crate::equation::{Equation, Paper};
@@ -82,6 +83,7 @@ fn equations() -> Vec<Equation> {
         thermal::equations(),
         neck_rest::equations(),
         carried_spring::equations(),
+        weibull::equations(),
     ]
     .into_iter()
     .flatten()

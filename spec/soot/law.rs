@@ -108,6 +108,14 @@ pub struct Strength {
     pub stress: Option<[f64; 3]>,
 }
 
+impl Strength {
+    /// The strength of a neck that breaks at stresses this many times as large, and hence at that square of the energy.
+    pub fn times(self, factor: f64) -> Self {
+        let stress = self.stress.map(|[tension, shear, radius]| [factor * tension, factor * shear, radius]);
+        Self { energy: self.energy.map(|energy| factor * factor * energy), stress }
+    }
+}
+
 /// Soot: necks, frictional contacts, van der Waals and capillary attraction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Soot<S = Along> {

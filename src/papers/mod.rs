@@ -1,5 +1,6 @@
 //! The papers' additions to the engine: one module and one entry of a list per paper.
 
+mod necks;
 mod path;
 mod quantities;
 #[cfg(feature = "cli")]

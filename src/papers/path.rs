@@ -1,20 +1,23 @@
-//! Two spheres at a fixed distance whose contact slides, rolls and twists by prescription, leg by leg.
+//! Two spheres whose contact slides, rolls, twists and is pulled apart by prescription, leg by leg.
 
 use crate::case::InSteps;
 use crate::case::check::{Found, expect};
 use crate::case::quantity::{Quantity, Rate, Time, Velocity, quantity};
 use crate::case::section::section;
-use crate::error::Error;
+use crate::error::{Error, Halt};
 use crate::interrupt::Interrupt;
 use crate::output::columns::columns;
 use crate::output::{Cell, Column, Finding};
+use crate::papers::necks;
 use crate::run::Study;
 use crate::simulation::{Pair, Settings, Simulation};
-use crate::spec::{PairModel, Vec3, Wrench};
+use crate::spec::necked::EXAMINED;
+use crate::spec::{Contact, PairModel, Vec3, Wrench};
 use crate::system::{Domain, Motion, Particles, System, Wall};
+use serde::{Deserialize, Serialize};
 
 section! {
-    /// A leg of a path. The first sphere is beyond the second along x; neither moves, both turn.
+    /// A leg of a path. The first sphere is beyond the second along x; both turn, and unless it is pulled neither moves.
     pub struct Leg {
         /// Duration.
         duration: InSteps,
@@ -25,6 +28,8 @@ section! {
         spin_of_first: [Quantity<Rate>; 3] = [quantity("0 1/ns"), quantity("0 1/ns"), quantity("0 1/ns")],
         /// Angular velocity of the second sphere.
         spin_of_second: [Quantity<Rate>; 3] = [quantity("0 1/ns"), quantity("0 1/ns"), quantity("0 1/ns")],
+        /// Velocity with which the first sphere is pulled away from the second, along x, in a leg without `velocity`; less than zero presses them together.
+        pull: Quantity<Velocity> = quantity("0 m/s"),
     }
 }
 
@@ -44,14 +49,28 @@ const ALONG: Vec3<f64> = Vec3([1.0, 0.0, 0.0]);
 pub(super) fn legs(legs: &[Leg], dt: &Quantity<Time>, found: &mut Found) {
     expect(found, !legs.is_empty(), "experiment.path.legs", "nothing", "at least one leg");
     expect(found, dt.value > 0.0, "experiment.path.dt", dt, "more than zero");
-    for (number, Leg { duration, .. }) in legs.iter().enumerate() {
+    for (number, Leg { duration, velocity, pull, .. }) in legs.iter().enumerate() {
         let key = format!("experiment.path.legs[{number}].duration");
         expect(found, duration.value(dt.value) >= dt.value, &key, duration, &format!("at least a time step, {dt}"));
+        let slides = velocity.iter().any(|v| v.value != 0.0);
+        let key = format!("experiment.path.legs[{number}].pull");
+        expect(
+            found,
+            !slides || pull.value == 0.0,
+            &key,
+            pull,
+            "no such key beside `velocity`, which keeps the distance",
+        );
     }
 }
 
+/// Whether a neck breaks under a contact law, given its pair, its springs, and what it holds.
+pub(super) type Breaks<M> = Box<
+    dyn Fn(&M, &Contact<f64>, &<M as PairModel>::Memory<f64>, &<M as PairModel>::Stored<f64>) -> bool + Send + Sync,
+>;
+
 /// The plan of a path under a contact law.
-pub(super) struct PathPlan<M> {
+pub(super) struct PathPlan<M: PairModel> {
     pub model: M,
     /// Radius and mass of both spheres.
     pub spheres: [(f64, f64); 2],
@@ -59,6 +78,10 @@ pub(super) struct PathPlan<M> {
     pub distance: f64,
     /// Whether a neck joins them.
     pub neck: bool,
+    /// When it breaks, if it ever does.
+    pub breaks: Option<Breaks<M>>,
+    /// Its strength relative to that of the case, if it has one of its own.
+    pub strength: Option<f64>,
     pub legs: Vec<Leg>,
     pub dt: f64,
     pub overlap: f64,
@@ -94,6 +117,47 @@ columns! {
     }
 }
 
+columns! {
+    /// The column that a path has beside them if a leg pulls.
+    pub(super) const PULLED {
+        /// Distance of the surfaces of the spheres, less than zero where they overlap.
+        ELONGATION = "elongation" in "nm";
+    }
+}
+
+/// What became of a neck.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub(super) struct Watch {
+    /// Whether no neck joins the spheres any more.
+    parted: bool,
+    /// Force between the spheres, pN, positive where it pulls, and their distance, nm, in the step in which the neck broke in this leg.
+    broke: Option<(f64, f64)>,
+}
+
+impl<M: PairModel> PathPlan<M> {
+    /// The number of steps of a leg.
+    fn steps_of(&self, leg: usize, dt: f64) -> u64 {
+        ((self.legs[leg].duration.value(dt) / dt).round() as u64).max(1)
+    }
+
+    /// Whether a leg pulls.
+    fn pulls(&self) -> bool {
+        self.legs.iter().any(|leg| leg.pull.value != 0.0)
+    }
+
+    /// The distance of the centres after so many legs, nm.
+    fn distance_after(&self, legs: usize) -> f64 {
+        let pulled = |leg: usize| self.legs[leg].pull.value * (self.steps_of(leg, self.dt) as f64 * self.dt);
+        (0..legs).map(pulled).fold(self.distance, |distance, pulled| distance + pulled)
+    }
+
+    /// The distance of the surfaces of the spheres, nm.
+    fn elongation(&self, system: &System) -> f64 {
+        let [first, second] = [0, 1].map(|id| system.particles.x[system.place(id)]);
+        (first - second).norm() - (self.spheres[0].0 + self.spheres[1].0)
+    }
+}
+
 /// The results.
 pub(super) mod results {
     use crate::output::columns::columns;
@@ -109,11 +173,23 @@ pub(super) mod results {
             TORQUE = "torque on the first at the end" in "nN nm";
         }
     }
+
+    columns! {
+        /// The results of a leg in which the neck of two spheres may break.
+        pub(in crate::papers) const BREAKING {
+            /// Force that pulls the spheres together in the step in which the neck breaks.
+            FORCE = "force at which the neck breaks" in "nN";
+            /// Distance of the surfaces in this step.
+            ELONGATION = "elongation at which the neck breaks" in "nm";
+            /// This distance over the sum of the radii.
+            STRAIN = "strain at which the neck breaks";
+        }
+    }
 }
 
 impl<M: PairModel + Clone> Study for PathPlan<M> {
     type Model = M;
-    type Watch = ();
+    type Watch = Watch;
 
     fn stages(&self) -> Vec<&'static str> {
         vec!["leg"; self.legs.len()]
@@ -122,7 +198,8 @@ impl<M: PairModel + Clone> Study for PathPlan<M> {
     fn initial(&self, _: &Interrupt) -> Result<System, Error> {
         let [first, second] = self.spheres;
         let margin = first.0.max(second.0);
-        let side = self.distance + 4.0 * margin;
+        let longest = (0..=self.legs.len()).map(|legs| self.distance_after(legs)).fold(self.distance, f64::max);
+        let side = longest + 4.0 * margin;
         let place = Vec3([2.0 * margin, 0.5 * side, 0.5 * side]);
         let mut particles = Particles::default();
         particles.push(place + ALONG * self.distance, first.0, first.1, 0);
@@ -136,10 +213,13 @@ impl<M: PairModel + Clone> Study for PathPlan<M> {
     }
 
     fn set_up(&self, stage: usize, mut system: System) -> Result<System, Error> {
-        for (sphere, spin) in self.legs[stage].spins(self.distance).into_iter().enumerate() {
+        for (sphere, spin) in self.legs[stage].spins(self.distance_after(stage)).into_iter().enumerate() {
             let place = system.place(sphere as u32);
             (system.walls[sphere].spin, system.particles.w[place]) = (spin, spin);
         }
+        let (pull, first) = (self.legs[stage].pull.value, system.place(0));
+        system.walls[0].motion[0] = Motion::Velocity(pull);
+        (system.walls[0].velocity, system.particles.v[first]) = (ALONG * pull, ALONG * pull);
         Ok(system)
     }
 
@@ -152,23 +232,41 @@ impl<M: PairModel + Clone> Study for PathPlan<M> {
     }
 
     fn steps(&self, stage: usize, dt: f64) -> u64 {
-        ((self.legs[stage].duration.value(dt) / dt).round() as u64).max(1)
+        self.steps_of(stage, dt)
     }
 
     fn columns(&self, _: usize) -> Vec<Column> {
-        COLUMNS.into()
+        if self.pulls() { [COLUMNS, PULLED].concat() } else { COLUMNS.into() }
     }
 
-    fn watch(&self, _: usize, _: &Simulation<M>, _: &Interrupt) -> Result<(), Error> {
-        Ok(())
+    fn watch(&self, _: usize, simulation: &Simulation<M>, _: &Interrupt) -> Result<Watch, Error> {
+        Ok(Watch { parted: simulation.system().necks.is_empty(), broke: None })
     }
 
-    fn can_hold(&self, _: usize, system: &System, (): &()) -> bool {
+    fn can_hold(&self, _: usize, system: &System, _: &Watch) -> bool {
         let System { particles, walls, bodies, steerings, surfaces, .. } = system;
         (particles.len(), walls.len()) == (2, 2) && bodies.is_empty() && steerings.is_empty() && surfaces.is_empty()
     }
 
-    fn look(&self, _: usize, (): &mut (), simulation: &Simulation<M>) -> Vec<Cell> {
+    fn intervene(&self, _: usize, _: &Watch, simulation: &mut Simulation<M>) -> Result<Vec<String>, Halt> {
+        let Some(breaks) = self.breaks.as_ref().filter(|_| simulation.system().step.is_multiple_of(EXAMINED)) else {
+            return Ok(Vec::new());
+        };
+        let law = simulation.model().clone();
+        let broken = simulation.break_necks(|_, contact, memory, held| breaks(&law, contact, memory, held))?;
+        Ok(broken.into_iter().map(|neck| necks::breaks(neck, self.strength)).collect())
+    }
+
+    fn follow(&self, _: usize, watch: &mut Watch, simulation: &Simulation<M>) -> Vec<String> {
+        let system = simulation.system();
+        if self.neck && system.necks.is_empty() && !watch.parted {
+            watch.parted = true;
+            watch.broke = Some((-system.walls[0].force.0[0], self.elongation(system)));
+        }
+        Vec::new()
+    }
+
+    fn look(&self, _: usize, _: &mut Watch, simulation: &Simulation<M>) -> Vec<Cell> {
         let walls = &simulation.system().walls;
         let acting = match simulation.pairs().next() {
             // Nothing has acted on the walls yet: the first step will do this.
@@ -178,13 +276,14 @@ impl<M: PairModel + Clone> Study for PathPlan<M> {
             }
             _ => [walls[0].force, walls[0].torque, walls[1].force, walls[1].torque],
         };
-        acting.into_iter().flat_map(|v| v.0.map(Cell::Number)).collect()
+        let pulled = self.pulls().then(|| Cell::Number(self.elongation(simulation.system())));
+        acting.into_iter().flat_map(|v| v.0.map(Cell::Number)).chain(pulled).collect()
     }
 
     fn findings(
         &self,
         stage: usize,
-        (): &(),
+        watch: &Watch,
         simulation: &Simulation<M>,
         _: &Interrupt,
     ) -> Result<Vec<Finding>, Error> {
@@ -195,6 +294,12 @@ impl<M: PairModel + Clone> Study for PathPlan<M> {
             Finding::number(results::TANGENTIAL, Vec3([0.0, y, z]).norm()),
             Finding::number(results::TORQUE, torque.norm()),
         ];
-        Ok(found.map(|finding| finding.during(stage)).into())
+        let breaking = self.neck && self.breaks.is_some();
+        let (force, elongation) = watch.broke.unzip();
+        let strain = elongation.map(|elongation| elongation / (self.spheres[0].0 + self.spheres[1].0));
+        let results = [(results::FORCE, force), (results::ELONGATION, elongation), (results::STRAIN, strain)];
+        let of_neck = results.map(|(result, value)| Finding::reached(result, value, "the neck does not break"));
+        let found = found.into_iter().chain(of_neck.into_iter().filter(|_| breaking));
+        Ok(found.map(|finding| finding.during(stage)).collect())
     }
 }

@@ -30,7 +30,8 @@ impl<S: Study> RunningStage<'_, S> {
     pub fn frame(&self, output: &Output) -> Frame<'_> {
         let kind = |contact: &_| self.study.kind(contact);
         let flags = self.study.flags(&self.watch, &self.simulation);
-        Frame::of(&self.simulation, &self.name, kind, flags, output.digits, &output.columns)
+        let strengths = self.study.strengths(&self.watch);
+        Frame::of(&self.simulation, &self.name, kind, flags, strengths, output.digits, &output.columns)
     }
 
     /// Its largest number of steps.
@@ -218,7 +219,7 @@ impl<'a, S: Study> Driver<'a, S> {
     pub(super) fn step(&self, stage: &mut RunningStage<'a, S>) -> Result<Vec<String>, Halt> {
         let done = stage.simulation.step();
         done.map_err(|halt| stage.simulation.explained(halt))?;
-        let mut events = self.study.intervene(stage.number, &mut stage.simulation)?;
+        let mut events = self.study.intervene(stage.number, &stage.watch, &mut stage.simulation)?;
         events.extend(self.study.follow(stage.number, &mut stage.watch, &stage.simulation));
         Ok(events)
     }

@@ -9,6 +9,7 @@ use crate::spec::{Contact, PairModel};
 use crate::system::System;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 /// The state of a stage.
@@ -145,7 +146,12 @@ pub trait Study {
     /// # Errors
     ///
     /// If the simulation leaves its domain.
-    fn intervene(&self, _stage: usize, _simulation: &mut Simulation<Self::Model>) -> Result<Vec<String>, Halt> {
+    fn intervene(
+        &self,
+        _stage: usize,
+        _watch: &Self::Watch,
+        _simulation: &mut Simulation<Self::Model>,
+    ) -> Result<Vec<String>, Halt> {
         Ok(Vec::new())
     }
     /// Observes a step and returns its events.
@@ -163,6 +169,10 @@ pub trait Study {
     /// Further columns of frames: names and flags of spheres, by place.
     fn flags(&self, _watch: &Self::Watch, _simulation: &Simulation<Self::Model>) -> Vec<(&'static str, Vec<bool>)> {
         Vec::new()
+    }
+    /// The strengths of necks for frames, by ids, if necks have strengths of their own.
+    fn strengths<'a>(&self, _watch: &'a Self::Watch) -> Option<&'a BTreeMap<(u32, u32), f64>> {
+        None
     }
     /// The cells of a window that has closed in this step, such as means over its steps.
     fn window(&self, _watch: &Self::Watch, _simulation: &Simulation<Self::Model>) -> Option<Vec<Cell>> {

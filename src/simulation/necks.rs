@@ -21,15 +21,15 @@ pub fn remove_necks<M: PairModel>(
 }
 
 impl<M: PairModel> Simulation<M> {
-    /// Breaks every neck of which `breaks` holds, given the pair, its springs, and what it holds, as [`remove_necks`] does. Returns the ids of
-    /// the spheres.
+    /// Breaks every neck of which `breaks` holds, given the ids of its spheres, the pair, its springs, and what it holds, as [`remove_necks`] does. Returns
+    /// the ids.
     ///
     /// # Errors
     ///
     /// If neighbours cannot be listed anew.
     pub fn break_necks(
         &mut self,
-        breaks: impl Fn(&Contact<f64>, &M::Memory<f64>, &M::Stored<f64>) -> bool,
+        breaks: impl Fn((u32, u32), &Contact<f64>, &M::Memory<f64>, &M::Stored<f64>) -> bool,
     ) -> Result<Vec<(u32, u32)>, Halt> {
         let broken = self.necks_that(breaks);
         if broken.is_empty() {
@@ -46,7 +46,10 @@ impl<M: PairModel> Simulation<M> {
         Ok(broken)
     }
 
-    fn necks_that(&self, breaks: impl Fn(&Contact<f64>, &M::Memory<f64>, &M::Stored<f64>) -> bool) -> Vec<(u32, u32)> {
+    fn necks_that(
+        &self,
+        breaks: impl Fn((u32, u32), &Contact<f64>, &M::Memory<f64>, &M::Stored<f64>) -> bool,
+    ) -> Vec<(u32, u32)> {
         let mut found = Vec::new();
         for block in &self.blocks {
             for (i, j, row, lane) in block.each_pair() {
@@ -59,7 +62,7 @@ impl<M: PairModel> Simulation<M> {
                 let contact = self.contact(p, q);
                 let coefficients = Flat::from_fn(|k| block.pairs.constants(row).at(k).0[lane]);
                 let memory = Flat::from_fn(|k| block.pairs.memory[row].at(k).0[lane]);
-                if breaks(&contact, &memory, &self.model.stored(&contact, &coefficients, &memory)) {
+                if breaks((a, b), &contact, &memory, &self.model.stored(&contact, &coefficients, &memory)) {
                     found.push((a, b));
                 }
             }

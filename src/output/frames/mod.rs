@@ -18,6 +18,7 @@ use crate::simulation::Simulation;
 use crate::spec::mechanics::newton::{acceleration, angular_acceleration};
 use crate::spec::{Contact, Named, PairModel, Vec3};
 use crate::system::System;
+use std::collections::BTreeMap;
 
 columns! {
     /// The columns of spheres in frames.
@@ -76,6 +77,8 @@ columns! {
         FORCE_Z = "force_z" in "pN";
         /// Energy stored in the pair.
         ENERGY = "energy" in "zJ";
+        /// Strength of the neck relative to that of the case, 0 for a pair without one: only where necks have strengths of their own.
+        STRENGTH = "strength";
         /// Springs of the contact, one column each: lengths of the tangential, rolling and torsion springs, and the gap at rest, as the contact model has them.
         SPRINGS = "spring_..." in "nm";
     }
@@ -143,17 +146,21 @@ pub struct Frame<'a> {
     columns: Vec<FrameColumn>,
     /// The pairs, by ids.
     pairs: Vec<ActingPair>,
+    /// The strengths of necks, if they have strengths of their own.
+    strengths: Option<&'a BTreeMap<(u32, u32), f64>>,
     /// The names of their springs.
     springs: Vec<String>,
 }
 
 impl<'a> Frame<'a> {
-    /// The state of a simulation. `kind` tells the kind of a pair that no neck joins, if it has one; `flags` are further columns by place.
+    /// The state of a simulation. `kind` tells the kind of a pair that no neck joins, if it has one; `flags` are further columns by place, `strengths` those of
+    /// necks if they have strengths of their own.
     pub fn of<M: PairModel>(
         simulation: &'a Simulation<M>,
         stage: &'a str,
         kind: impl Fn(&Contact<f64>) -> Option<PairKind>,
         flags: Vec<(&'static str, Vec<bool>)>,
+        strengths: Option<&'a BTreeMap<(u32, u32), f64>>,
         digits: Digits,
         extra: &[Extra],
     ) -> Self {
@@ -193,7 +200,7 @@ impl<'a> Frame<'a> {
         }
         let names = <M::Memory<f64> as Named<f64>>::names();
         let springs = names.into_iter().map(|name| format!("spring {name}").trim_end().replace(' ', "_")).collect();
-        Self { stage, system, digits, columns, pairs: loads.pairs, springs }
+        Self { stage, system, digits, columns, pairs: loads.pairs, strengths, springs }
     }
 
     /// The stage.
@@ -236,16 +243,20 @@ impl<'a> Frame<'a> {
         }
     }
 
-    /// The names of the numbers of a pair: gap in nm, forces in pN, energy in zJ, springs in nm.
+    /// The names of the numbers of a pair: gap in nm, forces in pN, energy in zJ, strength if it has one, springs in nm.
     fn numbers_of_pairs(&self) -> Vec<&str> {
         let first = [GAP, NORMAL_FORCE, FORCE_X, FORCE_Y, FORCE_Z, ENERGY].map(|column| column.name);
-        first.into_iter().chain(self.springs.iter().map(String::as_str)).collect()
+        let strength = self.strengths.map(|_| STRENGTH.name);
+        first.into_iter().chain(strength).chain(self.springs.iter().map(String::as_str)).collect()
     }
 
     /// The numbers of a pair.
     fn numbers(&self, pair: &ActingPair) -> Vec<f64> {
         let [x, y, z] = pair.force.0;
-        [pair.gap, pair.normal_force, x, y, z, pair.energy].into_iter().chain(pair.springs.iter().copied()).collect()
+        let [i, j] = pair.ids;
+        let of_neck = |all: &BTreeMap<_, _>| if pair.kind == PairKind::Neck { all[&(i, j)] } else { 0.0 };
+        let first = [pair.gap, pair.normal_force, x, y, z, pair.energy];
+        first.into_iter().chain(self.strengths.map(of_neck)).chain(pair.springs.iter().copied()).collect()
     }
 
     /// A number as text.

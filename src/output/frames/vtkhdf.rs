@@ -128,6 +128,7 @@ mod tests {
                 column(VELOCITY.name, Values::Vectors(vec![Vec3([0.1, 0.2, 0.3]); 2])),
             ],
             pairs: vec![pair],
+            strengths: None,
             springs: Vec::new(),
         };
         let written = || frame.poly_data().map(|(_, data)| frame.vtkhdf(&data)).collect::<Vec<_>>();

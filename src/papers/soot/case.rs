@@ -1,16 +1,18 @@
 //! The sections of a case of the soot paper. Defaults are the authors' published inputs, except the largest gap of a neck.
 
 mod derived;
+mod necks;
 mod pair;
 mod sample;
 mod stages;
 
 pub use derived::{derived, unused};
+pub use necks::*;
 pub use pair::*;
 pub use sample::*;
 pub use stages::*;
 
-use crate::case::quantity::{Density, Energy, Force, Length, Pressure, Quantity, Sharpness, quantity};
+use crate::case::quantity::{Density, Energy, Force, Length, Quantity, Sharpness, quantity};
 use crate::case::section::{choice, defaults, section, words};
 use crate::case::springs::{FourSprings, Transport, four_springs};
 use crate::initial::aggregate::import::Import;
@@ -48,7 +50,7 @@ choice! {
         Deposition = "deposition": Deposition,
         /// Restructuring of a coated aggregate.
         Restructuring = "restructuring": Restructuring,
-        /// A path of sliding, rolling and twisting of two spheres at a fixed distance.
+        /// A path of two spheres: sliding, rolling, twisting, and pulling.
         Path = "path": Path,
         /// A sequence of depositions, indentations and restructurings.
         Sequence = "sequence": Vec<SootStage>,
@@ -68,6 +70,8 @@ section! {
         break_energy: Option<Quantity<Energy>> = None,
         /// Strength of a neck; without this key and `break_energy` necks never break.
         break_stress: Option<NeckStrength> = None,
+        /// Strengths of single necks relative to `break_energy` and `break_stress`: stresses are multiplied by a number for each neck, the energy by its square; without this key all are alike.
+        neck_strengths: Option<NeckStrengths> = None,
         /// Springs of a frictional contact.
         contact: FourSprings = published_contact(),
         /// Friction coefficients of a contact.
@@ -98,16 +102,6 @@ section! {
 }
 
 words! {
-    /// The two published sets of springs of a neck.
-    pub enum NeckSet {
-        /// 1e5 N/m for all springs, for deposition and indentation; stable at 50 fs.
-        S = "S",
-        /// 1e6 N/m for the normal spring, 1e7 N/m for the others, for restructuring; needs 5 fs.
-        P = "P",
-    }
-}
-
-words! {
     /// Resistance to torsion.
     pub enum Torsion {
         /// A spring and a dashpot.
@@ -131,18 +125,6 @@ words! {
 }
 
 section! {
-    /// Strength of a neck, taken as an elastic beam of circular cross-section.
-    pub struct NeckStrength {
-        /// Tensile strength, reached by tension and bending combined.
-        tension: Quantity<Pressure>,
-        /// Shear strength, reached by shear and torsion combined.
-        shear: Quantity<Pressure>,
-        /// Radius of the cross-section.
-        neck_radius: Quantity<Length>,
-    }
-}
-
-section! {
     /// Coefficients of sliding, rolling and torsional friction.
     pub struct FrictionCoefficients {
         /// Static coefficients.
@@ -155,19 +137,6 @@ section! {
 /// The published springs of a frictional contact.
 pub(super) fn published_contact() -> FourSprings {
     four_springs(["1e4 N/m"; 4], ["5e-9 kg/s", "1e-9 kg/s", "2.5e-10 kg/s", "2.5e-10 kg/s"])
-}
-
-impl NeckSet {
-    /// The springs of the set.
-    pub fn springs(self) -> FourSprings {
-        match self {
-            Self::S => four_springs(["1e5 N/m"; 4], ["1.25e-7 kg/s", "2.5e-8 kg/s", "6.25e-9 kg/s", "6.25e-9 kg/s"]),
-            Self::P => four_springs(
-                ["1e6 N/m", "1e7 N/m", "1e7 N/m", "1e7 N/m"],
-                ["1.25e-6 kg/s", "2.5e-7 kg/s", "6.25e-8 kg/s", "6.25e-8 kg/s"],
-            ),
-        }
-    }
 }
 
 impl Soot {
@@ -192,16 +161,6 @@ impl Soot {
             },
             reading,
             walls: [&self.substrate_hamaker_constant, &self.tip_hamaker_constant].map(|a| wall(a.value)),
-        }
-    }
-
-    /// The strength of a neck.
-    pub fn strength(&self) -> soot::Strength {
-        let stress = self.break_stress.as_ref();
-        soot::Strength {
-            energy: self.break_energy.as_ref().map(|energy| energy.value),
-            stress: stress
-                .map(|NeckStrength { tension, shear, neck_radius }| [tension.value, shear.value, neck_radius.value]),
         }
     }
 
@@ -252,6 +211,8 @@ pub fn key(case: &Case, number: usize, stage: &SootStage) -> String {
 
 /// The files that a case reads.
 pub fn reads(case: &mut Case) -> Vec<&mut PathBuf> {
+    let Model::Soot(soot) = &mut case.model;
+    let strengths = if let Some(NeckStrengths::File(file)) = &mut soot.neck_strengths { Some(file) } else { None };
     let Sample::Aggregate(Aggregate { import, deposited, .. }) = &mut case.sample else { return Vec::new() };
     let imported = import.iter_mut().flat_map(Import::files_mut);
     let surfaces: Vec<&mut Solid> = match &mut case.experiment {
@@ -259,7 +220,7 @@ pub fn reads(case: &mut Case) -> Vec<&mut PathBuf> {
         Experiment::Restructuring(_) | Experiment::Path(_) => Vec::new(),
         Experiment::Sequence(stages) => stages.iter_mut().filter_map(SootStage::solid_mut).collect(),
     };
-    imported.chain(deposited).chain(surfaces.into_iter().map(|solid| &mut solid.stl)).collect()
+    imported.chain(strengths).chain(deposited).chain(surfaces.into_iter().map(|solid| &mut solid.stl)).collect()
 }
 
 /// The files that a case writes beside its run folder, with the sections that ask for them.

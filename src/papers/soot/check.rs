@@ -1,8 +1,8 @@
 //! Checks of a case of the soot paper beyond its grammar.
 
 use super::case::{
-    Aggregate, Case, Deposition, Experiment, Indentation, Model, NeckStrength, Path, Restructuring, Solid, Soot,
-    SootStage, Torsion, TwoSpheres, key, parts, path,
+    Aggregate, Case, Deposition, Experiment, Indentation, Model, NeckStrength, NeckStrengths, NormalStrengths, Path,
+    Restructuring, Solid, Soot, SootStage, Torsion, TwoSpheres, WeibullStrengths, key, parts, path,
 };
 use crate::case::check::{Found, expect};
 use crate::case::springs::{Transport, necks, springs};
@@ -75,6 +75,9 @@ pub fn problems(case: &Case, found: &mut Found) {
 }
 
 fn of_pair(soot: &Soot, pair: &TwoSpheres, path: &Path, found: &mut Found) {
+    if soot.strengths_file().is_some() {
+        found.push(("model.soot.neck_strengths".into(), "expected `weibull` or `normal` for a single neck".into()));
+    }
     for (place, radius) in pair.radii.iter().enumerate() {
         expect(found, radius.value > 0.0, &format!("sample.pair.radii[{place}]"), radius, "more than zero");
     }
@@ -190,5 +193,24 @@ fn interactions(soot: &Soot, found: &mut Found) {
         ] {
             expect(found, value > 0.0, &at(&format!("break_stress.{key}")), text, "more than zero");
         }
+    }
+    let single = soot.neck_strengths.as_ref();
+    let breaks = soot.break_energy.is_some() || soot.break_stress.is_some();
+    if single.is_some() && !breaks {
+        found.push((at("neck_strengths"), "expected `break_energy` or `break_stress` beside it".into()));
+    }
+    let mut number = |key: &str, value: f64, fits: bool, what: &str| {
+        expect(found, fits, &at(&format!("neck_strengths.{key}")), decimal(value), what);
+    };
+    match single {
+        Some(NeckStrengths::Weibull(WeibullStrengths { scale, shape })) => {
+            number("weibull.scale", *scale, *scale > 0.0, "more than zero");
+            number("weibull.shape", *shape, *shape >= 0.1, "at least 0.1");
+        }
+        Some(NeckStrengths::Normal(NormalStrengths { mean, deviation })) => {
+            number("normal.mean", *mean, *mean > 0.0, "more than zero");
+            number("normal.deviation", *deviation, *deviation >= 0.0, "zero or more");
+        }
+        Some(NeckStrengths::File(_)) | None => {}
     }
 }

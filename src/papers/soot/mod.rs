@@ -12,6 +12,7 @@ mod sample;
 #[cfg(feature = "cli")]
 mod shown;
 mod stage;
+mod strengths;
 mod study;
 pub mod tip;
 #[cfg(feature = "verify")]
@@ -34,12 +35,12 @@ use crate::interrupt::Interrupt;
 use crate::output::Column;
 use crate::output::aggregate::{CONVEXITY, COORDINATION, GYRATION_RADIUS};
 use crate::output::columns::{KINETIC, TIME};
-use crate::papers::path::{self, PathPlan};
+use crate::papers::path::{self, Breaks, PathPlan};
 #[cfg(feature = "cli")]
 use crate::reproduce::{Chapter, Listed};
 use crate::run::Runnable;
 use crate::spec::mechanics::sphere::sphere_mass;
-use crate::spec::soot::{Along, Following, Lagging, Printed, Programmed, Reading};
+use crate::spec::soot::{self, Along, Following, Lagging, Printed, Programmed, Reading};
 use case::{Case, Experiment, Model, Sample, Torsion};
 use columns::{HEIGHT, PULL, READING, TIP_DISPLACEMENT};
 use std::path::{Path, PathBuf};
@@ -61,6 +62,13 @@ impl Paper for Soot {
         Graph { name: "height", stages: &["deposition"], x: TIME, y: HEIGHT, marks: &[] },
         Graph { name: "deposition energy", stages: &["deposition"], x: TIME, y: KINETIC, marks: &[] },
         Graph { name: "force curve", stages: &["indentation"], x: TIP_DISPLACEMENT, y: READING, marks: &[] },
+        Graph {
+            name: "force on the neck",
+            stages: &["leg"],
+            x: path::ELONGATION,
+            y: path::FORCE_X_SECOND,
+            marks: MARKS,
+        },
         Graph { name: "force on the tip", stages: &["indentation"], x: TIP_DISPLACEMENT, y: PULL, marks: MARKS },
     ];
     const QUANTITIES: &'static [(&'static str, &'static [Column])] = &[
@@ -68,7 +76,9 @@ impl Paper for Soot {
         ("Columns of stages with a substrate", columns::ON_SUBSTRATE),
         ("Columns of an indentation", columns::ON_TIP),
         ("Columns of a path", path::COLUMNS),
+        ("Column of a path that pulls", path::PULLED),
         ("Results of each leg of a path", path::results::ALL),
+        ("Results of a leg in which a neck may break", path::results::BREAKING),
         ("Results, beside the initial and the final shape", columns::results::ALL),
     ];
     #[cfg(feature = "cli")]
@@ -131,15 +141,27 @@ impl Paper for Soot {
     }
 }
 
+/// When the neck of two spheres breaks, by its own strength if it has one.
+fn breaks<S: Reading + 'static>(soot: &case::Soot, own: Option<f64>) -> Option<Breaks<soot::Soot<S>>> {
+    let strength = soot.strength().times(own.unwrap_or(1.0));
+    let breaks = move |law: &soot::Soot<S>, contact: &_, springs: &_, held: &_| {
+        law.neck_breaks(contact, springs, held, &strength)
+    };
+    (strength != soot::Strength::default()).then(|| Box::new(breaks) as Breaks<soot::Soot<S>>)
+}
+
 /// The plan of a case whose springs are read like this.
 fn planned<S: Reading + 'static>(case: &Case, reading: S) -> Box<dyn Runnable> {
     let Some((soot, pair, path)) = case::path(case) else { return Box::new(Plan::of(case, reading)) };
+    let strength = soot.neck_strengths.as_ref().map(|given| strengths::drawn_for(given, case.seed, (0, 1)));
     let sphere = |radius: &Quantity<Length>| (radius.value, sphere_mass(soot.density.value, radius.value));
     Box::new(PathPlan {
         model: soot.law(reading),
         spheres: pair.radii.each_ref().map(sphere),
         distance: path.distance.value,
         neck: pair.neck,
+        breaks: breaks(soot, strength),
+        strength,
         legs: path.legs.clone(),
         dt: path.dt.value,
         overlap: case.limits.overlap,

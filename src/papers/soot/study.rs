@@ -1,11 +1,12 @@
 //! The stages of a case of the soot paper: deposition, indentation and restructuring of an aggregate.
 
-use super::case::{Aggregate, Case, Deposition, Experiment, Soot, SootStage, parts};
+use super::case::{Aggregate, Case, Deposition, Experiment, NeckStrengths, Soot, SootStage, parts};
 use super::columns::columns_of;
 use super::energy::initial_springs;
 use super::lammps;
 use super::place::{middle, reach};
 use super::stage::{self, Ground};
+use super::strengths::Strengths;
 use super::watch::Watch;
 use crate::error::{Error, Halt};
 use crate::geometry::Sphere;
@@ -14,6 +15,7 @@ use crate::initial::aggregate::import::Extras;
 use crate::interrupt::Interrupt;
 use crate::observe::PairKind;
 use crate::output::{Cell, Column, Finding, load_sample, save_sample, sha256_file};
+use crate::papers::necks::breaks;
 use crate::random::Stream;
 use crate::run::Study;
 use crate::simulation::{Settings, Simulation};
@@ -23,6 +25,7 @@ use crate::spec::soot::eq26_coordination::are_neighbours;
 use crate::spec::soot::{self, Reading, Strength};
 use crate::spec::{Contact, Vec3};
 use crate::system::{Domain, Particles, System};
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 /// The plan of a case.
@@ -71,7 +74,11 @@ impl<S: Reading> Plan<S> {
                 *path = sha256_file(path)?.into();
             }
         }
-        Ok(serde_json::to_string(&(&self.soot, &sample)).expect("a case is plain data"))
+        let mut soot = self.soot.clone();
+        if let Some(NeckStrengths::File(path)) = &mut soot.neck_strengths {
+            *path = sha256_file(path)?.into();
+        }
+        Ok(serde_json::to_string(&(&soot, &sample)).expect("a case is plain data"))
     }
 
     /// The key of a stage in the case.
@@ -82,6 +89,12 @@ impl<S: Reading> Plan<S> {
     /// The contact law of a stage.
     pub(super) fn law(&self, stage: usize) -> soot::Soot<S> {
         self.soot.law_of(self.reading, &self.stages[stage])
+    }
+
+    /// The strengths of these necks relative to that of the case.
+    fn strengths_in(&self, system: &System, interrupt: &Interrupt) -> Result<Strengths, Error> {
+        let (necks, spheres) = (&system.necks, system.particles.len());
+        Strengths::of(self.soot.neck_strengths.as_ref(), self.seed, necks, spheres, interrupt)
     }
 
     /// The random stream of a stage for a purpose: the first user, the sample or a stage, draws from the stream of the purpose, every later stage from a stream of its own.
@@ -111,7 +124,10 @@ impl<S: Reading> Study for Plan<S> {
     }
 
     fn reads_after(&self, stage: usize) -> Vec<PathBuf> {
-        self.stages.iter().skip(stage + 1).filter_map(|stage| Some(stage.solid()?.stl.clone())).collect()
+        let solids = self.stages.iter().skip(stage + 1).filter_map(|stage| Some(stage.solid()?.stl.clone()));
+        // Those of a stage under way are in its checkpoint.
+        let strengths = self.soot.strengths_file().filter(|_| stage + 1 < self.stages.len());
+        solids.chain(strengths.cloned()).collect()
     }
 
     fn initial(&self, interrupt: &Interrupt) -> Result<System, Error> {
@@ -120,6 +136,7 @@ impl<S: Reading> Study for Plan<S> {
         if let Some(path) = &self.sample.deposited {
             let system = load_sample(path, &self.origin()?, "model or aggregate")?;
             self.suits(system.particles.radius.iter().copied())?;
+            self.strengths_in(&system, interrupt)?;
             return Ok(system);
         }
         let (spheres, necks, Extras { v, w, .. }) = self.aggregate(interrupt)?;
@@ -135,7 +152,9 @@ impl<S: Reading> Study for Plan<S> {
         let springs = initial_springs::<S>(self.sample.neck_length, &spheres, &necks);
         let necks = necks.into_iter().map(|(i, j)| (i as u32, j as u32)).collect();
         let surfaces = if self.sample.on_substrate { vec![stage::plane()] } else { Vec::new() };
-        Ok(System { necks, springs, surfaces, ..System::new(particles, domain) })
+        let system = System { necks, springs, surfaces, ..System::new(particles, domain) };
+        self.strengths_in(&system, interrupt)?;
+        Ok(system)
     }
 
     fn set_up(&self, stage: usize, system: System) -> Result<System, Error> {
@@ -154,6 +173,9 @@ impl<S: Reading> Study for Plan<S> {
     }
 
     fn pair_style(&self, stage: usize) -> Result<String, String> {
+        if self.soot.neck_strengths.is_some() {
+            return Err("has necks of different strengths, which the plugin for LAMMPS does not have".into());
+        }
         Ok(lammps::pair_style(&self.soot, &self.law(stage)))
     }
 
@@ -196,23 +218,32 @@ impl<S: Reading> Study for Plan<S> {
         simulation: &Simulation<soot::Soot<S>>,
         interrupt: &Interrupt,
     ) -> Result<Watch, Error> {
-        Watch::begin(&self.stages[stage], simulation, interrupt)
+        let strengths = self.strengths_in(simulation.system(), interrupt)?;
+        Watch::begin(&self.stages[stage], simulation, strengths, interrupt)
     }
 
     fn can_hold(&self, stage: usize, system: &System, watch: &Watch) -> bool {
-        let System { walls, bodies, steerings, .. } = system;
-        walls.is_empty() && bodies.is_empty() && steerings.is_empty() && watch.belongs_to(&self.stages[stage], system)
+        let System { walls, bodies, steerings, necks, .. } = system;
+        let observed = watch.belongs_to(&self.stages[stage], system)
+            && watch.strengths().belong_to(necks, self.soot.neck_strengths.is_none());
+        walls.is_empty() && bodies.is_empty() && steerings.is_empty() && observed
     }
 
-    fn intervene(&self, _: usize, simulation: &mut Simulation<soot::Soot<S>>) -> Result<Vec<String>, Halt> {
+    fn intervene(
+        &self,
+        _: usize,
+        watch: &Watch,
+        simulation: &mut Simulation<soot::Soot<S>>,
+    ) -> Result<Vec<String>, Halt> {
         let strength = self.soot.strength();
         if strength == Strength::default() || !simulation.system().step.is_multiple_of(EXAMINED) {
             return Ok(Vec::new());
         }
         let law = *simulation.model();
-        let broken =
-            simulation.break_necks(|contact, memory, held| law.neck_breaks(contact, memory, held, &strength))?;
-        Ok(broken.iter().map(|(i, j)| format!("the neck of {i} and {j} breaks")).collect())
+        let broken = simulation.break_necks(|neck, contact, memory, held| {
+            law.neck_breaks(contact, memory, held, &strength.times(watch.strengths().own(neck).unwrap_or(1.0)))
+        })?;
+        Ok(broken.into_iter().map(|neck| breaks(neck, watch.strengths().own(neck))).collect())
     }
 
     fn follow(&self, _: usize, watch: &mut Watch, simulation: &Simulation<soot::Soot<S>>) -> Vec<String> {
@@ -222,6 +253,10 @@ impl<S: Reading> Study for Plan<S> {
 
     fn look(&self, _: usize, watch: &mut Watch, simulation: &Simulation<soot::Soot<S>>) -> Vec<Cell> {
         watch.look(simulation)
+    }
+
+    fn strengths<'a>(&self, watch: &'a Watch) -> Option<&'a BTreeMap<(u32, u32), f64>> {
+        self.soot.neck_strengths.is_some().then(|| watch.strengths().all())
     }
 
     /// Spheres touch by the criterion of their coordination number.

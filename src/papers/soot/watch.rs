@@ -2,6 +2,7 @@
 
 use super::case::SootStage;
 use super::columns::results;
+use super::strengths::Strengths;
 use crate::error::Error;
 use crate::geometry::{SphereExtent, gyration_radius};
 use crate::initial::aggregate::NEIGHBOURLY;
@@ -26,12 +27,13 @@ pub fn shape(system: &System) -> [f64; 3] {
 /// Interval between the points of a force curve, ns.
 const RECORDED: f64 = 0.1;
 
-/// The initial state of a stage, and the force curve of an indentation.
+/// The initial state of a stage, the strengths of its necks, and the force curve of an indentation.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Watch {
     shape: AggregateShape,
     kinetic: f64,
     curve: Option<ForceCurve>,
+    strengths: Strengths,
 }
 
 impl Watch {
@@ -43,6 +45,7 @@ impl Watch {
     pub fn begin(
         stage: &SootStage,
         simulation: &Simulation<Soot<impl Reading>>,
+        strengths: Strengths,
         interrupt: &Interrupt,
     ) -> Result<Self, Error> {
         let curve = match stage {
@@ -50,7 +53,7 @@ impl Watch {
             _ => None,
         };
         let shape = AggregateShape::of(&simulation.system().particles.spheres(), interrupt)?;
-        Ok(Self { shape, kinetic: simulation.ledger().kinetic, curve })
+        Ok(Self { shape, kinetic: simulation.ledger().kinetic, curve, strengths })
     }
 
     /// Whether it can be the observer of this stage.
@@ -97,6 +100,11 @@ impl Watch {
     /// The force curve of an indentation.
     pub fn curve(&self) -> Option<&ForceCurve> {
         self.curve.as_ref()
+    }
+
+    /// The strengths of the necks relative to that of the case.
+    pub fn strengths(&self) -> &Strengths {
+        &self.strengths
     }
 
     /// The initial kinetic energy, zJ.

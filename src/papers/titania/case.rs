@@ -46,7 +46,7 @@ choice! {
     pub enum Experiment {
         /// Tests of a single contact: a particle approaches another, and slides or rolls over a slab.
         Contact = "contact": ContactTests,
-        /// A path of sliding, rolling and twisting of two particles at a fixed distance.
+        /// A path of two particles: sliding, rolling, twisting, and pulling.
         Path = "path": Path,
         /// Stretching of an agglomerate.
         Stretching = "stretching": Stretching,
@@ -123,7 +123,7 @@ section! {
 }
 
 section! {
-    /// Two particles at a fixed distance slide, roll and twist by prescription, leg by leg.
+    /// Two particles slide, roll, twist and are pulled apart by prescription, leg by leg.
     pub struct Path {
         /// Distance of their centres, if not that at rest.
         distance: Option<Quantity<Length>> = None,

@@ -72,6 +72,7 @@ impl Paper for Titania {
         ("Windows of 50 ps of a stretched agglomerate, with the column `pulled`", columns::IN_WINDOW),
         ("Results of pairs and agglomerates", columns::results::ALL),
         ("Columns of a path", path::COLUMNS),
+        ("Column of a path that pulls", path::PULLED),
         ("Results of each leg of a path", path::results::ALL),
         ("Columns of a film under a tip", film::columns::TIPPED),
         ("Columns of a film", film::columns::COUNTS),

@@ -30,7 +30,17 @@ pub(super) fn path<M: Law>(titania: &Titania, pair: &TwoParticles, path: &Path, 
     let model = M::new(titania, &spheres.map(|(radius, _)| radius));
     let at_rest = || model.law().equilibrium(spheres[0].0, spheres[1].0);
     let distance = path.distance.as_ref().map_or_else(at_rest, |distance| distance.value);
-    PathPlan { model, spheres, distance, neck: false, legs: path.legs.clone(), dt: path.dt.value, overlap }
+    PathPlan {
+        model,
+        spheres,
+        distance,
+        neck: false,
+        breaks: None,
+        strength: None,
+        legs: path.legs.clone(),
+        dt: path.dt.value,
+        overlap,
+    }
 }
 
 /// Holds the second particle and drags the first along x under a load along y; if it rolls, it rotates without sliding.

@@ -41,6 +41,7 @@ __all__ = [
     "sphere_volume",
     "thermal_energy",
     "translational_energy",
+    "weibull_quantile",
     "work",
 ]
 
@@ -1267,3 +1268,43 @@ def carried_spring(xi: ArrayLike, n: ArrayLike, omega_i: ArrayLike, omega_j: Arr
 
     mechanics-carried-spring, spec/mechanics/carried_spring.rs, rounding error at most 1 ULP
     """
+
+@overload
+def weibull_quantile(p: float | str, scale: float | str, shape: float | str, *, check: bool = True) -> float:
+    """The strength that a given share of brittle bodies exceeds.
+
+    Parameters
+    ----------
+    p : float or array, (0, 1)
+        $p$: share that is stronger
+    scale : float or array, > 0
+        $\\lambda$: strength that one body in e exceeds
+    shape : float or array, >= 0.1
+        $k$: Weibull modulus: the larger, the more alike they are
+    check : bool
+        refuse values outside their domain, and results that are not finite
+
+    Returns
+    -------
+    x : float or array
+        $x$: strength
+
+    Formula as printed
+    ------------------
+        x = \\lambda \\, (-\\ln p)^{1/k}
+
+    Reading
+    -------
+    The distribution of Weibull (1951), $p = e^{-(x/\\lambda)^k}$, solved for the strength. A number that is uniform between zero and one, taken for $p$, gives a strength with this distribution. The power is taken by logarithms.
+
+    Laws
+    ----
+    * the share that is stronger is given
+    * the stronger the rarer
+    * one in e exceeds the scale
+    * the weakest of many has the same distribution
+
+    mechanics-weibull-quantile, spec/mechanics/weibull.rs, rounding error at most 2.5 ULP
+    """
+@overload
+def weibull_quantile(p: ArrayLike | str, scale: ArrayLike | str, shape: ArrayLike | str, *, check: bool = True) -> NDArray[np.float64]: ...

@@ -57,7 +57,7 @@ pub(super) fn read(source: &Source) -> Result<Raw, Error> {
 }
 
 /// The records, with the numbers of their lines.
-fn rows<'a>(source: &'a Source) -> impl Iterator<Item = Result<(usize, StringRecord), Error>> + 'a {
+pub(super) fn rows<'a>(source: &'a Source) -> impl Iterator<Item = Result<(usize, StringRecord), Error>> + 'a {
     let mut builder = ReaderBuilder::new();
     builder.has_headers(false).flexible(true).comment(Some(b'#')).trim(Trim::All);
     builder.from_reader(source.text.as_bytes()).into_records().map(|row| {

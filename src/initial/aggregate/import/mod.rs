@@ -10,6 +10,7 @@ mod necks;
 mod report;
 mod scale;
 mod section;
+mod strengths;
 mod vtk;
 
 pub use columns::OF_FRAMES;
@@ -17,6 +18,7 @@ pub use extras::Extras;
 pub use necks::{parse_necks, read_necks};
 pub use report::Report;
 pub use section::{FileSizes, Import, shift_of_import};
+pub use strengths::read_strengths;
 
 use crate::case::section::words;
 use crate::case::unmarked;

@@ -15,9 +15,9 @@ section! {
 }
 
 section! {
-    /// Two spheres at a fixed distance slide, roll and twist by prescription, leg by leg. The coating acts as in a restructuring.
+    /// Two spheres slide, roll, twist and are pulled apart by prescription, leg by leg. The coating acts as in a restructuring.
     pub struct Path {
-        /// Distance of their centres; spheres nearer than the sum of their radii press each other.
+        /// Initial distance of their centres; spheres nearer than the sum of their radii press each other.
         distance: Quantity<Length>,
         /// The legs, one after the other; the springs go on from leg to leg.
         legs: Vec<Leg>,

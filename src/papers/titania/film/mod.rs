@@ -19,6 +19,7 @@ use crate::interrupt::Interrupt;
 use crate::observe::PairKind;
 use crate::observe::film::Structure;
 use crate::output::{Cell, Column, Finding, load_sample, save_sample, sha256_file};
+use crate::papers::necks::breaks;
 use crate::run::{Progress, Study};
 use crate::simulation::{Settings, Simulation};
 use crate::spec::necked::EXAMINED;
@@ -264,13 +265,13 @@ impl<M: Law> Study for Plan<M> {
         system.walls.len() == if relaxes { FIXED } else { TIP } + 1 && self.has_sizes(system, !relaxes)
     }
 
-    fn intervene(&self, _: usize, simulation: &mut Simulation<M>) -> Result<Vec<String>, Halt> {
+    fn intervene(&self, _: usize, _: &Watch, simulation: &mut Simulation<M>) -> Result<Vec<String>, Halt> {
         let Some(strength) = &self.titania.break_energy else { return Ok(Vec::new()) };
         if !simulation.system().step.is_multiple_of(EXAMINED) {
             return Ok(Vec::new());
         }
-        let broken = simulation.break_necks(|_, _, held| M::neck_breaks(held, strength.value))?;
-        Ok(broken.iter().map(|(i, j)| format!("the neck of {i} and {j} breaks")).collect())
+        let broken = simulation.break_necks(|_, _, _, held| M::neck_breaks(held, strength.value))?;
+        Ok(broken.into_iter().map(|neck| breaks(neck, None)).collect())
     }
 
     fn follow(&self, stage: usize, watch: &mut Watch, simulation: &Simulation<M>) -> Vec<String> {
