@@ -347,16 +347,17 @@ mod laws {
 
     #[test]
     fn particles_much_larger_than_the_kelvin_radius_have_no_value() {
-        let ends = |r_eff: f64| {
-            let (beta_r, gap_r) = exact_rupture(r_eff, 1.0, 0.2);
-            let along = [exact_slope(1.0, 1.0, r_eff, 0.2, 0.5), exact_work(1.0, 1.0, r_eff, 0.2, 0.5, beta_r)];
-            [gap_r, exact_gap(r_eff, 1.0, 0.2, 0.5).1, along[0], along[1]]
-        };
-        assert!(
-            ends(9_990.0).iter().all(|x| x.is_finite()) && ends(10_010.0).iter().all(|x| x.is_nan()),
-            "{:?}",
-            ends(10_010.0)
-        );
+        for r_k in [0.3, 1.0, 7.0] {
+            let ends = |r_eff: f64| {
+                let (beta_r, gap_r) = exact_rupture(r_eff, r_k, 0.2);
+                let (gap, slope) = exact_gap(r_eff, r_k, 0.2, 0.5);
+                let along = [exact_slope(1.0, r_k, r_eff, 0.2, 0.5), exact_work(1.0, r_k, r_eff, 0.2, 0.5, beta_r)];
+                [gap_r, gap, slope, along[0], along[1]]
+            };
+            let largest = LARGEST * r_k;
+            assert!(ends(largest).iter().all(|x| x.is_finite()), "{:?}", ends(largest));
+            assert!(ends(largest.next_up()).iter().all(|x| x.is_nan()), "{:?}", ends(largest.next_up()));
+        }
     }
 
     /// Solved with the first integral by an integrator and by root finding, independently of the formulas here.
