@@ -1735,6 +1735,7 @@ def frictional_contact(x_i: ArrayLike, x_j: ArrayLike, v_i: ArrayLike, v_j: Arra
     * seen from the other particle the pair is the same
     * dashpots never deliver power
     * a contact that sticks has its four springs and dashpots
+    * spheres that just touch feel and remember nothing
 
     soot-contact, spec/soot/def_contact.rs, rounding error at most 4 ULP
     """
@@ -1834,6 +1835,7 @@ def published_contact(x_i: ArrayLike, x_j: ArrayLike, v_i: ArrayLike, v_j: Array
     ----
     * published springs act before they are stretched
     * a published contact has the springs of the step before
+    * a published contact that slips goes on with the friction that it feels
 
     soot-published-contact, spec/soot/def_contact.rs, rounding error at most 5 ULP
     """
@@ -2644,6 +2646,7 @@ def tip_way(t: float | str, v_tip: float | str, rate: float | str, t_reversal: f
     * the tip of the paper goes 7 44 nm deep
     * is the printed way
     * a short way keeps the digits that the difference of two logarithms loses
+    * the way keeps its digits where the tip is back
 
     soot-25-way, spec/mechanics/approach.rs, rounding error at most 1.5 ULP
     """
@@ -2719,6 +2722,7 @@ def are_neighbours(x_i: ArrayLike, x_j: ArrayLike, r_i: ArrayLike | str, r_j: Ar
     Laws
     ----
     * neighbours are less than a hundredth of a diameter apart
+    * a gap of just the threshold is too far
 
     soot-neighbours, spec/soot/eq26_coordination.rs, rounding error at most 0 ULP
     """
@@ -3200,6 +3204,7 @@ def filter_step(omega_0: ArrayLike | str, dt: ArrayLike | str, g: ArrayLike | st
     * a steady force is read and a steady ramp lags by two time constants
     * the area under the force is the area under the reading
     * a step of any length keeps the digits of the force before
+    * responses to short steps keep their digits
 
     soot-filter, spec/soot/def_filter.rs, rounding error at most 2 ULP
     """

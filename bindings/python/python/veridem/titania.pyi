@@ -555,6 +555,7 @@ def rupture(r_eff: ArrayLike | str, r_k: ArrayLike | str, theta: ArrayLike | str
     ----
     * no meniscus reaches beyond the rupture
     * scales with radius and kelvin radius
+    * a liquid that hardly wets ruptures too
 
     titania-rupture, spec/titania/def_meniscus.rs, rounding error at most 24 ULP
     """
@@ -595,6 +596,7 @@ def half_filling_angle(r_eff: float | str, r_k: float | str, theta: float | str,
     ----
     * the angle gives back the distance
     * the angle falls as the particles part
+    * the branch ends at the angle of rupture and at the largest
 
     titania-half-filling, spec/titania/def_meniscus.rs, rounding error at most 1 ULP
     """
@@ -740,10 +742,10 @@ def exact_gap(r_eff: ArrayLike | str, r_k: ArrayLike | str, theta: ArrayLike | s
     Parameters
     ----------
     r_eff : float or array [m], > 0
-        $R$: harmonic mean radius of the water-covered particles
+        $R$: harmonic mean radius of the water-covered particles, at most $10^4 \\, r_K$
     r_k : float or array [m], > 0
         $r_K$: Kelvin radius
-    theta : float or array [rad], [0, 1.5707963267948966)
+    theta : float or array [rad], [0, 1.5]
         $\\theta$: contact angle
     beta : float or array [rad], (0, 1.5707963267948966]
         $\\beta$: half-filling angle, at most $\\pi/2 - \\theta$
@@ -789,6 +791,7 @@ def exact_gap(r_eff: ArrayLike | str, r_k: ArrayLike | str, theta: ArrayLike | s
     * the height is the integral of the profile
     * the slope of the gap is its derivative
     * short menisci are nearly circular
+    * particles much larger than the kelvin radius have no value
 
     titania-exact-gap, spec/titania/def_exact_meniscus.rs, rounding error at most 3 ULP
     """
@@ -804,10 +807,10 @@ def exact_rupture(r_eff: ArrayLike | str, r_k: ArrayLike | str, theta: ArrayLike
     Parameters
     ----------
     r_eff : float or array [m], > 0
-        $R$: harmonic mean radius of the water-covered particles
+        $R$: harmonic mean radius of the water-covered particles, at most $10^4 \\, r_K$
     r_k : float or array [m], > 0
         $r_K$: Kelvin radius
-    theta : float or array [rad], [0, 1.5707963267948966)
+    theta : float or array [rad], [0, 1.5]
         $\\theta$: contact angle
     check : bool
         refuse values outside their domain, and results that are not finite
@@ -833,7 +836,7 @@ def exact_rupture(r_eff: ArrayLike | str, r_k: ArrayLike | str, theta: ArrayLike
     * an exact meniscus ruptures farther out than a circular one
     * scales with radius and kelvin radius
 
-    titania-exact-rupture, spec/titania/def_exact_meniscus.rs, rounding error at most 4 ULP
+    titania-exact-rupture, spec/titania/def_exact_meniscus.rs, rounding error at most 8 ULP
     """
 
 @overload
@@ -843,10 +846,10 @@ def exact_half_filling_angle(r_eff: float | str, r_k: float | str, theta: float 
     Parameters
     ----------
     r_eff : float or array [m], > 0
-        $R$: harmonic mean radius of the water-covered particles
+        $R$: harmonic mean radius of the water-covered particles, at most $10^4 \\, r_K$
     r_k : float or array [m], > 0
         $r_K$: Kelvin radius
-    theta : float or array [rad], [0, 1.5707963267948966)
+    theta : float or array [rad], [0, 1.5]
         $\\theta$: contact angle
     gap : float or array [m]
         $D$: distance of the layers
@@ -887,8 +890,8 @@ def exact_slope(gamma: float | str, r_k: float | str, r_eff: float | str, theta:
     r_k : float or array [m], > 0
         $r_K$: Kelvin radius
     r_eff : float or array [m], > 0
-        $R$: harmonic mean radius of the water-covered particles
-    theta : float or array [rad], [0, 1.5707963267948966)
+        $R$: harmonic mean radius of the water-covered particles, at most $10^4 \\, r_K$
+    theta : float or array [rad], [0, 1.5]
         $\\theta$: contact angle
     beta : float or array [rad], (0, 1.5707963267948966]
         $\\beta$: half-filling angle, not the angle at rupture
@@ -928,8 +931,8 @@ def exact_work(gamma: float | str, r_k: float | str, r_eff: float | str, theta: 
     r_k : float or array [m], > 0
         $r_K$: Kelvin radius
     r_eff : float or array [m], > 0
-        $R$: harmonic mean radius of the water-covered particles
-    theta : float or array [rad], [0, 1.5707963267948966)
+        $R$: harmonic mean radius of the water-covered particles, at most $10^4 \\, r_K$
+    theta : float or array [rad], [0, 1.5]
         $\\theta$: contact angle
     beta : float or array [rad], (0, 1.5707963267948966]
         $\\beta$: half-filling angle
@@ -2148,6 +2151,7 @@ def lognormal_share(d: float | str, median: float | str, s_g: float | str, lo: f
     ----
     * the shares of all classes are one
     * the shares of the paper are the independent values
+    * there may be 32 classes
 
     titania-lognormal-share, spec/mechanics/discretised_lognormal.rs, rounding error at most 1.5 ULP
     """
@@ -2869,6 +2873,7 @@ def exit_cosine(u: float | str, v: float | str, ell: float | str, d: float | str
     * the random number is the share of exits behind
     * a slow walk goes anywhere and a fast one ahead
     * the mean cosine of exits is that of langevin
+    * exits behind keep their digits
 
     titania-exit, spec/mechanics/diffusion.rs, rounding error at most 5 ULP
     """

@@ -337,6 +337,7 @@ def sliding_velocity(x_i: ArrayLike, x_j: ArrayLike, v_i: ArrayLike, v_j: ArrayL
     * sliding lies in the contact plane
     * spheres without spin slide by what the gap does not take
     * a spin alone slides by its arm
+    * sliding does not depend on the place
 
     wear-sliding-velocity, spec/wear/def_kinematics.rs, rounding error at most 4 ULP
     """
@@ -2226,6 +2227,7 @@ def lognormal(d_0: ArrayLike | str, d_s: ArrayLike | str, d_l: ArrayLike | str, 
     ----
     * has the mode and the standard deviation
     * does not depend on the unit of length
+    * narrow and wide distributions have the standard deviation
 
     wear-lognormal, spec/mechanics/truncated_lognormal.rs, rounding error at most 1.5 ULP
     """
