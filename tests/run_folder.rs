@@ -202,8 +202,8 @@ fn a_checkpoint_of_another_run_is_refused_by_name() {
     let stopped = "checkpoints/stopped.checkpoint";
     std::fs::copy(place.path().join("run/other").join(stopped), run.join(stopped)).unwrap();
     let (status, told) = veridem(place.path(), &["resume", "run/run"]);
-    let named =
-        told.contains("stopped.checkpoint: belongs to another run: ") && told.contains("patch-hcp.yaml differs");
+    let named = told.contains("stopped.checkpoint: belongs to another run than manifest.json: ")
+        && told.contains("patch-hcp.yaml differs");
     assert_eq!((status, named), (65, true), "{told}");
 }
 

@@ -217,7 +217,7 @@ impl Checkpoints {
                 if !others.is_empty() {
                     return Ok(Err(Error::input(
                         &path,
-                        format!("belongs to another run: {} differs", others.join(", ")),
+                        format!("belongs to another run than manifest.json: {} differs", others.join(", ")),
                     )));
                 }
                 let (state, rest) =
@@ -293,6 +293,9 @@ mod tests {
         assert!(!checkpoints.path(STOPPED).exists());
         checkpoints.save(5000, &of("b"), &5000u64).unwrap();
         let refused = latest(&|_| true).unwrap_err().to_string();
-        assert!(refused.ends_with("000000005000.checkpoint: belongs to another run: a.yaml differs"), "{refused}");
+        assert!(
+            refused.ends_with("000000005000.checkpoint: belongs to another run than manifest.json: a.yaml differs"),
+            "{refused}"
+        );
     }
 }
