@@ -8,6 +8,12 @@ def _gap(r_eff, r_k, theta, beta):
     """Twice the height of the profile from the neck to the sphere, less the two caps. Along it y / sqrt(1 + y'^2) + y^2 / (2 r_K) is constant, so
     dz/dy = (n m - y^2) / sqrt((y^2 - n^2) (m^2 - y^2)) with the radius n of the neck and m = n + 2 r_K; y = m sqrt(1 - k^2 sin^2(phi)) makes it
     elliptic integrals in the form of Legendre."""
+    # The heights of narrow bridges are small differences.
+    with mp.extradps(mp.dps):
+        return _twice_the_height(r_eff, r_k, theta, beta) - 2 * r_eff * (1 - mp.cos(beta))
+
+
+def _twice_the_height(r_eff, r_k, theta, beta):
     wetted, lean = r_eff * mp.sin(beta), mp.sin(theta + beta)
     constant = wetted * lean + wetted**2 / (2 * r_k)
     neck = 2 * r_k * constant / (r_k + mp.sqrt(r_k**2 + 2 * r_k * constant))
@@ -17,11 +23,11 @@ def _gap(r_eff, r_k, theta, beta):
     cos_phi = mp.sqrt(max((wetted**2 - neck**2) / (m**2 - neck**2), 0))
     phi = mp.pi / 2 - mp.sign(mp.cos(theta + beta)) * mp.asin(cos_phi)
     first, second = mp.ellipk(k2) - mp.ellipf(phi, k2), mp.ellipe(k2) - mp.ellipe(phi, k2)
-    return 2 * (neck * first - m * second) - 2 * r_eff * (1 - mp.cos(beta))
+    return 2 * (neck * first - m * second)
 
 
 def _gap_slope(r_eff, r_k, theta, beta):
-    return mp.diff(lambda angle: _gap(r_eff, r_k, theta, angle), beta, h=mpf(10) ** (-mp.dps // 3))
+    return mp.diff(lambda angle: _gap(r_eff, r_k, theta, angle), beta, h=beta * mpf(10) ** (-mp.dps // 3))
 
 
 def _has_meniscus(theta, beta, **_):
