@@ -1,7 +1,7 @@
 """Laube et al. 2018: the liquid bridge of two particles with the profile of constant curvature, by elliptic integrals."""
 
 from frame import equation, mp, mpf
-from titania_meniscus import BRIDGES, _force, _gauss
+from titania_meniscus import BRIDGES, _by_the_rule_of_gauss, _force
 
 
 def _gap(r_eff, r_k, theta, beta):
@@ -120,8 +120,7 @@ def exact_slope(gamma, r_k, r_eff, theta, beta):
 )
 def exact_work(gamma, r_k, r_eff, theta, beta, beta_r):
     power = lambda angle: _force(gamma, r_k, r_eff, theta, angle) * _gap_slope(r_eff, r_k, theta, angle)
-    middle, half = (beta + beta_r) / 2, (beta_r - beta) / 2
-    by_rule = half * sum(weight * power(middle + half * x) for x, weight in _gauss())
+    by_rule = _by_the_rule_of_gauss(power, beta, beta_r)
     # The integral itself, as far as the rule goes.
     with mp.workdps(15):
         whole = mp.quad(power, [beta, beta_r])

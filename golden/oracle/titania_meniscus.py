@@ -97,6 +97,11 @@ def _gauss():
     return rule
 
 
+def _by_the_rule_of_gauss(function, begin, end):
+    middle, half = (begin + end) / 2, (end - begin) / 2
+    return half * sum(weight * function(middle + half * x) for x, weight in _gauss())
+
+
 @equation(
     "titania-capillary-work",
     cases=[BRIDGES[k] | dict(beta=a, beta_r=b) for k, a, b in [(0, 0.65, 0.2663), (1, 0.4, 0.16), (2, 1.1, 0.35), (3, 0.5, 0.17)]],
@@ -104,8 +109,7 @@ def _gauss():
 )
 def capillary_work(gamma, r_k, r_eff, theta, beta, beta_r):
     power = lambda angle: _force(gamma, r_k, r_eff, theta, angle) * _gap_slope(r_eff, r_k, theta, angle)
-    middle, half = (beta + beta_r) / 2, (beta_r - beta) / 2
-    by_rule = half * sum(weight * power(middle + half * x) for x, weight in _gauss())
+    by_rule = _by_the_rule_of_gauss(power, beta, beta_r)
     # The integral itself, as far as the rule goes.
     whole = mp.quad(power, [beta, beta_r])
     assert abs(by_rule - whole) <= mpf("1e-9") * abs(whole), (by_rule, whole)
