@@ -435,6 +435,12 @@ macro_rules! words {
             }
         }
 
+        impl std::fmt::Display for $name {
+            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str(match self { $(Self::$variant => $word,)* })
+            }
+        }
+
         impl $crate::case::section::Field for $name {
             fn expects() -> String {
                 format!("one of `{}`", [$($word),*].join("`, `"))

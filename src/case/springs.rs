@@ -37,16 +37,6 @@ words! {
     }
 }
 
-impl Transport {
-    /// The word of a case file.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Projected => "projected",
-            Self::Carried => "carried",
-        }
-    }
-}
-
 /// Four springs: normal, tangential, rolling and torsional stiffness and damping.
 pub fn four_springs(stiffness: [&str; 4], damping: [&str; 4]) -> FourSprings {
     let ([k_n, k_t, k_r, k_o], [c_n, c_t, c_r, c_o]) = (stiffness, damping);

@@ -145,7 +145,7 @@ impl<M: PairModel> PathPlan<M> {
         self.legs.iter().any(|leg| leg.pull.value != 0.0)
     }
 
-    /// The distance of the centres after so many legs, nm.
+    /// The distance of the centres after the first `legs` legs, nm.
     fn distance_after(&self, legs: usize) -> f64 {
         let pulled = |leg: usize| self.legs[leg].pull.value * (self.steps_of(leg, self.dt) as f64 * self.dt);
         (0..legs).map(pulled).fold(self.distance, |distance, pulled| distance + pulled)

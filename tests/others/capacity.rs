@@ -7,7 +7,7 @@ use veridem::interrupt::Interrupt;
 use veridem::random::Stream;
 use veridem::spec::Vec3;
 
-/// The capacity of a body by ten repetitions of so many walks: Student's t for the difference from `expected`, and the ratio of the variance among them to the one that each reports. The bounds leave out one per cent of
+/// The capacity of a body by ten repetitions of `walks` walks each: Student's t for the difference from `expected`, and the ratio of the variance among them to the one that each reports. The bounds leave out one per cent of
 /// all sets of seeds: t of nine degrees of freedom, and chi squared.
 fn agrees(spheres: &[Sphere], walks: usize, expected: f64) {
     let one = |seed: u64| capacity(spheres, walks, &mut Stream::new(seed, "others"), &Interrupt::default()).unwrap();

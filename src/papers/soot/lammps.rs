@@ -1,6 +1,6 @@
 //! The contact law as a pair style of LAMMPS with the plugin of `bindings/lammps`.
 
-use super::case::{self, SpringsAct, Torsion};
+use super::case;
 use crate::spec::mechanics::four_springs::{Friction, Springs};
 use crate::spec::{Flat, soot};
 
@@ -10,16 +10,7 @@ pub(super) fn pair_style<S>(case: &case::Soot, law: &soot::Soot<S>) -> String {
     let springs = |springs: &Springs<f64>| numbers(&(0..8).map(|k| *springs.at(k)).collect::<Vec<_>>());
     let Friction { static_t, static_r, static_o, dynamic_t, dynamic_r, dynamic_o } = law.friction;
     let soot::Attraction { a, delta_0, psi, kappa, d_cutoff, cutoff } = law.attraction;
-    let torsion = match case.torsion {
-        Torsion::Spring => "spring",
-        Torsion::AsPrinted => "as-printed",
-        Torsion::AsPublished => "as-published",
-    };
-    let order = match case.springs_act {
-        SpringsAct::AfterStretching => "after-stretching",
-        SpringsAct::BeforeStretching => "before-stretching",
-    };
-    let transport = case.springs.word();
+    let (torsion, order, transport) = (case.torsion, case.springs_act, case.springs);
     let soot::Strength { energy, stress } = case.strength();
     let energy = energy.map_or(String::new(), |energy| format!(" break_energy {energy}"));
     let stress = stress.map_or(String::new(), |stress| format!(" break_stress {}", numbers(&stress)));

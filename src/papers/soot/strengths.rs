@@ -17,7 +17,7 @@ type Joined = (u32, u32);
 pub struct Strengths(BTreeMap<Joined, f64>);
 
 impl Strengths {
-    /// The strengths of these necks between some of so many spheres. What is drawn depends on the seed and on the two spheres alone: neither other necks nor stages change it.
+    /// The strengths of these necks of an aggregate. What is drawn depends on the seed and on the two spheres alone: neither other necks nor stages change it.
     ///
     /// # Errors
     ///

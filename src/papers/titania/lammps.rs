@@ -64,6 +64,6 @@ pub(super) fn pair_style(case: &case::Titania) -> String {
          solvation_force {f_00} solvation_growth {f_01} solvation_period {sigma} damping_constant {gamma_0} \
          damping_radius {radius} sliding_strength {tau_s} rolling_strength {tau_r} slip_period {lambda_t} slip {slip} \
          contact_stiffness {stiffness} moment_arms {arms} rolling {rolling} rolling_over {over} springs {}{necks}{energy}",
-        case.springs.word()
+        case.springs
     )
 }

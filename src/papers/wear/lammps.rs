@@ -21,14 +21,9 @@ pub(super) fn pair_style(Wear { material, interaction }: &Wear, readings: Readin
         Interaction::Normal => "normal",
         Interaction::Repulsive => "repulsive",
     };
-    let readings = match readings {
-        Readings::Own => "own",
-        Readings::AsPublished => "as-published",
-    };
     format!(
         "wear young_modulus {young_modulus} poisson_ratio {poisson_ratio} tensile_strength {tensile_strength} \
          shear_strength {shear_strength} surface_energy {surface_energy} restitution {restitution} scaling {scaling} \
-         interaction {interaction} readings {readings} forget_stretched_springs {forget_stretched_springs} springs {}",
-        springs.word()
+         interaction {interaction} readings {readings} forget_stretched_springs {forget_stretched_springs} springs {springs}"
     )
 }

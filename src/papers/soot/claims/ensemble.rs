@@ -83,7 +83,10 @@ pub fn ensembles(protocol: &Protocol, kinds: &[Kind], setting: &Setting) -> Resu
 
 /// The keys of a kind.
 fn keys(kind: &Kind) -> Vec<(&'static str, String)> {
-    vec![("sample.aggregate.neck_fraction", kind.neck_fraction.to_string()), ("model.soot.torsion", word(kind.torsion))]
+    vec![
+        ("sample.aggregate.neck_fraction", kind.neck_fraction.to_string()),
+        ("model.soot.torsion", kind.torsion.to_string()),
+    ]
 }
 
 /// All kinds of the first aggregate, then of the next, so that a stopped computation has complete sets.
@@ -107,11 +110,6 @@ pub fn points(protocol: &Protocol, kinds: &[Vec<(&str, String)>], read: Reader) 
             Point::new(Path::new(FILE), &base, &keys, read)
         })
         .collect()
-}
-
-/// A word of a case.
-fn word(torsion: Torsion) -> String {
-    serde_yaml::to_string(&torsion).expect("a word is plain data").trim().into()
 }
 
 /// Coordination number and convexity of one aggregate, and its fractal dimension at the beginning and at the end.
