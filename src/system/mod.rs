@@ -197,3 +197,6 @@ impl System {
         self.particles.id.iter().copied().zip(0..).collect()
     }
 }
+
+#[cfg(test)]
+mod tests;

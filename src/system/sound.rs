@@ -170,3 +170,6 @@ impl Springs {
         bonds.is_sorted_by(|a, b| a.0 < b.0) && bonds.iter().all(within) && bounded(numbers)
     }
 }
+
+#[cfg(test)]
+mod tests;
