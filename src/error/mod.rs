@@ -6,6 +6,8 @@ mod halt;
 mod notice;
 
 pub use halt::{Halt, Reason, Stability};
+#[cfg(test)]
+pub(crate) use notice::was_said;
 pub use notice::{message, notice, silence};
 
 use serde_json::{Value, json};

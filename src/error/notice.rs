@@ -23,6 +23,12 @@ pub fn notice(text: impl Into<String>) {
     }
 }
 
+/// Whether this process has made a remark.
+#[cfg(test)]
+pub(crate) fn was_said(text: &str) -> bool {
+    SAID.lock().unwrap_or_else(|poisoned| poisoned.into_inner()).contains(text)
+}
+
 /// Silences all notices of the process.
 pub fn silence() {
     SILENT.store(true, Ordering::Relaxed);

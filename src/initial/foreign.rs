@@ -35,3 +35,62 @@ pub(crate) fn recognised(bytes: &[u8]) -> Option<&'static str> {
         _ => return None,
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn files_are_known_by_their_first_bytes() {
+        for (bytes, expected) in [
+            (&b"\xff\xfe3\0"[..], "text in UTF-16"),
+            (b"\xfe\xff\x003", "text in UTF-16"),
+            (b"\x1f\x8b", "a gzip archive"),
+            (b"BZh91AY", "a bzip2 archive"),
+            (b"\xfd7zXZ\0", "an xz archive"),
+            (b"\x28\xb5\x2f\xfd", "a zstd archive"),
+            (b"PK\x03\x04", "a zip archive"),
+            (b"\x89HDF\r\n", "an HDF5 file"),
+            (b"\xdf\x65\xdf\x65", "a GSD file"),
+            (b"\x65\xdf\x65\xdf", "a GSD file"),
+            (b"\x93NUMPY", "a NumPy array"),
+            (b"! remark\nnumber_spheres\n3", "an MSTM input file"),
+            (b"ITEM: TIMESTEP\n0\nITEM: ENTRIES i\n", "a LAMMPS dump of something other than atoms"),
+            (b"\n<?xml version=\"1.0\"?>\n<VTKFile>", "an XML VTK file"),
+            (b"ply\nformat ascii", "a PLY file"),
+            (b"PLY\r\nformat ascii", "a PLY file"),
+            (b" ISO-10303-21;", "a STEP file"),
+            (b"HEADER    PROTEIN", "a PDB file"),
+            (b"CRYST1", "a PDB file"),
+        ] {
+            let found = recognised(bytes).unwrap_or_default();
+            assert!(found.starts_with(expected), "{found}, not {expected}");
+            assert!(found.contains(", which is not supported: "), "{found}");
+        }
+    }
+
+    #[test]
+    fn others_are_left_to_their_readers() {
+        for bytes in [
+            &b""[..],
+            b"PK",
+            b"BZhx",
+            b"ITEM: TIMESTEP\n0\nITEM: ATOMS id x y z\n",
+            b"<geometry_complex/>",
+            b"title\n<VTKFile>",
+            b"plywood\n",
+            b"HEADERS\n",
+            b"HEADER",
+            b"x ITEM: TIMESTEP\n",
+            b"# by the program ply\n1 0 0 0\n",
+        ] {
+            assert_eq!(recognised(bytes), None, "{}", String::from_utf8_lossy(bytes));
+        }
+    }
+
+    #[test]
+    fn a_word_is_sought_in_the_first_4096_bytes() {
+        let at = |place: usize| recognised(&[&b" ".repeat(place)[..], b"number_spheres"].concat()).is_some();
+        assert_eq!([at(0), at(4096 - 14), at(4096 - 13)], [true, true, false]);
+    }
+}

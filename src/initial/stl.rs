@@ -235,4 +235,85 @@ mod tests {
         let missing = read_stl(&folder.path().join("missing.stl"), 1.0).expect_err("no file").to_string();
         assert!(missing.contains("missing.stl: cannot be read: "), "{missing}");
     }
+
+    #[test]
+    fn every_word_that_is_out_of_place_is_reported_with_its_line() {
+        let parsed =
+            |text: &str| parse_stl(Path::new("a.stl"), text.as_bytes(), 1.0).map_err(|error| error.to_string());
+        let facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
+        let solid = format!("solid\n{facet}endsolid\n");
+        assert_eq!(parsed(&solid).map(|mesh| mesh.triangles().len()), Ok(1));
+        for (text, expected) in [
+            (solid.replace("facet normal", "face normal"), "2: found `face`, expected `facet` or `endsolid`"),
+            (solid.replace("outer", "inner"), "3: found `inner`, expected `outer`"),
+            (solid.replace("loop\nvertex 0 0 0", "ring\nvertex 0 0 0"), "3: found `ring`, expected `loop`"),
+            (solid.replace("vertex 1 0 0", "corner 1 0 0"), "5: found `corner`, expected `vertex`"),
+            (solid.replace("vertex 1 0 0\n", ""), "6: found `endloop`, expected `vertex`"),
+            (
+                solid.replace("vertex 1 0 0", "vertex 1 0 x"),
+                "5: found `x`, expected a finite number in single precision",
+            ),
+            (
+                solid.replace("vertex 1 0 0", "vertex 1 0 inf"),
+                "5: found `inf`, expected a finite number in single precision",
+            ),
+            (solid.replace("endfacet", "end loop"), "8: found `endloop`, expected `endfacet`"),
+            (solid.replace("endfacet", "end\nfacet"), "8: found `end`, expected `endfacet`"),
+            (solid.replace("0 0 1\nouter", "0 0\nouter"), "3: found `loop`, expected `outer`"),
+            ("solid\nfacet normal 0 0".into(), "2: the file ends here, expected the three numbers of a normal"),
+            ("solid\nfacet".into(), "2: the file ends here, expected `outer loop`"),
+            ("solid\nfacet normal 0 0 1\n".into(), "2: the file ends here, expected `outer loop`"),
+            ("solid\nfacet\nouter loop vertex 0".into(), "3: the file ends here, expected a coordinate"),
+            ("solid\nfacet\nouter loop vertex 0 0 0\n".into(), "3: the file ends here, expected `vertex`"),
+            (
+                format!("remark\n{solid}"),
+                "1: found `remark`, expected an STL file, binary or with `solid` in its first line",
+            ),
+            (
+                format!("{}\n", "x".repeat(50)),
+                &format!(
+                    "1: found `{}`, expected an STL file, binary or with `solid` in its first line",
+                    "x".repeat(40)
+                ),
+            ),
+        ] {
+            assert_eq!(parsed(&text), Err(format!("a.stl:{expected}")), "{text}");
+        }
+        // Between solids anything may stand, on the line of the end and on others.
+        let two = format!(
+            "solid a facet\n{facet}endsolid a facet\nremark facet\n\nsolid b\nfacet normal 0 0 1 outer loop vertex 5 0 0 vertex 6 0 0 vertex 5 1 0 end loop end facet\nend solid\n"
+        );
+        assert_eq!(parsed(&two).map(|mesh| mesh.triangles().len()), Ok(2));
+    }
+
+    #[test]
+    fn a_binary_file_is_as_long_as_its_triangles_and_may_have_a_tail() {
+        let [binary, _] = stl();
+        let parsed = |bytes: &[u8]| parse_stl(Path::new("a.stl"), bytes, 1.0).map_err(|error| error.to_string());
+        assert_eq!(parsed(&[&binary[..], &[7; 49]].concat()), Ok(tetrahedron(1.0)));
+        let marked = ["\u{feff}".as_bytes(), &binary].concat();
+        assert_eq!(parsed(&marked), Ok(tetrahedron(1.0)));
+        for (length, expected) in [
+            (83, "found 83 bytes, expected a binary STL file of at least 84".to_string()),
+            (84, "found 4 triangles in the header of a binary STL file and 0 bytes after it, which hold 0; expected 200".into()),
+            (133, "found 4 triangles in the header of a binary STL file and 49 bytes after it, which hold 0; expected 200".into()),
+        ] {
+            assert_eq!(parsed(&binary[..length]), Err(format!("a.stl: {expected}")));
+        }
+        // Each coordinate is looked at.
+        for k in [0, 4, 8] {
+            let mut wrong = binary.clone();
+            wrong[84 + 2 * 50 + 12 + 4 * k..][..4].copy_from_slice(&f32::INFINITY.to_le_bytes());
+            let place = 84 + 2 * 50 + 12 + 4 * k;
+            assert_eq!(
+                parsed(&wrong),
+                Err(format!("a.stl: found the coordinate inf in triangle 3 at byte {place}, expected a finite number"))
+            );
+        }
+        // A zero byte beyond the header makes no file binary.
+        let text = format!("solid {}\n", "x".repeat(90))
+            + "facet outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet endsolid \0";
+        assert_eq!(parsed(text.as_bytes()).map(|mesh| mesh.triangles().len()), Ok(1));
+        assert!(is_binary(&[&[b'x'; 83][..], &[0]].concat()) && !is_binary(&[&[b'x'; 84][..], &[0]].concat()));
+    }
 }

@@ -225,3 +225,6 @@ impl Raw {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests;

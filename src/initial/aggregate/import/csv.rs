@@ -168,6 +168,7 @@ pub(super) fn necks(
 #[cfg(test)]
 mod tests {
     use super::super::{Extras, Format, Options, extended_xyz, parse, parse_necks};
+    use crate::error::was_said;
     use crate::geometry::Sphere;
     use crate::interrupt::Interrupt;
     use crate::spec::Vec3;
@@ -250,8 +251,93 @@ mod tests {
     }
 
     #[test]
+    fn a_header_is_a_first_row_of_names_and_necks_need_none() {
+        let spheres = [0.0, 2.0].map(|x| Sphere { centre: Vec3([x, 0.0, 0.0]), radius: 1.0 });
+        let necks = |text: &str| {
+            parse_necks(Path::new("n.csv"), text.as_bytes(), &spheres, &Interrupt::default())
+                .map_err(|trouble| trouble.to_string())
+        };
+        let not_two = |row: &str| Err(format!("n.csv:{row}`, expected two spheres `i,j`, from 0 to 1"));
+        for (text, expected) in [
+            ("first,second\n0,1\n", Ok(vec![(0, 1)])),
+            ("# i,j\n1, 0\n", Ok(vec![(0, 1)])),
+            ("0,j\n", Ok(vec![])),
+            ("", Ok(vec![])),
+            ("0,1\ni,j\n", not_two("2: found `i,j")),
+            ("1,2\n", not_two("1: found `1,2")),
+            ("-1,0\n", not_two("1: found `-1,0")),
+            ("0\n", not_two("1: found `0")),
+        ] {
+            assert_eq!(necks(text), expected, "{text}");
+        }
+        // Without spheres there is none to join.
+        let none = parse_necks(Path::new("n.csv"), b"0,1\n", &[], &Interrupt::default()).unwrap_err().to_string();
+        assert_eq!(none, "n.csv:1: found `0,1`, expected two spheres `i,j`, from 0 to 0");
+        let format = |name: &str, text: &str| read(name, text, &NM).map(|(format, ..)| format);
+        assert_eq!(format("a.txt", "#x\n\n\"X\",y,z,r\n0,0,0,1\n"), Ok(Format::Csv));
+        assert_eq!(format("a.CSV", "0,0,0,1\n"), Ok(Format::Csv));
+        assert!(format("a.txt", "y,z,r\nx,0,0,1\n").is_err());
+    }
+
+    #[test]
+    fn sizes_are_radii_or_diameters_and_motion_has_all_its_columns() {
+        let radius = |text: &str| read("a.csv", text, &NM).map(|(_, spheres, _)| spheres[0].radius);
+        for (header, expected) in [("r", 3.0), ("Radius", 3.0), ("d", 1.5), ("DIAMETER", 1.5)] {
+            assert_eq!(radius(&format!("x,y,z,density,{header}\n0,0,0,7,3\n")), Ok(expected), "{header}");
+        }
+        for (header, missing) in [
+            ("y,z,x1,r", "x"),
+            ("x,z,r", "y"),
+            ("x,r", "y"),
+            ("x,y,z,r,vx,vz", "vy"),
+            ("x,y,z,r,vy,vz", "vx"),
+            ("x,y,z,r,wx,wy", "wz"),
+        ] {
+            let text = format!("{header}\n{}\n", vec!["1"; header.split(',').count()].join(","));
+            let options = Options { format: Some(Format::Csv), ..NM };
+            let trouble = read("a.csv", &text, &options).map(|(format, ..)| format).unwrap_err();
+            let expected =
+                if missing == "x" { "expected a number".into() } else { format!("found no column `{missing}`") };
+            assert!(trouble.contains(&expected), "{header}: {trouble}");
+        }
+        for (text, expected) in [
+            ("x,y,z,r,X\n0,0,0,1,1\n", "a.csv:1: found the column `X` beside another one of the same meaning"),
+            ("x,y,z,r\n0,0,0,1\n0,9,0,1,1\n", "a.csv:3: found 5 columns, expected 4"),
+            (
+                "0,0\n",
+                "a.csv:1: found 2 columns, expected `x,y,z` or `x,y,z,r`, or a header with the names of the columns",
+            ),
+            ("0,0,0,1\n9,0,0\n", "a.csv:2: found 3 columns, expected 4"),
+            ("x,y,z,r,wx,wy,wz\n0,0,0,1,0,0,a\n", "a.csv:2: found `a`, expected a number"),
+        ] {
+            assert_eq!(radius(text), Err(expected.into()), "{text}");
+        }
+    }
+
+    #[test]
+    fn columns_that_are_not_read_are_named() {
+        let file = |name: &str, header: &str| read(name, &format!("{header}\n0,0,0,1,7,7\n"), &NM).map(|_| ());
+        assert_eq!(file("unread.csv", "x,y,z,r,charge,Spin"), Ok(()));
+        assert!(was_said("unread.csv: the columns charge, Spin are not read"));
+        assert_eq!(read("all.csv", "x,y,z,r\n0,0,0,1\n", &NM).map(|_| ()), Ok(()));
+        assert!(!was_said("all.csv: the columns  are not read"));
+    }
+
+    #[test]
+    fn numbers_of_bodies_are_whole_and_counted_in_32_bits() {
+        let body = |word: &str| {
+            read("a.csv", &format!("x,y,z,r,body\n0,0,0,1,{word}\n"), &NM).map(|(_, _, extras)| extras.bodies[0])
+        };
+        assert_eq!([body("0"), body("3.0"), body("4294967295")], [Ok(0), Ok(3), Ok(u32::MAX)]);
+        for word in ["-1", "0.5", "4294967296", "a"] {
+            let what = "expected the number of a rigid body, or 0 for a sphere by itself";
+            assert_eq!(body(word), Err(format!("a.csv:2: found `{word}`, {what}")));
+        }
+    }
+
+    #[test]
     fn bodies_have_their_spheres_in_the_order_of_the_file() {
-        let extras = Extras { bodies: vec![5, 0, 2, 5], ..Extras::default() };
+        let extras = Extras { bodies: vec![5, 0, 1, 5], ..Extras::default() };
         assert_eq!(extras.members(), [vec![0, 3], vec![2]]);
     }
 }

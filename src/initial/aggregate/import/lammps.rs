@@ -192,3 +192,6 @@ fn sides(source: &Source) -> Result<Option<[f64; 3]>, Error> {
         _ => None,
     })
 }
+
+#[cfg(test)]
+mod tests;

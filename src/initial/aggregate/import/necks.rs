@@ -38,3 +38,23 @@ pub fn parse_necks(file: &Path, bytes: &[u8], spheres: &[Sphere], interrupt: &In
     let is_vtk = text.trim_start().starts_with("# vtk") || text.contains("connections");
     if is_vtk { vtk::necks(&source, spheres, near) } else { csv::necks(&source, spheres, near) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spec::Vec3;
+
+    #[test]
+    fn a_neck_bridges_less_than_a_tenth_of_the_mean_diameter() {
+        let found = |gap: f64| {
+            let spheres =
+                [(0.0, 2.0), (3.0 + gap, 1.0)].map(|(x, radius)| Sphere { centre: Vec3([x, 0.0, 0.0]), radius });
+            parse_necks(Path::new("n"), b"0,1\n", &spheres, &Interrupt::default()).map_err(|error| error.to_string())
+        };
+        for gap in [0.29, 0.0, -1.0] {
+            assert_eq!(found(gap), Ok(vec![(0, 1)]), "{gap}");
+        }
+        let trouble = "n:1: found a neck of the spheres 0 and 1, whose gap is 0.310 nm, expected at most 0.1 of their mean diameter";
+        assert_eq!(found(0.31), Err(trouble.into()));
+    }
+}

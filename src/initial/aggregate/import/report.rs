@@ -58,3 +58,42 @@ impl fmt::Display for Report {
         write!(f, "components       {}", self.components)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spec::Vec3;
+
+    /// Spheres of a radius in a row.
+    fn row<const N: usize>(radius: f64, places: [f64; N]) -> Report {
+        let spheres = places.map(|x| Sphere { centre: Vec3([0.0, x, 0.0]), radius });
+        Report::of(&spheres, N, &Interrupt::default()).expect("nothing interrupts")
+    }
+
+    #[test]
+    fn the_smallest_gap_is_that_of_spheres_less_than_a_radius_apart() {
+        assert_eq!(row(1.0, [0.0, 2.5, 7.0]).smallest_gap, Some(0.5));
+        assert_eq!(row(1.0, [0.0, 2.875, 4.875 - 0.25]).smallest_gap, Some(-0.25));
+        assert_eq!(row(1.0, [0.0, 2.99]).smallest_gap.map(|gap| (gap * 100.0).round()), Some(99.0));
+        assert_eq!(row(1.0, [0.0, 3.01]).smallest_gap, None);
+    }
+
+    #[test]
+    fn an_overlap_is_deeper_than_single_precision_rounds() {
+        // Diameter and largest coordinate are 8 + 24: the bound is an overlap of 2^-16, which itself does not count.
+        let bound = 2f64.powi(-16);
+        for (overlap, expected) in [(0.0, 0), (0.999 * bound, 0), (bound, 0), (1.001 * bound, 1), (7.0, 1)] {
+            assert_eq!(row(4.0, [0.0, 8.0 - overlap, -24.0]).overlaps, expected, "{overlap}");
+        }
+        assert_eq!(row(4.0, [0.0, 7.0, 14.0, 22.0]).overlaps, 2);
+        // The bound goes with the size: of small spheres small overlaps count.
+        assert_eq!(row(4e-3, [0.0, 8e-3 - 1e-8]).overlaps, 1);
+    }
+
+    #[test]
+    fn figures_stand_in_a_column() {
+        let text = "spheres          2\nsmallest gap     5.000e-1 nm\noverlaps         0\ncomponents       2";
+        assert_eq!(row(1.0, [0.0, 2.5]).to_string(), text);
+        assert!(row(1.0, [0.0, 9.0]).to_string().contains("\nsmallest gap     more than a radius\n"));
+    }
+}

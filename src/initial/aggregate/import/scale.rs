@@ -124,3 +124,109 @@ impl Raw {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::parse;
+    use super::*;
+    use crate::interrupt::Interrupt;
+    use std::path::Path;
+
+    /// The radius and the first coordinate of the last sphere.
+    fn last(text: &str, unit: Option<f64>, radius: Option<f64>) -> Result<(f64, f64), String> {
+        let options = Options { format: None, unit, radius, disconnected: true };
+        let found = parse(Path::new("a"), text, &options, &Interrupt::default()).map_err(|error| error.to_string())?;
+        let last = found.spheres.last().expect("a sphere");
+        Ok((last.radius, last.centre.0[0]))
+    }
+
+    /// Radii that are equal, that differ, none, and coordinates in radii with and without them.
+    const EQUAL: &str = "2\n\nC 0 0 0 2\nC 4 0 0 2\n";
+    const OTHERS: &str = "2\n\nC 0 0 0 2\nC 4 0 0 1\n";
+    const NONE: &str = "2\n\nC 0 0 0\nC 4 0 0\n";
+    const IN_RADII: &str =
+        "<g><particle><position>0 0 0</position></particle><particle><position>4 0 0</position></particle></g>";
+    const AND_SIZES: &str = "<g><particle><position>4 0 0</position><radius>2</radius></particle></g>";
+
+    const BOTH_SIZES: &str = "<g><particle><position>0 0 0</position><radius>1</radius></particle>\
+        <particle><position>4 0 0</position><radius>2</radius></particle></g>";
+
+    #[test]
+    fn unit_and_radius_scale_what_the_file_leaves_open() {
+        for (text, unit, radius, expected) in [
+            (EQUAL, Some(3.0), None, (6.0, 12.0)),
+            (EQUAL, None, Some(3.0), (3.0, 6.0)),
+            (OTHERS, Some(3.0), None, (3.0, 12.0)),
+            (NONE, Some(3.0), Some(5.0), (5.0, 12.0)),
+            (IN_RADII, None, Some(3.0), (3.0, 12.0)),
+            (IN_RADII, Some(3.0), None, (3.0, 12.0)),
+            (AND_SIZES, Some(3.0), None, (6.0, 12.0)),
+            (AND_SIZES, None, Some(3.0), (3.0, 6.0)),
+        ] {
+            assert_eq!(last(text, unit, radius), Ok(expected), "{text} {unit:?} {radius:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_missing_or_given_twice_is_named() {
+        let (three, twice) = (Some(3.0), "a: radius: found `unit` and `radius`, expected only one of them");
+        for (text, unit, radius, expected) in [
+            (EQUAL, three, three, twice),
+            (OTHERS, three, three, twice),
+            (IN_RADII, three, three, twice),
+            (OTHERS, None, three, "a: unit: is missing, expected the unit of length of the file: its radii differ"),
+            (BOTH_SIZES, None, three, "a: unit: is missing, expected the unit of length of the file: its radii differ"),
+            (EQUAL, None, None, "a: unit: is missing, expected the unit of length of the file, such as `1 nm`"),
+            (NONE, None, three, "a: unit: is missing, expected the unit of length of the file, such as `1 nm`"),
+            (NONE, three, None, "a: radius: is missing, expected the radius of the spheres: an XYZ file"),
+            (IN_RADII, None, None, "a: radius: is missing, expected the radius of the spheres, which is the unit"),
+            ("0\n\n", three, None, "a: found no spheres"),
+            (EQUAL, Some(0.0), None, "a: unit: expected a length above 0"),
+            (EQUAL, Some(f64::INFINITY), None, "a: unit: expected a length above 0"),
+            (NONE, three, Some(-1.0), "a: radius: expected a length above 0"),
+            (NONE, three, Some(f64::NAN), "a: radius: expected a length above 0"),
+        ] {
+            let trouble = last(text, unit, radius).unwrap_err();
+            assert!(trouble.starts_with(expected), "{text} {unit:?} {radius:?}: {trouble}");
+        }
+    }
+
+    #[test]
+    fn coordinates_are_at_most_a_million_radii() {
+        let far = |coordinate: &str| last(&format!("1\n\nC {coordinate} 0 0 4\n"), Some(0.5), None);
+        assert_eq!([far("4e6"), far("-4e6")], [Ok((2.0, 2e6)), Ok((2.0, -2e6))]);
+        let trouble = |found: &str| Err(format!("a:3: found a coordinate of {found} radii, expected at most 1e6"));
+        assert_eq!([far("5e6"), far("-5e6")], [trouble("1.25e6"), trouble("-1.25e6")]);
+    }
+
+    #[test]
+    fn a_centre_is_that_of_one_sphere() {
+        let rows = |rows: &str| last(&format!("{}\n\n{rows}", rows.lines().count()), Some(1.0), None);
+        let again =
+            |k: usize, other: usize| Err(format!("a:{k}: found the centre of the sphere in line {other} again"));
+        assert_eq!(rows("C 5 0 0 1\nC 1 2 3 1\nC 9 9 9 1\nC 1 2 3 4\n"), again(6, 4));
+        assert_eq!(rows("C 0 -0.0 7 1\nC 0 0.0 7 1\nC 0 0 7 1\n"), again(4, 3));
+        assert_eq!(rows("C 1 2 3 1\nC 1 2 3 4\n"), again(4, 3));
+        assert!(rows("C 1e-20 0 0 1\nC 2e-20 0 0 1\n").is_ok());
+        for other in ["1 2 4", "1 3 3", "2 2 3"] {
+            assert_eq!(rows(&format!("C 1 2 3 1\nC {other} 4\n")).map(|(radius, _)| radius), Ok(4.0));
+        }
+    }
+
+    #[test]
+    fn twenty_seven_similar_spheres_share_a_cube_of_their_size_and_no_more() {
+        // Radii from 2 to 4 share cubes of side 2; the first cube holds the spheres at 0 to 1.9, the next those from 2 on.
+        let rows = |number: usize, more: &str| {
+            let rows: String =
+                (0..number).map(|k| format!("C {} 0 1 {}\n", k as f64 * 0.07, 2.0 + k as f64 * 0.07)).collect();
+            last(&format!("{}\n\n{rows}{more}", number + more.lines().count()), Some(1.0), None)
+        };
+        assert_eq!(rows(27, "").map(|_| ()), Ok(()));
+        let what = "found the centres of 27 other spheres within a radius of 3e0 nm, expected an aggregate: unit and radius do not fit";
+        assert_eq!(rows(27, "C 1.95 1.5 0.5 3\n"), Err(format!("a:30: {what}")));
+        // Beside, below, in another octave.
+        for more in ["C 2 0 0 3\n", "C 1 -0.1 0 3\n", "C 1 0.1 0 1.9\n", "C 1 0.1 0 4\n"] {
+            assert!(rows(27, more).is_ok(), "{more}");
+        }
+    }
+}

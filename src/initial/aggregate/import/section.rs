@@ -80,3 +80,56 @@ impl Import {
         [Some(&mut self.file), self.necks.as_mut()].into_iter().flatten()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::path::Path;
+
+    fn radii(radii: &[f64]) -> [f64; 3] {
+        let spheres: Vec<Sphere> = radii.iter().map(|&radius| Sphere { centre: Vec3([0.0; 3]), radius }).collect();
+        let FileSizes { number, least, median, largest } = FileSizes::of(&spheres);
+        assert_eq!(number, radii.len());
+        [least, median, largest]
+    }
+
+    #[test]
+    fn half_of_the_radii_are_below_the_median() {
+        assert_eq!(radii(&[7.0, 1.0, 5.0, 3.0, 2.0]), [1.0, 3.0, 7.0]);
+        assert_eq!(radii(&[4.0]), [4.0; 3]);
+        // Of two in the middle the larger.
+        assert_eq!(radii(&[8.0, 6.0, 2.0, 4.0, 1.0, 9.0]), [1.0, 6.0, 9.0]);
+    }
+
+    #[test]
+    fn a_shift_is_told_axis_by_axis() {
+        let (key, value) = shift_of_import(Vec3([1.0, -2.5, 3e-9]));
+        assert_eq!(
+            (key.as_str(), value.as_str()),
+            ("shift of the imported spheres into the box", "1 nm, -2.5 nm, 3e-9 nm")
+        );
+    }
+
+    #[test]
+    fn a_section_passes_on_what_the_file_does_not_say() {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/aggregates");
+        let length = |text: &str| Some(Quantity::parse(text).expect("a length"));
+        let import = |name: &str, unit, radius| Import {
+            file: folder.join(name),
+            format: Some(Format::Xyz),
+            necks: None,
+            unit,
+            radius,
+            disconnected: true,
+        };
+        let both = import("plain.xyz", length("2 nm"), length("28 nm"));
+        let Options { format, unit, radius, disconnected } = both.options();
+        assert_eq!((format, unit, radius, disconnected), (Some(Format::Xyz), Some(2.0), Some(28.0), true));
+        let sizes = FileSizes { number: 3, least: 28.0, median: 28.0, largest: 28.0 };
+        assert_eq!(both.sizes(), Some(sizes));
+        assert_eq!(import("plain.xyz", length("1 nm"), None).sizes(), None);
+        assert_eq!(import("missing.xyz", None, None).spheres(), None);
+        let (mut one, mut two) = (both.clone(), Import { necks: Some("n.csv".into()), ..both });
+        assert_eq!([one.files_mut().count(), two.files_mut().count()], [1, 2]);
+    }
+}

@@ -79,10 +79,17 @@ mod tests {
             ("0,1,1\n1,4,1\n", "s.csv:2: found `1,4`, expected two spheres from 0 to 3"),
             ("0,1,-2\n", "s.csv:1: found the strength `-2`, expected more than zero"),
             ("0,1,NaN\n", "s.csv:1: found `NaN`, expected a number"),
+            ("0,1,0\n", "s.csv:1: found the strength `0`, expected more than zero"),
+            ("0,1,1\na,b,c\n", "s.csv:2: found `a,b`, expected two spheres from 0 to 3"),
+            ("0,j,1\n", "s.csv:1: found `0,j`, expected two spheres from 0 to 3"),
             ("2,2,1\n", "s.csv:1: found a neck of a sphere and itself, `2,2`"),
             ("0,1,1\n1,0,1\n", "s.csv:2: found a neck for the second time, `1,0`"),
         ] {
             assert_eq!(parse(text).unwrap_err(), what);
         }
+        let interrupt = Interrupt::default();
+        interrupt.request();
+        let stopped = parse_strengths(Path::new("s.csv"), b"0,1,1\n", 4, &interrupt);
+        assert!(matches!(stopped, Err(Error::Interrupted)));
     }
 }

@@ -319,3 +319,80 @@ fn aggregates_of_pyfracval_touch_or_overlap_as_its_tolerance_says() {
     assert!(smallest("pyfracval_polydisperse.dat") > -1e-4);
     assert!((-1.5..-0.5).contains(&smallest("pyfracval_overlapping.dat")), "{}", smallest("pyfracval_overlapping.dat"));
 }
+
+#[test]
+fn every_reader_stops_when_it_is_asked_to() {
+    let interrupt = Interrupt::default();
+    interrupt.request();
+    let vtk = "# vtk DataFile Version 4.0\nt\nASCII\nPOINTS 1 float\n0 0 0\n";
+    for (format, text) in [
+        (Format::Flage, "<g><particle><position>0 0 0</position></particle></g>"),
+        (Format::Mstm, "1 0 0 0\n"),
+        (Format::FracVal, "0 0 0 1\n"),
+        (Format::Vtk, vtk),
+        (Format::Lammps, "Atoms # sphere\n\n1 1 2 1 0 0 0\n"),
+        (Format::Dump, "ITEM: ATOMS id x y z\n1 0 0 0\n"),
+        (Format::Xyz, "1\n\nC 0 0 0 1\n"),
+        (Format::Csv, "0,0,0,1\n"),
+    ] {
+        let source = Source { file: Path::new("a"), text, interrupt: &interrupt };
+        let found = raw(&source, &Options { format: Some(format), ..UNIT });
+        assert!(matches!(found, Err(Error::Interrupted)), "{format}");
+    }
+    let source = Source { file: Path::new("a"), text: "", interrupt: &interrupt };
+    let sphere = Raw { centres: vec![[0.0; 3]], lines: vec![1], radii: vec![1.0], ..Raw::default() };
+    assert!(matches!(scaled(&source, &sphere, &UNIT), Err(Error::Interrupted)));
+    let spheres = [0.0, 2.0].map(|x| Sphere { centre: Vec3([x, 0.0, 0.0]), radius: 1.0 });
+    for necks in ["0,1\n", "connections 1 1 int 1\n"] {
+        let found = parse_necks(Path::new("a"), necks.as_bytes(), &spheres, &interrupt);
+        assert!(matches!(found, Err(Error::Interrupted)), "{necks}");
+    }
+}
+
+#[test]
+fn extended_xyz_has_the_columns_that_there_are() {
+    let sphere = [Sphere { centre: Vec3([1.0, 2.5, -3.0]), radius: 0.5 }];
+    let (v, w) = (vec![Vec3([4.0, 5.0, 6.0])], vec![Vec3([7.0, 8.0, 9.0])]);
+    let head = "1\nProperties=species:S:1:pos:R:3:radius:R:1";
+    assert_eq!(extended_xyz(&sphere, &Extras::default()), format!("{head}\nX 1 2.5 -3 0.5\n"));
+    let all = extended_xyz(&sphere, &Extras { bodies: vec![2], v, w: w.clone() });
+    assert_eq!(all, format!("{head}:body:I:1:velo:R:3:angular_velocity:R:3\nX 1 2.5 -3 0.5 2 4 5 6 7 8 9\n"));
+    let spin = extended_xyz(&sphere, &Extras { w, ..Extras::default() });
+    assert_eq!(spin, format!("{head}:angular_velocity:R:3\nX 1 2.5 -3 0.5 7 8 9\n"));
+}
+
+#[test]
+fn a_format_is_told_by_the_content() {
+    let format = |text: &str| {
+        let source = Source { file: Path::new("a"), text, interrupt: &Interrupt::default() };
+        detect(&source).map_err(|error| error.to_string())
+    };
+    let atoms = "Atoms # sphere\n\n1 1 2 1 0 0 0\n";
+    for (text, expected) in [
+        ("\n <g/>".to_string(), Format::Flage),
+        ("\n# vtk DataFile Version 2.0\n".into(), Format::Vtk),
+        (format!("12\n\n1 atoms\n\n{atoms}"), Format::Lammps),
+        (format!("title\n{atoms}"), Format::Lammps),
+        ("1\nAtoms # sphere\nC 0 0 0\n".into(), Format::Xyz),
+        ("# by pyfracval\n0 0 0 1\n".into(), Format::PyFracVal),
+        ("0 0 0 1\n# generation_info\n".into(), Format::PyFracVal),
+        ("# by others\n0 0 0 1\n".into(), Format::FracVal),
+        ("\n\n1\n\nC 0 0 0\n".into(), Format::Xyz),
+        ("1 0 0 0\n".into(), Format::Mstm),
+    ] {
+        assert_eq!(format(&text), Ok(expected), "{text}");
+    }
+    assert_eq!(format("\n \n"), Err("a: found nothing, expected the spheres of an aggregate".into()));
+    assert!(format("fracval 0 0 0\n").unwrap_err().contains("found"));
+}
+
+#[test]
+fn numbers_are_finite() {
+    let source = Source { file: Path::new("a"), text: "", interrupt: &Interrupt::default() };
+    let number = |word: &str| source.number(7, word).map_err(|error| error.to_string());
+    assert_eq!(["1d2", "1D2", "-1e2", ".5"].map(number), [Ok(100.0), Ok(100.0), Ok(-100.0), Ok(0.5)]);
+    assert_eq!(number("1e400"), Err("a:7: found `1e400`, expected a number of at most 1.7976931348623157e308".into()));
+    for word in ["inf", "nan", "x", ""] {
+        assert_eq!(number(word), Err(format!("a:7: found `{word}`, expected a number")));
+    }
+}
