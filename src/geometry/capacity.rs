@@ -111,4 +111,17 @@ mod tests {
         let shell = [Sphere { centre: Vec3::zero(), radius: 3.0 }, Sphere { centre: Vec3::zero(), radius: 1.0 }];
         assert_eq!(taken(&shell, 10, 1), [3.0, 0.0]);
     }
+
+    #[test]
+    fn the_standard_error_is_that_of_the_hits() {
+        // Two distant spheres are hit by a part of the walks; the error is that of a binomial distribution times the radius of the beginning.
+        let two = at(&[[0.0; 3], [12.0, 0.0, 0.0]]);
+        let [found, error] = taken(&two, 400, 7);
+        let share = found / 7.0;
+        assert!(share > 0.1 && share < 0.5 && (share * 400.0 - (share * 400.0).round()).abs() < 1e-9, "{share}");
+        assert!((error - 7.0 * (share * (1.0 - share) / 400.0).sqrt()).abs() < 1e-12);
+        let interrupt = Interrupt::default();
+        interrupt.request();
+        assert!(matches!(capacity(&two, 1, &mut Stream::new(1, "test"), &interrupt), Err(Error::Interrupted)));
+    }
 }

@@ -84,4 +84,18 @@ mod tests {
         assert_eq!(clusters.largest(|i| i > 1), [3, 4]);
         assert!(clusters.largest(|_| false).is_empty());
     }
+
+    #[test]
+    fn clusters_are_named_and_counted_and_of_equals_the_first_is_the_largest() {
+        let mut clusters = Clusters::new(7, [(5, 6), (3, 2)]);
+        assert_eq!((0..7).map(|i| clusters.root(i)).collect::<Vec<_>>(), [0, 1, 2, 2, 4, 5, 5]);
+        assert_eq!(clusters.count(), 5);
+        assert_eq!(clusters.largest(|_| true), [2, 3]);
+        assert_eq!(clusters.largest(|i| i != 3), [5, 6]);
+        // A thing that does not count is no member, even if it is the name.
+        assert_eq!(clusters.largest(|i| i == 6 || i == 0), [0]);
+        assert!(clusters.join(6, 3) && !clusters.join(5, 2) && !clusters.join(4, 4));
+        assert_eq!((clusters.root(6), clusters.count()), (2, 4));
+        assert_eq!((Clusters::new(0, []).count(), Clusters::new(0, []).largest(|_| true)), (0, vec![]));
+    }
 }

@@ -29,3 +29,37 @@ impl Domain {
         x - self.shift(self.image_of(x))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const DOMAIN: Domain = Domain { sides: [2.0, 3.0, 5.0], periodic: [true, false, true] };
+
+    #[test]
+    fn copies_of_the_box_are_counted_along_periodic_axes() {
+        assert_eq!(DOMAIN.volume(), 30.0);
+        assert_eq!(DOMAIN.shift([1, -2, 3]), Vec3([2.0, -6.0, 15.0]));
+        for (x, image, folded) in [
+            ([0.0; 3], [0; 3], [0.0; 3]),
+            ([2.0, 3.0, 5.0], [1, 0, 1], [0.0, 3.0, 0.0]),
+            ([1.5, 7.0, -0.5], [0, 0, -1], [1.5, 7.0, 4.5]),
+            ([-4.5, -7.0, 12.0], [-3, 0, 2], [1.5, -7.0, 2.0]),
+        ] {
+            assert_eq!((DOMAIN.image_of(Vec3(x)), DOMAIN.folded(Vec3(x))), (image, Vec3(folded)), "{x:?}");
+        }
+        assert_eq!(Domain::periodic([2.0, 3.0, 5.0]).image_of(Vec3([1.0, 3.5, -6.0])), [0, 1, -2]);
+    }
+
+    #[test]
+    fn the_nearest_copy_is_at_most_half_a_side_away() {
+        for (apart, image) in [
+            ([0.9, 2.0, 2.4], [0, 0, 0]),
+            ([1.1, 9.0, 2.6], [1, 0, 1]),
+            ([-1.1, -9.0, -2.6], [-1, 0, -1]),
+            ([4.5, 0.0, -11.0], [2, 0, -2]),
+        ] {
+            assert_eq!(DOMAIN.nearest_image(Vec3(apart)), image, "{apart:?}");
+        }
+    }
+}

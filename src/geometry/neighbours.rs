@@ -200,3 +200,72 @@ impl<'a> Grid<'a> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const BOX: Domain = Domain { sides: [10.0, 10.0, 4.0], periodic: [true, false, true] };
+
+    /// Pairs of spheres whose surfaces are less than 1 apart.
+    fn found(spheres: &[([f64; 3], f64)], domain: &Domain) -> Vec<(u32, u32, Image)> {
+        let (x, radius): (Vec<_>, Vec<_>) = spheres.iter().map(|&(x, radius)| (Vec3(x), radius)).unzip();
+        let pairs = neighbours(&x, &radius, domain, |r, s| r + s + 1.0);
+        pairs.into_iter().map(|Neighbour { p, q, image }| (p, q, image)).collect()
+    }
+
+    #[test]
+    fn a_neighbour_is_seen_in_the_copy_that_is_near() {
+        let at = |x: f64, y: f64, z: f64| ([x, y, z], 0.5);
+        for (spheres, expected) in [
+            (vec![at(1.0, 1.0, 1.0), at(2.9, 1.0, 1.0)], vec![(0, 1, [0, 0, 0])]),
+            // Nearer than the reach, not as near.
+            (vec![at(1.0, 1.0, 1.0), at(3.0, 1.0, 1.0)], vec![]),
+            (vec![at(9.5, 1.0, 1.0), at(0.5, 1.0, 1.0)], vec![(0, 1, [1, 0, 0])]),
+            (vec![at(0.5, 1.0, 1.0), at(9.5, 1.0, 1.0)], vec![(0, 1, [-1, 0, 0])]),
+            (vec![at(0.5, 1.0, 0.5), at(9.5, 1.0, 3.5)], vec![(0, 1, [-1, 0, -1])]),
+            (vec![at(0.5, 1.0, 3.5), at(9.5, 1.0, 0.5)], vec![(0, 1, [-1, 0, 1])]),
+            // Along the axis without periods there are no copies, and places may be anywhere.
+            (vec![at(1.0, 0.5, 1.0), at(1.0, 9.5, 1.0)], vec![]),
+            (vec![at(1.0, -50.5, 1.0), at(1.0, -49.5, 1.0)], vec![(0, 1, [0, 0, 0])]),
+            // Spheres that have left the box by other numbers of periods.
+            (vec![at(31.0, 1.0, 1.0), at(-8.5, 1.0, 1.0)], vec![(0, 1, [4, 0, 0])]),
+            (vec![at(1.0, 1.0, -7.0), at(1.0, 1.0, 6.0)], vec![(0, 1, [0, 0, -3])]),
+            // Two copies of one may be near.
+            (vec![at(1.0, 1.0, 1.0), at(1.0, 1.0, 3.0), at(1.5, 1.5, 2.0)], vec![(0, 2, [0, 0, 0]), (1, 2, [0, 0, 0])]),
+        ] {
+            assert_eq!(found(&spheres, &BOX), expected, "{spheres:?}");
+        }
+        assert_eq!(found(&[], &BOX), []);
+    }
+
+    #[test]
+    fn spheres_of_all_sizes_find_each_other_and_their_own_copies() {
+        // A sphere as wide as the box is near its copies above and below; each pair is named once.
+        let large = ([5.0, 5.0, 2.0], 1.6);
+        assert_eq!(found(&[large], &BOX), [(0, 0, [0, 0, 1])]);
+        let small = ([5.0, 5.0, 0.2], 0.1);
+        assert_eq!(found(&[small, large], &BOX), [(0, 1, [0, 0, -1]), (0, 1, [0, 0, 0]), (1, 1, [0, 0, 1])]);
+        assert_eq!(found(&[large, small], &BOX), [(0, 0, [0, 0, 1]), (0, 1, [0, 0, 0]), (0, 1, [0, 0, 1])]);
+        // Octaves apart.
+        let sizes = [([0.0, 0.0, 1.0], 0.1), ([2.0, 0.0, 1.0], 0.95), ([2.0, 3.5, 1.0], 1.6), ([0.0, 1.15, 1.0], 0.1)];
+        let open = Domain { periodic: [false; 3], ..BOX };
+        assert_eq!(found(&sizes, &open), [(0, 1, [0; 3]), (0, 3, [0; 3]), (1, 2, [0; 3])]);
+    }
+
+    #[test]
+    fn what_is_thrown_far_out_is_near_nothing_and_pairs_may_be_left_out() {
+        let far = [([1.0; 3], 0.5), ([1e9, 1.0, 1.0], 0.5), ([1.5, 1.0, 1.0], 0.5)];
+        assert_eq!(found(&far, &BOX), [(0, 2, [0; 3])]);
+        let x: Vec<Vec3<f64>> = (0..200).map(|k| Vec3([0.0, f64::from(k), 0.0])).collect();
+        let open = Domain { periodic: [false; 3], ..BOX };
+        let stop = Interrupt::default();
+        let pairs = |interrupt: &Interrupt| {
+            neighbours_but(&x, &[0.5; 200], &open, |r, s| r + s + 0.5, |p, q, _| p.min(q).is_multiple_of(2), interrupt)
+        };
+        let named = pairs(&stop).unwrap().into_iter().map(|pair| (pair.p, pair.q));
+        assert!(named.eq((1..199).step_by(2).map(|p| (p, p + 1))));
+        stop.request();
+        assert!(matches!(pairs(&stop), Err(Error::Interrupted)));
+    }
+}

@@ -163,4 +163,46 @@ mod tests {
         let all: f64 = (0..discs.len()).map(|i| share(&discs, i, 0..discs.len())).sum();
         assert_eq!(area(&spheres, DOWN), all);
     }
+
+    #[test]
+    fn shadows_of_two_are_their_circles_less_what_both_cover() {
+        let lens = |r: f64, s: f64, d: f64| {
+            let half = |r: f64, s: f64| ((d * d + r * r - s * s) / (2.0 * d * r)).acos();
+            let (a, b) = (half(r, s), half(s, r));
+            r * r * (a - a.sin() * a.cos()) + s * s * (b - b.sin() * b.cos())
+        };
+        let circle = |r: f64| PI * r * r;
+        for (r, s, d, covered) in [
+            (2.0, 1.0, 2.5, lens(2.0, 1.0, 2.5)),
+            (2.0, 1.0, 1.5, lens(2.0, 1.0, 1.5)),
+            (1.0, 2.0, 1.75, lens(1.0, 2.0, 1.75)),
+            (2.0, 1.0, 3.0, 0.0),
+            (2.0, 1.0, 3.5, 0.0),
+            (2.0, 1.0, 1.0, circle(1.0)),
+            (2.0, 1.0, 0.5, circle(1.0)),
+            (1.0, 2.0, 0.5, circle(1.0)),
+            (1.0, 1.0, 0.0, circle(1.0)),
+        ] {
+            // In every direction in the plane, but for circles that touch: rounding would move them.
+            let turns: &[f64] = if [1.0, 3.0].contains(&d) { &[0.0] } else { &[0.0, 0.7, 1.6, 3.0, 4.0, 5.5] };
+            for turn in turns {
+                let apart = |x: f64| [x + d * turn.cos(), 3.0 + d * turn.sin(), 5.0];
+                let two = [sphere([0.25, 3.0, -1.0], r), sphere(apart(0.25), s)];
+                let expected = circle(r) + circle(s) - covered;
+                assert!((area(&two, DOWN) - expected).abs() < 1e-12, "{r} {s} {d} {turn}");
+            }
+        }
+        let slant = Vec3([0.6, 0.0, 0.8]);
+        let two = [sphere([0.0; 3], 1.0), sphere([2.0, 0.0, 0.0], 1.0)];
+        assert!((area(&two, slant) - 2.0 * PI + lens(1.0, 1.0, 1.6)).abs() < 1e-12);
+    }
+
+    #[test]
+    fn shadows_of_many_are_not_measured_when_it_is_asked_to_stop() {
+        let interrupt = Interrupt::default();
+        interrupt.request();
+        let many: Vec<Sphere> = (0..=FEW).map(|k| sphere([3.0 * k as f64, 0.0, 0.0], 1.0)).collect();
+        assert!(matches!(projected_area(&many, DOWN, &interrupt), Err(Error::Interrupted)));
+        assert!((area(&many, DOWN) - 201.0 * PI).abs() < 1e-9 && (area(&many[1..], DOWN) - 200.0 * PI).abs() < 1e-9);
+    }
 }

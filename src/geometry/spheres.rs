@@ -108,3 +108,51 @@ pub fn centred(mut spheres: Vec<Sphere>) -> Vec<Sphere> {
     }
     spheres
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn sphere(x: [f64; 3], radius: f64) -> Sphere {
+        Sphere { centre: Vec3(x), radius }
+    }
+
+    #[test]
+    fn spheres_weigh_as_the_cube_of_their_radii() {
+        assert_eq!([1.0, 3.0].map(|radius| mass(&sphere([0.0; 3], radius))), [1.0, 27.0]);
+        // One of mass 8 and two of mass 1: the centre is a tenth of the way.
+        let three = [sphere([1.0, 2.0, 3.0], 2.0), sphere([11.0, 2.0, 3.0], 1.0), sphere([1.0, 12.0, 3.0], 1.0)];
+        assert!((centre_of_mass(&three) - Vec3([2.0, 3.0, 3.0])).norm() < 1e-14);
+        let moved = centred(three.to_vec());
+        assert!((moved[1].centre - Vec3([9.0, -1.0, 0.0])).norm() < 1e-14 && moved[1].radius == 1.0);
+        // (8 * 2 + 1 * 82 + 1 * 82) / 10.
+        assert!((square_gyration_radius(&three, SphereExtent::Centres) - 18.0).abs() < 1e-13);
+        // By extent each sphere adds its own square, weighted by mass: (8 * 4 + 1 + 1) / 10.
+        assert!((square_gyration_radius(&three, SphereExtent::Radii) - 21.4).abs() < 1e-13);
+        assert!((gyration_radius(&three, SphereExtent::Centres) - 18f64.sqrt()).abs() < 1e-14);
+        assert!((gyration_radius(&[sphere([5.0; 3], 1.5)], SphereExtent::Radii) - 1.5).abs() < 1e-14);
+    }
+
+    #[test]
+    fn pairs_are_closer_than_their_reach() {
+        let row =
+            [sphere([0.0; 3], 1.0), sphere([3.0, 0.0, 0.0], 1.0), sphere([0.0, 3.5, 0.0], 2.0), sphere([-9.0; 3], 1.0)];
+        let within = |by: f64| pairs_within(&row, |r, s| r + s + by, &Interrupt::default()).unwrap();
+        assert_eq!((within(0.5), within(0.51)), (vec![], vec![(0, 2)]));
+        assert_eq!((within(1.0), within(1.01)), (vec![(0, 2)], vec![(0, 1), (0, 2)]));
+        assert_eq!((row[0].gap(&row[1]), row[2].gap(&row[0])), (1.0, 0.5));
+        let interrupt = Interrupt::default();
+        interrupt.request();
+        assert!(matches!(pairs_within(&row, |r, s| r + s, &interrupt), Err(Error::Interrupted)));
+    }
+
+    #[test]
+    fn particles_are_spheres_in_the_order_of_their_ids() {
+        let mut particles = Particles::default();
+        [1.0, 2.0, 6.0].into_iter().for_each(|r| particles.push(Vec3([10.0 * r, 0.0, 0.0]), r, 1.0, 0));
+        assert_eq!(particles.mean_diameter(), 6.0);
+        let turned = particles.pick(&[2, 0, 1]);
+        let expected = [1.0, 2.0, 6.0].map(|r| sphere([10.0 * r, 0.0, 0.0], r));
+        assert_eq!((turned.spheres(), turned.mean_diameter()), (expected.to_vec(), 6.0));
+    }
+}

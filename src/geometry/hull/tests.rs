@@ -61,3 +61,47 @@ fn points_that_coincide_or_lie_in_a_line_have_a_hull() {
     let line: Vec<_> = (0..7).map(|k| p * (0.1 * f64::from(k))).collect();
     assert!(close(measures(&line), 0.0, 0.0, 0.6 * PI * p.norm()));
 }
+
+#[test]
+fn the_inner_radius_is_the_distance_of_the_nearest_face() {
+    let corners =
+        |[x, y, z]: [[f64; 2]; 3]| (0..8).map(|k| Vec3([x[k & 1], y[k >> 1 & 1], z[k >> 2]])).collect::<Vec<_>>();
+    for (sides, expected) in [
+        ([[-1.0, 1.0], [-1.0, 1.0], [-1.0, 1.0]], 1.0),
+        ([[-1.0, 3.0], [-2.0, 0.5], [-4.0, 4.0]], 0.5),
+        ([[-3.0, 3.0], [-3.0, 3.0], [-0.25, 7.0]], 0.25),
+    ] {
+        assert!((inner_radius(&corners(sides)) - expected).abs() < 1e-15, "{sides:?}");
+    }
+    let tetrahedron = [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]].map(Vec3);
+    assert!((inner_radius(&tetrahedron) - 1.0 / 3f64.sqrt()).abs() < 1e-15);
+    // An octahedron, and points inside it that count for nothing.
+    let six = [[2.0, 0.0, 0.0], [-2.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, -2.0, 0.0], [0.0, 0.0, 2.0], [0.0, 0.0, -2.0]];
+    let points: Vec<_> = six.iter().chain(&[[0.5, 0.5, 0.5], [0.0; 3]]).map(|&x| Vec3(x)).collect();
+    assert!((inner_radius(&points) - 2.0 / 3f64.sqrt()).abs() < 1e-15);
+}
+
+#[test]
+fn polyhedra_have_their_volume_surface_and_curvature_in_any_order_of_points() {
+    let tetrahedron = [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]].map(Vec3);
+    // Edges of sqrt(8), dihedral angles whose cosine is a third.
+    let edge = 8f64.sqrt();
+    let curvature = 0.5 * 6.0 * edge * (PI - (1.0f64 / 3.0).acos());
+    for turn in 0..4 {
+        let mut points = tetrahedron;
+        points.rotate_left(turn);
+        assert!(close(measures(&points), 8.0 / 3.0, 8.0 * 3f64.sqrt(), curvature), "{:?}", measures(&points));
+        points.swap(0, 1);
+        assert!(close(measures(&points), 8.0 / 3.0, 8.0 * 3f64.sqrt(), curvature), "{:?}", measures(&points));
+    }
+    // Flat ones have two sides, wherever they lie: a triangle with the sides 3, 4 and 5, and a point in it.
+    for place in [[0, 1, 2], [1, 2, 0], [2, 0, 1]] {
+        let flat = [[0.0, 0.0, 1.0], [3.0, 0.0, 1.0], [0.0, 4.0, 1.0], [1.0, 1.0, 1.0]];
+        let flat = flat.map(|x| Vec3(place.map(|k: usize| x[k])));
+        assert!(close(measures(&flat), 0.0, 12.0, 12.0 * PI / 2.0), "{:?}", measures(&flat));
+    }
+    // Tilted, so that it looks shortest along the axis that has to be left out.
+    let tilted = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.125], [0.0, 1.0, 0.25], [1.0, 1.0, 0.375]].map(Vec3);
+    let (a, b) = (1.015625f64.sqrt(), 1.0625f64.sqrt());
+    assert!(close(measures(&tilted), 0.0, 2.0 * 1.078125f64.sqrt(), PI * (a + b)), "{:?}", measures(&tilted));
+}

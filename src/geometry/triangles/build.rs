@@ -126,3 +126,22 @@ fn across(triangles: &[[u32; 3]], numbers: &[usize]) -> Result<Vec<[u32; 3]>, Fl
     let neighbour = |from: u32, to: u32| edges.get(&(to, from)).map_or(u32::MAX, |&number| number as u32);
     Ok(triangles.iter().map(|t| std::array::from_fn(|k| neighbour(t[k], t[(k + 1) % 3]))).collect())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn points_that_coincide_are_one_without_any_tolerance() {
+        let [a, b] = [[1.0, 2.0, 3.0], [1.0, 2.0, 3.5]].map(Vec3);
+        assert_eq!(welded(&[a, b, a], 0.0), (vec![a, b], vec![0, 1, 0]));
+        assert_eq!(welded(&[a, b, a], 0.51), (vec![a], vec![0, 0, 0]));
+    }
+
+    #[test]
+    fn a_point_is_joined_to_any_before_it_along_x() {
+        let points = [[3.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 5.0, 0.0], [0.1, 0.0, 0.0], [3.1, 0.0, 0.0]].map(Vec3);
+        let (vertices, names) = welded(&points, 0.2);
+        assert_eq!((vertices, names), (vec![points[1], points[2], points[0]], vec![2, 0, 1, 0, 2]));
+    }
+}

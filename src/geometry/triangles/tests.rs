@@ -240,3 +240,119 @@ fn a_triangle_without_area_is_dropped() {
     let [a, b, c] = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(Vec3);
     assert_eq!(mesh(&[[a, b, c], [a, b, b]]).triangles(), mesh(&[[a, b, c]]).triangles());
 }
+
+#[test]
+fn above_a_flat_wall_only_the_triangles_below_are_looked_at() {
+    let cuts = 20;
+    let all = cuboid([20.0; 3], cuts);
+    let body = mesh(&all);
+    for axis in 0..3 {
+        for height in [21.0, -1.0] {
+            let mut p = [8.5, 9.25, 10.5];
+            p[axis] = height;
+            let looked_at = |reach: f64, leeway: f64| body.candidates(Vec3(p), reach, leeway).count();
+            assert_eq!(looked_at(1.5, 0.0), 2, "{axis} {height}");
+            assert_eq!(looked_at(0.99, 0.0), 0);
+            assert!(looked_at(0.99, 0.02) > 0 && looked_at(1.5, 2.0) > 2);
+        }
+    }
+}
+
+#[test]
+fn a_minimum_is_seen_up_to_its_distance_and_not_farther() {
+    let body = mesh(&cuboid(SIDES, 2));
+    for (p, distance) in [([1.0, 1.0, 6.0], 2.0), ([5.0, 1.0, 8.0], 5.0), ([-2.0, -3.0, -6.0], 7.0)] {
+        assert_eq!(seen(&body, Vec3(p), distance).len(), 1, "{p:?}");
+        assert_eq!(seen(&body, Vec3(p), 0.999 * distance).len(), 0, "{p:?}");
+    }
+}
+
+#[test]
+fn sight_changes_as_the_point_that_sees_moves_along_its_support() {
+    let body = mesh(&cuboid(SIDES, 1));
+    let u = Vec3([1e-6, -2e-6, 3e-6]);
+    for p in [[0.5, 1.0, 6.0], [5.0, 1.5, 8.0], [-1.0, -2.0, -3.0], [1.0, -1.0, -1.0]] {
+        let (before, after) = (seen(&body, Vec3(p), 50.0)[0], seen(&body, Vec3(p) + u, 50.0)[0]);
+        assert!((before.sight() - (Vec3(p) - before.place)).norm() < 1e-12);
+        assert!((after.sight() - before.sight() - before.change_of_sight(u)).norm() < 1e-9, "{p:?}");
+    }
+}
+
+#[test]
+fn a_sliver_has_no_area_if_it_is_lower_than_the_weld() {
+    for size in [1000.0, 1e-3] {
+        // The extent is the square root of two: corners nearer than a millionth of it are one.
+        let at = |x: f64, y: f64| Vec3([x - 0.5, y - 0.5, 0.0]) * size;
+        for turn in 0..3 {
+            let sliver = |height: f64| {
+                let mut low = [at(0.0, 0.0), at(1.0, 0.0), at(0.5, -height)];
+                low.rotate_left(turn);
+                mesh(&[low, [at(1.0, 0.0), at(0.0, 0.0), at(1.0, 1.0)]]).triangles().len()
+            };
+            assert_eq!([0.0, 1.3e-6, 1.5e-6].map(sliver), [1, 1, 2], "{size} {turn}");
+        }
+        let gap = |gap: f64| {
+            let upper = [at(0.0, 0.0), at(1.0, 1.0), at(0.0, 1.0)];
+            let lower = [at(gap, 0.0), at(1.0, 0.0), at(1.0, 1.0)];
+            mesh(&[upper, lower]).vertices().len()
+        };
+        assert_eq!([0.0, 1.3e-6, 1.5e-6].map(gap), [4, 4, 5], "{size}");
+    }
+    let point = Vec3([1.0, 2.0, 3.0]);
+    assert_eq!(Mesh::new(&[[point; 3]]).expect_err("a point"), Flaw::Empty);
+}
+
+#[test]
+fn from_inside_the_normal_leads_out() {
+    let found = seen(&mesh(&cuboid(SIDES, 2)), Vec3([0.5, 1.0, 2.5]), 50.0);
+    assert!(found.len() == 1 && found[0].distance < 0.0 && found[0].support == Support::Face, "{found:?}");
+    assert!(
+        (found[0].n - Vec3([-1.0, 0.0, 0.0])).norm() < 1e-14 && (found[0].place - Vec3([0.0, 1.0, 2.5])).norm() < 1e-14
+    );
+    assert!((mesh(&cuboid(SIDES, 1)).displaced(Vec3([1.0, -2.0, 3.0])).volume() - 24.0).abs() < 1e-12);
+}
+
+#[test]
+fn contacts_in_a_shallow_groove_are_two_at_any_distance() {
+    let at = |x: f64, y: f64| Vec3([x, y, 0.1 * x.abs()]);
+    let [l, k, a, b, r, s] = [at(-4.0, -5.0), at(-4.0, 5.0), at(0.0, -5.0), at(0.0, 5.0), at(4.0, -5.0), at(4.0, 5.0)];
+    let groove = mesh(&[[l, a, b], [l, b, k], [a, r, s], [a, s, b]]);
+    for height in [0.01, 1.0, 20.0] {
+        let found = seen(&groove, Vec3([0.0, 0.3, height]), 1.1 * height);
+        assert_eq!(found.len(), 2, "{height}");
+        assert!(found.iter().all(|seen| (seen.distance - height / 1.01f64.sqrt()).abs() < 1e-12 * height));
+    }
+}
+
+#[test]
+fn normals_of_corners_are_weighted_by_angles() {
+    let body = mesh(&cuboid(SIDES, 1));
+    // Three right angles meet at a corner, however the faces are cut.
+    for (corner, normal) in body.vertices.iter().zip(&body.corners) {
+        let outward = Vec3(std::array::from_fn(|a| if corner.0[a] > 0.0 { 1.0 } else { -1.0 }));
+        assert!((*normal - outward * (0.5 * f64::pi())).norm() < 1e-12, "{corner:?} {normal:?}");
+    }
+    assert_eq!(body.bounds(), [Vec3::zero(), Vec3(SIDES)]);
+    let by = Vec3([1.0, -2.0, 3.0]);
+    let other = body.displaced(by);
+    assert_eq!(other.bounds(), [by, Vec3(SIDES) + by]);
+    assert_eq!(other.vertices()[0], body.vertices()[0] + by);
+    assert_eq!((other.triangles(), other.is_closed()), (body.triangles(), true));
+}
+
+#[test]
+fn flaws_are_told_with_the_numbers_of_triangles() {
+    for (flaw, text) in [
+        (Flaw::Empty, "has no triangle with an area"),
+        (Flaw::NotFinite(3), "triangle 3 has a coordinate that is not a finite number"),
+        (
+            Flaw::Edge(1, 2),
+            "triangles 1 and 2 pass a common edge in the same direction, expected opposite normals or two triangles to an edge",
+        ),
+    ] {
+        assert_eq!(flaw.to_string(), text);
+    }
+    let [a, b, c] = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(Vec3);
+    let wrong = Vec3([0.0, f64::INFINITY, 0.0]);
+    assert_eq!(Mesh::new(&[[a, b, c], [a, wrong, b]]).expect_err("not finite"), Flaw::NotFinite(2));
+}

@@ -76,4 +76,70 @@ mod tests {
             }
         }
     }
+
+    /// The nearest point by another way: the foot on the plane if it is inside, or the nearest of the three sides.
+    fn searched([a, b, c]: [Vec3<f64>; 3], p: Vec3<f64>) -> Vec3<f64> {
+        let n = (b - a).cross(c - a);
+        let foot = p - n * (n.dot(p - a) / n.dot(n));
+        if [[a, b], [b, c], [c, a]].iter().all(|[from, to]| (*to - *from).cross(foot - *from).dot(n) >= 0.0) {
+            return foot;
+        }
+        let on_side = |[from, to]: [Vec3<f64>; 2]| {
+            let along = to - from;
+            from + along * (along.dot(p - from) / along.dot(along)).clamp(0.0, 1.0)
+        };
+        let sides = [[a, b], [b, c], [c, a]].map(on_side);
+        sides.into_iter().min_by(|x, y| (*x - p).norm().total_cmp(&(*y - p).norm())).expect("three sides")
+    }
+
+    #[test]
+    fn around_triangles_of_all_sizes_and_shapes_the_nearest_point_is_found() {
+        let grid = || (-6..=6).map(|k| 0.5 * f64::from(k));
+        for scale in [0.2, 1.0, 5.0] {
+            for third in [[0.5, 1.5], [2.5, 1.0], [-1.5, 1.0], [0.0, 2.0], [2.0, 1.5]] {
+                let corners = [[0.0, 0.0], [2.0, 0.0], third].map(|[x, y]| Vec3([x, y, 0.3 * x]) * scale);
+                for [first, second, last] in [[0, 1, 2], [1, 2, 0], [2, 1, 0]] {
+                    let corners = [corners[first], corners[second], corners[last]];
+                    for (x, y, z) in grid().flat_map(|x| grid().flat_map(move |y| [-1.0, 0.0, 0.7].map(|z| (x, y, z))))
+                    {
+                        let p = Vec3([x, y, z + 0.3 * x]) * scale;
+                        let (point, expected) = (nearest(corners, p).0, searched(corners, p));
+                        assert!((point - expected).norm() < 1e-12 * scale, "{corners:?} {p:?}: {point:?} {expected:?}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_bounds_of_a_region_belong_to_the_corner_or_to_the_edge() {
+        let corners = [[0.0; 3], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]].map(Vec3);
+        for (p, part, place) in [
+            ([1.0, 1.0, 5.0], Part::Face, [1.0, 1.0, 0.0]),
+            // Straight before an edge, above it and beyond a corner, at right angles to either edge of the corner.
+            ([1.0, -1.0, 2.0], Part::Edge(0), [1.0, 0.0, 0.0]),
+            ([1.0, 0.0, 2.0], Part::Edge(0), [1.0, 0.0, 0.0]),
+            ([0.5, -1.0, 2.0], Part::Edge(0), [0.5, 0.0, 0.0]),
+            ([-1.0, 1.0, 2.0], Part::Edge(2), [0.0, 1.0, 0.0]),
+            ([0.0, 1.0, 2.0], Part::Edge(2), [0.0, 1.0, 0.0]),
+            ([-1.0, 0.5, 2.0], Part::Edge(2), [0.0, 0.5, 0.0]),
+            ([3.0, 3.0, 2.0], Part::Edge(1), [2.0, 2.0, 0.0]),
+            ([2.0, 2.0, 2.0], Part::Edge(1), [2.0, 2.0, 0.0]),
+            ([4.0, 3.5, 2.0], Part::Edge(1), [2.25, 1.75, 0.0]),
+            ([-1.0, -1.0, 2.0], Part::Corner(0), [0.0; 3]),
+            ([0.0, -1.0, 2.0], Part::Corner(0), [0.0; 3]),
+            ([-1.0, 0.0, 2.0], Part::Corner(0), [0.0; 3]),
+            ([0.0, 0.0, 2.0], Part::Corner(0), [0.0; 3]),
+            ([4.0, -1.0, 2.0], Part::Corner(1), [4.0, 0.0, 0.0]),
+            ([5.0, 1.0, 2.0], Part::Corner(1), [4.0, 0.0, 0.0]),
+            ([6.0, 0.0, 2.0], Part::Corner(1), [4.0, 0.0, 0.0]),
+            ([4.0, 0.0, 2.0], Part::Corner(1), [4.0, 0.0, 0.0]),
+            ([-1.0, 4.0, 2.0], Part::Corner(2), [0.0, 4.0, 0.0]),
+            ([1.0, 5.0, 2.0], Part::Corner(2), [0.0, 4.0, 0.0]),
+            ([0.0, 6.0, 2.0], Part::Corner(2), [0.0, 4.0, 0.0]),
+            ([0.0, 4.0, 2.0], Part::Corner(2), [0.0, 4.0, 0.0]),
+        ] {
+            assert_eq!(nearest(corners, Vec3(p)), (Vec3(place), part), "{p:?}");
+        }
+    }
 }
