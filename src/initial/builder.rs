@@ -140,6 +140,7 @@ fn bounds(particles: &Particles) -> Domain {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::system::{ContactTable, Forces, PrescribedMotion, Shape};
 
     fn three() -> Builder {
         System::builder().sphere([0.0; 3], 1.0, 1.0).sphere([3.0, 0.0, 0.0], 1.0, 1.0).sphere([6.0, 0.0, 0.0], 1.0, 1.0)
@@ -189,6 +190,149 @@ mod tests {
         let expected = "wall 0: its motion is Velocity(NaN), expected finite numbers and a positive duration";
         assert_eq!(problems(three().wall(&[0], motion)), [expected]);
         assert_eq!(problems(three().body(&[0, 0])), ["body 0: sphere 0 is given twice"]);
+    }
+
+    #[test]
+    fn each_kind_of_problem_is_told_by_itself() {
+        let still = [Motion::Velocity(0.0); 3];
+        let sphere = |builder: Builder| builder.sphere([9.0, 0.0, 0.0], 1.0, 1.0);
+        let sides = |sides: [f64; 3]| three().domain(Domain { sides, periodic: [false; 3] });
+        let along_y = |motion| three().wall(&[0], [Motion::Velocity(0.0), motion, Motion::Load(0.0)]);
+        let no_sense =
+            |motion: &str| format!("wall 0: its motion is {motion}, expected finite numbers and a positive duration");
+        let none = "there is no sphere";
+        let table: Vec<(Builder, String)> = vec![
+            (System::builder(), "system: has no spheres, expected one at least".into()),
+            (sides([9.0, 0.0, 9.0]), "box: side 1 is 0, expected a positive number".into()),
+            (sides([9.0, 9.0, -1.0]), "box: side 2 is -1, expected a positive number".into()),
+            (
+                System::builder().sphere([0.0; 3], 1.0, 1.0).domain(Domain::periodic([f64::INFINITY, 9.0, 9.0])),
+                "box: side 0 is inf, expected a positive number".into(),
+            ),
+            (
+                three().sphere([9.0; 3], f64::INFINITY, 1.0),
+                "sphere 3: its radius is inf, expected a positive number".into(),
+            ),
+            (three().sphere([9.0; 3], 1.0, 0.0), "sphere 3: its mass is 0, expected a positive number".into()),
+            (three().sphere([9.0; 3], 1.0, f64::NAN), "sphere 3: its mass is NaN, expected a positive number".into()),
+            (
+                three().sphere([0.0, f64::INFINITY, 0.0], 1.0, 1.0),
+                "sphere 3: its centre is [0.0, inf, 0.0], expected finite numbers".into(),
+            ),
+            (
+                sphere(three()).velocity([0.0, 0.0, f64::NAN]),
+                "sphere 3: its velocity is [0.0, 0.0, NaN], expected finite numbers".into(),
+            ),
+            (
+                sphere(three()).spin([f64::INFINITY, 0.0, 0.0]),
+                "sphere 3: its spin is [inf, 0.0, 0.0], expected finite numbers".into(),
+            ),
+            (
+                three().sphere([3.0, 0.0, 0.0], 2.0, 1.0),
+                "sphere 3: its centre coincides with the centre of another sphere".into(),
+            ),
+            (three().wall(&[], still), "wall 0: has no spheres".into()),
+            (three().wall(&[3], still), format!("wall 0: {none} 3, expected an id below 3")),
+            (three().wall(&[0, 1, 0], still), "wall 0: sphere 0 is given twice".into()),
+            (three().wall(&[0], still).wall(&[1, 0], still), "wall 1: sphere 0 belongs to wall 0 already".into()),
+            (three().body(&[2, 3]), format!("body 0: {none} 3, expected an id below 3")),
+            (three().body(&[1]).body(&[2, 1]), "body 1: sphere 1 belongs to body 0 already".into()),
+            (along_y(Motion::Load(f64::INFINITY)), no_sense("Load(inf)")),
+            (along_y(Motion::Return { speed: f64::NAN, turn: 1.0 }), no_sense("Return { speed: NaN, turn: 1.0 }")),
+            (along_y(Motion::Return { speed: 1.0, turn: 0.0 }), no_sense("Return { speed: 1.0, turn: 0.0 }")),
+            (along_y(Motion::Return { speed: 1.0, turn: f64::NAN }), no_sense("Return { speed: 1.0, turn: NaN }")),
+            (
+                three().body(&[0, 1, 2]).wall(&[0, 1], still),
+                "body 0: only one of the spheres 0 and 2 belongs to a wall, expected all or none".into(),
+            ),
+            (
+                three().velocity([0.0, 1.0, 0.0]).body(&[1, 2]),
+                "body 0: spheres 1 and 2 have different velocities, expected one for all".into(),
+            ),
+            (
+                three().spin([0.0, 1.0, 0.0]).body(&[1, 2]),
+                "sphere 2: it belongs to a body, expected no spin of its own".into(),
+            ),
+            (three().neck(3, 0), format!("neck 0-3: {none} 3, expected an id below 3")),
+            (
+                System::builder()
+                    .sphere([0.0; 3], 1.0, 1.0)
+                    .spin([0.0, 1.0, 0.0])
+                    .sphere([3.0, 0.0, 0.0], 1.0, 1.0)
+                    .body(&[0, 1]),
+                "sphere 0: it belongs to a body, expected no spin of its own".into(),
+            ),
+            (three().body(&[1, 2]).neck(2, 2), "neck 2-2: joins a sphere to itself".into()),
+            (three().neck(2, 2), "neck 2-2: joins a sphere to itself".into()),
+            (three().neck(0, 2).neck(1, 2).neck(2, 0), "neck 0-2: is given twice".into()),
+            (three().body(&[1, 2]).neck(1, 2), "neck 1-2: joins two spheres of one rigid body or wall".into()),
+            (three().wall(&[1, 2], still).neck(1, 2), "neck 1-2: joins two spheres of one rigid body or wall".into()),
+        ];
+        for (builder, expected) in table {
+            assert_eq!(problems(builder), [expected]);
+        }
+        let both = [
+            format!("neck 7-8: {none} 7, expected an id below 3"),
+            format!("neck 7-8: {none} 8, expected an id below 3"),
+        ];
+        assert_eq!(problems(three().neck(8, 7)), both);
+        // A body of no sphere that is there has neither velocity nor wall.
+        assert_eq!(problems(three().body(&[9])), [format!("body 0: {none} 9, expected an id below 3")]);
+    }
+
+    #[test]
+    fn what_looks_like_a_problem_and_is_none_is_built() {
+        let motion = [Motion::Velocity(-1.0), Motion::Load(-2.0), Motion::Return { speed: -1.0, turn: 0.1 }];
+        let surface = Surface {
+            name: "floor".into(),
+            material: 0,
+            shape: Shape::Plane { point: Vec3::zero(), normal: Vec3([0.0, 0.0, 1.0]) },
+            motion: PrescribedMotion::Still,
+            velocity: Vec3::zero(),
+            way: Vec3::zero(),
+            age: 0.0,
+            force: Forces { contact: Vec3::zero(), friction: Vec3::zero(), van_der_waals: Vec3::zero() },
+            contacts: ContactTable::default(),
+        };
+        // Free spheres, spheres of two bodies and of two walls may be joined, and a free one may spin; without periods places beyond the box are others.
+        let builder = three()
+            .spin([0.0, 0.0, 3.0])
+            .sphere([9.0, 0.0, 0.0], 1.0, 2.0)
+            .sphere([12.0, 0.0, 0.0], 1.0, 2.0)
+            .velocity([5.0, 0.0, 0.0])
+            .sphere([15.0, 0.0, 0.0], 1.0, 2.0)
+            .velocity([5.0, 0.0, 0.0])
+            .domain(Domain { sides: [3.0, 9.0, 9.0], periodic: [false, true, true] })
+            .body(&[0, 1])
+            .body(&[4, 5])
+            .wall(&[1, 0], motion)
+            .wall(&[3], [Motion::Velocity(2.0); 3])
+            .neck(5, 1)
+            .neck(3, 2)
+            .neck(3, 0)
+            .surface(surface.clone());
+        let system = builder.build().expect("a system");
+        assert_eq!(system.necks, [(0, 3), (1, 5), (2, 3)]);
+        assert_eq!((system.particles.wall, system.particles.body), (vec![1, 1, 0, 2, 0, 0], vec![1, 1, 0, 0, 2, 2]));
+        assert_eq!((system.particles.w[2], system.particles.tag.clone()), (Vec3([0.0, 0.0, 3.0]), vec![0; 6]));
+        let moving = Vec3([-1.0, 0.0, 1.0]);
+        assert_eq!(
+            (system.particles.v[0], system.particles.v[3], system.particles.v[4]),
+            (moving, Vec3([2.0; 3]), Vec3([5.0, 0.0, 0.0]))
+        );
+        assert_eq!(
+            [0, 1].map(|k| (system.bodies[k].v, system.bodies[k].wall)),
+            [(moving, 1), (Vec3([5.0, 0.0, 0.0]), 0)]
+        );
+        assert_eq!([0, 1].map(|k| system.walls[k].mass), [2.0, 2.0]);
+        assert_eq!((system.surfaces, system.domain.sides), (vec![surface], [3.0, 9.0, 9.0]));
+    }
+
+    #[test]
+    fn spheres_may_be_as_near_as_numbers_are_and_a_body_have_one() {
+        assert!(three().sphere([1e-20, 0.0, 0.0], 1.0, 1.0).build().is_ok());
+        let system = three().velocity([0.0, 1.0, 0.0]).body(&[2]).build().expect("a body");
+        assert_eq!((system.bodies[0].v, system.bodies[0].mass), (Vec3([0.0, 1.0, 0.0]), 1.0));
     }
 
     #[test]

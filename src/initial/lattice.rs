@@ -94,4 +94,20 @@ mod tests {
     fn the_paper_s_patch_is_25_by_14_by_2_cells() {
         assert_eq!(hcp_cells(1.0, [25.0, 25.0, 3.0]), [25, 14, 2]);
     }
+
+    #[test]
+    fn boxes_hold_whole_cells_at_least_two_along_each_axis() {
+        // Sides of a cell: the diameter times 1, 1.732 and 1.633.
+        assert_eq!(hcp_cells(2.0, [0.1, 8.0, 0.1]), [2, 2, 2]);
+        assert_eq!(hcp_cells(2.0, [4.9, 8.7, 11.4]), [2, 3, 3]);
+        assert_eq!(hcp_cells(2.0, [5.1, 8.6, 11.5]), [3, 2, 4]);
+        let [x, y, z] = hcp_sides(2.0, [5.1, 8.6, 11.5]);
+        assert!(x == 6.0 && (y - 4.0 * 3f64.sqrt()).abs() < 1e-14 && (z - 8.0 * (8.0f64 / 3.0).sqrt()).abs() < 1e-14);
+        assert_eq!(hcp_number(2.0, [5.1, 8.6, 11.5]), 96.0);
+        let system = hcp(2.0, [3, 2, 4], 0.5);
+        assert_eq!((system.particles.len(), system.domain), (96, Domain::periodic([x, y, z])));
+        assert!(system.particles.radius.iter().all(|&r| r == 1.0));
+        // None lies on a face.
+        assert!(system.particles.x.iter().all(|c| (0..3).all(|a| c.0[a] > 0.1 && c.0[a] < [x, y, z][a] - 0.1)));
+    }
 }

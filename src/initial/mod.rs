@@ -24,3 +24,18 @@ pub fn set_system_density(system: &mut System, density: f64) {
         *m *= factor;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn masses_are_scaled_alike_to_the_density_of_the_box() {
+        let mut system = hcp(1.0, [2; 3], 5.0);
+        system.particles.mass.iter_mut().zip(1..).for_each(|(mass, k)| *mass = f64::from(k));
+        set_system_density(&mut system, 3.0);
+        let mass = &system.particles.mass;
+        assert!((mass.iter().sum::<f64>() / system.domain.volume() - 3.0).abs() < 1e-14);
+        assert!((mass[9] / mass[1] - 5.0).abs() < 1e-14);
+    }
+}

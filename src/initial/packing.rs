@@ -121,4 +121,39 @@ mod tests {
         assert_eq!(build(5), build(5));
         assert_ne!(build(5), build(6));
     }
+
+    #[test]
+    fn equal_diameters_are_all_alike_and_weigh_by_the_density() {
+        let sizes = Sizes { d_0: 1.0, d_s: 1.0, d_l: 1.0 };
+        let volume = f64::pi() / 6.0;
+        // The third sphere fills the box to the fraction.
+        let system =
+            random_packing(sizes, [2.0, 3.0, 4.0], 2.5 * volume / 24.0, 3.0, 1, &Interrupt::default()).unwrap();
+        assert_eq!((system.particles.radius, system.domain), (vec![0.5; 3], Domain::periodic([2.0, 3.0, 4.0])));
+        assert!(system.particles.mass.iter().all(|m| (m - 3.0 * volume).abs() < 1e-14));
+        assert_eq!(Sizes::around(2.0), Sizes { d_0: 2.0, d_s: 1.5, d_l: 2.5 });
+    }
+
+    #[test]
+    fn places_are_spread_evenly_over_the_box() {
+        let sides = [20.0, 10.0, 5.0];
+        let system = random_packing(Sizes::around(1.0), sides, 2.0, 1.0, 1, &Interrupt::default()).unwrap();
+        let x = &system.particles.x;
+        for a in 0..3 {
+            let part = |k: i32| x.iter().map(|c| (c.0[a] / sides[a]).powi(k)).sum::<f64>() / x.len() as f64;
+            // Five standard errors of the mean and of the mean square.
+            let error = 5.0 / (x.len() as f64).sqrt();
+            assert!((part(1) - 0.5).abs() < 0.289 * error && (part(2) - 1.0 / 3.0).abs() < 0.299 * error);
+            assert!(x.iter().all(|c| (0.0..sides[a]).contains(&c.0[a])));
+        }
+    }
+
+    #[test]
+    fn a_large_sample_asks_whether_to_stop() {
+        let interrupt = Interrupt::default();
+        interrupt.request();
+        let build = |side: f64| random_packing(Sizes::around(1.0), [side; 3], FILL, 1.0, 1, &interrupt);
+        assert!(build(10.0).is_ok_and(|system| system.particles.len() < ASKED));
+        assert!(matches!(build(16.0), Err(Error::Interrupted)));
+    }
 }

@@ -192,3 +192,6 @@ fn unit(v: Vec3<f64>, stream: &mut Stream) -> Vec3<f64> {
 fn cosine(a: f64, b: f64, square: f64) -> f64 {
     if a * b > 0.0 { ((a.squared() + b.squared() - square) / (2.0 * a * b)).clamp(-1.0, 1.0) } else { 1.0 }
 }
+
+#[cfg(test)]
+mod tests;

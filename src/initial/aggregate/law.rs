@@ -84,3 +84,38 @@ impl Law {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spec::Vec3;
+
+    fn sums(radii: &[f64]) -> Sums {
+        Sums::of(&radii.iter().map(|&radius| Sphere { centre: Vec3::zero(), radius }).collect::<Vec<_>>())
+    }
+
+    #[test]
+    fn sums_are_those_of_all_spheres() {
+        for Sums { number, logarithms, squares, cubes } in
+            [sums(&[1.0, 2.0, 4.0]), sums(&[1.0]).with(&sums(&[2.0, 4.0]))]
+        {
+            assert_eq!((number, squares, cubes), (3, 21.0, 73.0));
+            assert!((logarithms - 8f64.ln()).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn laws_demand_radii_of_gyration() {
+        let radius = |form, radii: &[f64]| Law { k_f: 0.5, d_f: 2.0, form }.gyration_radius(&sums(radii));
+        // Eight spheres per prefactor: the root of 16 times the geometric mean, or half the Sauter diameter.
+        let radii = [1.0, 4.0, 1.0, 4.0, 1.0, 4.0, 1.0, 4.0];
+        assert!((radius(Form::GeometricMean, &radii) - 8.0).abs() < 1e-13);
+        // 6 V / S = 2 * 65 / 17.
+        assert!((radius(Form::SauterDiameter, &radii) - 4.0 * 65.0 / 17.0).abs() < 1e-13);
+        let extent = |form| Law { k_f: 1.0, d_f: 1.0, form }.extent();
+        assert_eq!(
+            [Form::GeometricMean, Form::SauterDiameter].map(extent),
+            [SphereExtent::Centres, SphereExtent::Radii]
+        );
+    }
+}

@@ -197,7 +197,83 @@ mod tests {
 
     #[test]
     fn a_deep_overlap_is_no_neck() {
-        assert!(joined(&at(&[[0.0; 3], [1.5, 0.0, 0.0]]), 0.1, false).is_empty());
+        let overlap = at(&[[0.0; 3], [1.5, 0.0, 0.0]]);
+        assert!(joined(&overlap, 0.1, false).is_empty());
+        // One of just the distance is none either, as a gap of just the distance is none.
+        assert!(
+            joined(&overlap, 0.5, false).is_empty() && joined(&at(&[[0.0; 3], [2.5, 0.0, 0.0]]), 0.5, false).is_empty()
+        );
+        assert_eq!(joined(&overlap, 0.51, false), [(0, 1)]);
+    }
+
+    #[test]
+    fn a_remedy_has_two_digits_above_the_distance_and_is_told_in_words() {
+        // Spheres so large that a wide gap is a small part of their diameter.
+        let remark = |gap: f64, length, decimals| {
+            let spheres = [0.0, 1e5 + gap].map(|x| Sphere { centre: Vec3([x, 0.0, 0.0]), radius: 5e4 });
+            missing_necks(&spheres, 0, 0.001, length, decimals, &Interrupt::default()).unwrap().expect("no neck")
+        };
+        let begin = |length: &str, apart: &str, of: &str| {
+            let only = format!("2 spheres are connected only if those that are {apart} are joined too{of}");
+            format!("found 0 necks across {length} below 0.001 nm, expected at least 1: {only}")
+        };
+        for (gap, least, enough) in [
+            (0.02, "0.020", "0.021"),
+            (0.25, "0.250", "0.26"),
+            (1.5, "1.500", "1.6"),
+            (9.95, "9.950", "10.0"),
+            (12.25, "12.250", "13"),
+            (125.5, "125.500", "130"),
+        ] {
+            for (length, across, apart, end) in [
+                (
+                    Touching,
+                    "gaps and overlaps",
+                    "farther apart or overlap more",
+                    ", and are at rest with `neck_length: as-given`",
+                ),
+                (AsGiven, "gaps", "farther apart", ""),
+            ] {
+                let rest = format!("; {across} up to {least} nm are joined by `neck_distance: {enough} nm`{end}");
+                assert_eq!(remark(gap, length, 9), begin(across, apart, "") + &rest, "{gap}");
+            }
+        }
+        for (decimals, of) in [
+            (0, "; its coordinates are integers; gaps"),
+            (1, "; its coordinates have one decimal; gaps"),
+            (2, "; its coordinates have 2 decimals; gaps"),
+            (4, "; its coordinates have 4 decimals; gaps"),
+            (5, "too; gaps"),
+        ] {
+            assert!(remark(1.5, AsGiven, decimals).contains(of), "{decimals}");
+        }
+    }
+
+    #[test]
+    fn parts_that_are_far_apart_need_fewer_necks_and_have_no_remedy() {
+        let spheres = at(&[[0.0; 3], [2.005, 0.0, 0.0], [9.0, 0.0, 0.0], [11.0, 0.0, 0.0]]);
+        assert_eq!(missing(&spheres, 2, Touching), None);
+        let remark = missing(&spheres, 1, Touching).expect("a neck is missing");
+        assert!(remark.contains("expected at least 2: 4 spheres") && remark.ends_with("have 2 decimals"), "{remark}");
+        // As given an overlap is no distance, however deep; touching it is one.
+        let overlap = at(&[[0.0; 3], [1.5, 0.0, 0.0]]);
+        let distance = |length| joining_distance(&overlap, length, &Interrupt::default()).unwrap();
+        assert_eq!([distance(AsGiven), distance(Touching)], [Some(0.0), Some(0.5)]);
+    }
+
+    #[test]
+    fn a_near_sphere_is_joined_after_one_that_touches_to_a_millionth() {
+        // The first two are nearly in touch, the third is as far from both.
+        let joined = |gap: f64| {
+            let (half, side) = (1.0 + 1e-5, 2.0 + gap);
+            let height = (side * side - half * half).sqrt();
+            joined(&at(&[[-half, 0.0, 0.0], [half, 0.0, 0.0], [0.0, height, 0.0]]), 0.01, true)
+        };
+        for (gap, expected) in
+            [(1e-6, [(0, 2), (1, 2)]), (-1e-6, [(0, 2), (1, 2)]), (3e-6, [(0, 1), (0, 2)]), (-3e-6, [(0, 1), (0, 2)])]
+        {
+            assert_eq!(joined(gap), expected, "{gap}");
+        }
     }
 
     #[test]

@@ -139,3 +139,79 @@ fn what_cannot_be_grown_is_refused() {
         other => panic!("{other:?}"),
     }
 }
+
+#[test]
+fn sizes_are_drawn_within_two_deviations_about_the_median() {
+    let mut stream = Stream::new(1, "test");
+    let radii = Radii::LogNormal { median: 10.0, deviation: 1.5 };
+    let mut drawn: Vec<f64> = (0..4001).map(|_| radii.draw(&mut stream)).collect();
+    drawn.sort_by(f64::total_cmp);
+    assert!(drawn[0] >= 10.0 / 2.25 && drawn[0] < 10.0 / 2.15 && drawn[4000] <= 22.5 && drawn[4000] > 21.5);
+    // Five standard errors of the median; the quarters are 0.6394 deviations away, as those of the normal distribution cut off at two are.
+    let logarithm = |k: usize| (drawn[k] / 10.0).ln() / 1.5f64.ln();
+    assert!(
+        [(1000, -0.6394), (2000, 0.0), (3000, 0.6394)].iter().all(|&(k, known)| (logarithm(k) - known).abs() < 0.11)
+    );
+    assert_eq!(Radii::Equal(3.0).draw(&mut stream), 3.0);
+}
+
+#[test]
+fn recipes_have_numbers_in_their_ranges() {
+    let recipe = Recipe { number: 2, d_f: 1.0, k_f: 1.0, radii: Radii::Equal(1.0), method: Method::Spheres };
+    let log_normal = |median, deviation| Recipe { radii: Radii::LogNormal { median, deviation }, ..recipe };
+    let grown = |recipe: Recipe| aggregate(&recipe, 0, &Interrupt::default()).map(|spheres| spheres.len());
+    for fine in [recipe, Recipe { number: 1, ..recipe }, log_normal(1.0, 1.0), log_normal(1.0, 2.0)] {
+        assert_eq!(grown(fine), Ok(fine.number), "{fine:?}");
+    }
+    for wrong in [
+        Recipe { number: 0, ..recipe },
+        Recipe { d_f: 0.0, ..recipe },
+        Recipe { d_f: f64::INFINITY, ..recipe },
+        Recipe { k_f: 0.0, ..recipe },
+        Recipe { k_f: f64::INFINITY, ..recipe },
+        Recipe { radii: Radii::Equal(0.0), ..recipe },
+        Recipe { radii: Radii::Equal(f64::INFINITY), ..recipe },
+        log_normal(0.0, 1.0),
+        log_normal(1.0, 0.99),
+        log_normal(1.0, f64::INFINITY),
+        log_normal(1.0, f64::NAN),
+    ] {
+        assert_eq!(grown(wrong), Err(Failure::Recipe), "{wrong:?}");
+    }
+    let interrupt = Interrupt::default();
+    interrupt.request();
+    assert_eq!(aggregate(&Recipe { number: 3, ..recipe }, 0, &interrupt), Err(Failure::Interrupted));
+}
+
+#[test]
+fn failures_are_told_in_words() {
+    let unmet = |reached| Failure::Unmet { number: 3, wanted: 2.0, reached };
+    let text = "no aggregate of 3 spheres with a radius of gyration of 2.000000 nm was found, the closest has";
+    for (failure, expected) in [
+        (Failure::Interrupted, "the growth was interrupted".to_string()),
+        (unmet(1.5), format!("{text} 1.500000 nm")),
+        (unmet(2.0), format!("{text} 2.000000 nm")),
+        (unmet(2.5), format!("{text} 2.500000 nm; compact aggregates are easier to grow with `growth: spheres`")),
+    ] {
+        assert_eq!(failure.to_string(), expected);
+    }
+    assert!(matches!(Failure::Interrupted.of("sample"), Error::Interrupted));
+    assert_eq!(unmet(1.5).of("sample").to_string(), format!("sample: {text} 1.500000 nm"));
+}
+
+#[test]
+fn every_sphere_is_as_likely_as_any_other_to_come_first() {
+    let law = Law { k_f: 1.4, d_f: 1.8, form: Form::GeometricMean };
+    let mut counts = [0; 4];
+    for seed in 0..400 {
+        let radii = vec![1.0, 1.001, 1.002, 1.003];
+        let mut stream = Stream::new(seed, "test");
+        let (spheres, _) = grown(radii, 4, &law, &mut stream, &Interrupt::default()).unwrap();
+        let mut found: Vec<usize> = spheres.iter().map(|s| ((s.radius - 1.0) * 1000.0).round() as usize).collect();
+        counts[found[0]] += 1;
+        found.sort_unstable();
+        assert_eq!(found, [0, 1, 2, 3]);
+    }
+    // Five standard deviations.
+    assert!(counts.iter().all(|&count: &i32| (count - 100).abs() < 44), "{counts:?}");
+}

@@ -201,3 +201,132 @@ impl Column {
         ((place[2] * self.count[1] + j) * self.count[0] + i) as usize
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ANYTHING: FreeDistance = FreeDistance { gap: f64::INFINITY, nearest: Nearest::Unknown };
+
+    /// A column of four by four cells of side 15 with one sphere of radius 5.
+    fn column() -> Column {
+        let mut column = Column::new([60.0; 2], 5.0);
+        column.add(Vec3([7.0, 7.0, 7.0]), 5.0);
+        column
+    }
+
+    /// The gap, and what is near: nothing known, the floor, or a sphere in a direction.
+    fn told(FreeDistance { gap, nearest }: FreeDistance) -> (f64, &'static str, Option<Vec3<f64>>) {
+        match nearest {
+            Nearest::Unknown => (gap, "unknown", None),
+            Nearest::Floor => (gap, "floor", None),
+            Nearest::Sphere(towards) => (gap, "sphere", Some(towards)),
+        }
+    }
+
+    #[test]
+    fn cells_fill_the_column_and_are_no_narrower_than_three_largest_radii() {
+        assert_eq!(Column::least_side(5.0), 15.0);
+        let cells = |sides| {
+            let Column { cell, count, .. } = Column::new(sides, 5.0);
+            (cell, count)
+        };
+        assert_eq!(cells([44.0, 80.0]), ([22.0, 16.0, 15.0], [2, 5]));
+        assert_eq!(cells([15.0, 14.0]), ([15.0, 14.0, 15.0], [1, 1]));
+        let empty = Column::new([60.0; 2], 5.0);
+        assert_eq!((empty.top(), column().top()), (0.0, 12.0));
+        assert_eq!(told(empty.room(Vec3([1.0, 2.0, 9.0]), 2.0, ANYTHING)), (7.0, "floor", None));
+    }
+
+    #[test]
+    fn free_cells_know_how_far_the_next_occupied_one_is_as_far_as_they_see() {
+        let mut column = Column::new([300.0; 2], 5.0);
+        column.add(Vec3([7.0, 7.0, 7.0]), 5.0);
+        assert_eq!(column.layers(), 7);
+        for (place, expected) in [
+            ([0, 0, 0], 0),
+            ([1, 0, 0], 1),
+            ([5, 6, 2], 6),
+            ([0, 7, 0], 7),
+            ([10, 0, 0], 7),
+            ([0, 0, 6], 6),
+            ([-3, 0, 0], 3),
+            ([17, 18, 1], 3),
+            ([0, -6, 0], 6),
+            ([13, 0, 0], 7),
+        ] {
+            assert_eq!(column.away[column.index(place)], expected, "{place:?}");
+        }
+        column.add(Vec3([7.0, 7.0, 100.0]), 5.0);
+        assert_eq!(column.layers(), 13);
+        for (layer, expected) in [(2, 2), (3, 3), (4, 2), (6, 0), (12, 6)] {
+            assert_eq!(column.away[column.index([0, 0, layer])], expected, "{layer}");
+        }
+    }
+
+    #[test]
+    fn room_is_exact_next_to_a_sphere_and_a_lower_bound_farther_away() {
+        let column = column();
+        for (x, gap, nearest) in [
+            // Two cells away: what is above the top, or one free cell less both radii.
+            ([7.0, 7.0, 30.0], 17.0, "unknown"),
+            ([37.0, 7.0, 20.0], 9.0, "unknown"),
+            ([37.0, 37.0, 20.0], 9.0, "unknown"),
+            ([37.0, 7.0, 7.0], 6.0, "floor"),
+            // Higher than any cell.
+            ([7.0, 7.0, 200.0], 187.0, "unknown"),
+            // In the next cell, but farther than what may be beyond it.
+            ([22.0, 7.0, 16.0], 9.0, "unknown"),
+        ] {
+            assert_eq!(told(column.room(Vec3(x), 1.0, ANYTHING)), (gap, nearest, None), "{x:?}");
+        }
+        for (x, to) in [
+            ([17.0, 7.0, 16.0], [-10.0, 0.0, -9.0]),
+            ([7.0, 16.0, 16.0], [0.0, -9.0, -9.0]),
+            // Across the period.
+            ([58.0, 7.0, 16.0], [9.0, 0.0, -9.0]),
+            ([-2.0, 7.0, 16.0], [9.0, 0.0, -9.0]),
+            ([7.0, 58.0, 16.0], [0.0, 9.0, -9.0]),
+            ([67.0, 7.0, 18.0], [0.0, 0.0, -11.0]),
+            // Overlapping.
+            ([7.0, 7.0, 12.0], [0.0, 0.0, -5.0]),
+        ] {
+            let (gap, nearest, towards) = told(column.room(Vec3(x), 1.0, ANYTHING));
+            let distance = Vec3(to).norm();
+            assert!(nearest == "sphere" && (gap - (distance - 6.0)).abs() < 1e-12, "{x:?}: {gap}");
+            assert!((towards.expect("a sphere") - Vec3(to) * (1.0 / distance)).norm() < 1e-12, "{x:?}");
+        }
+    }
+
+    #[test]
+    fn no_more_room_is_found_than_is_asked_for() {
+        let column = column();
+        let asked =
+            |x: [f64; 3], gap: f64| told(column.room(Vec3(x), 1.0, FreeDistance { gap, nearest: Nearest::Unknown }));
+        // As near as the floor, nearer than the sphere, nearer than what is above the top.
+        assert_eq!(asked([37.0, 7.0, 7.0], 6.0), (6.0, "unknown", None));
+        assert_eq!(asked([37.0, 7.0, 7.0], 6.1), (6.0, "floor", None));
+        assert_eq!(asked([17.0, 7.0, 16.0], 7.0), (7.0, "unknown", None));
+        assert_eq!(asked([7.0, 7.0, 30.0], 16.0), (16.0, "unknown", None));
+        assert_eq!(asked([37.0, 7.0, 20.0], 8.0), (8.0, "unknown", None));
+        assert_eq!(asked([22.0, 7.0, 16.0], 8.0), (8.0, "unknown", None));
+    }
+
+    #[test]
+    fn clearance_is_that_of_the_nearest_surface_however_far() {
+        let mut column = Column::new([300.0, 150.0], 5.0);
+        column.add(Vec3([7.0, 7.0, 107.0]), 5.0);
+        column.add(Vec3([295.0, 7.0, 50.0]), 2.0);
+        for (x, expected) in [
+            ([7.0, 7.0, 60.0], Vec3([12.0, 0.0, 10.0]).norm() - 2.0),
+            ([7.0, 7.0, 10.0], 10.0),
+            ([7.0, 7.0, 150.0], 38.0),
+            ([150.0, 80.0, 90.0], 90.0),
+            ([150.0, 80.0, 300.0], Vec3([143.0, 73.0, 193.0]).norm() - 5.0),
+            ([307.0, 157.0, 107.0], -5.0),
+            ([295.0, 7.0, 51.0], -1.0),
+        ] {
+            assert!((column.clearance(Vec3(x)) - expected).abs() < 1e-12, "{x:?}: {}", column.clearance(Vec3(x)));
+        }
+    }
+}

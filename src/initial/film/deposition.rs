@@ -116,3 +116,82 @@ impl Path {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn spheres(places: &[[f64; 3]], radius: f64) -> Vec<Sphere> {
+        places.iter().map(|&x| Sphere { centre: Vec3(x), radius }).collect()
+    }
+
+    #[test]
+    fn an_aggregate_meets_copies_of_itself_in_any_number_of_periods() {
+        let sides = [10.0, 14.0];
+        for (places, radius, expected) in [
+            (&[[0.0; 3]][..], 5.0, true),
+            (&[[0.0; 3]], 4.9, false),
+            // The ends of a rod, along either axis.
+            (&[[0.0; 3], [8.0, 0.0, 0.0]], 1.0, true),
+            (&[[0.0; 3], [7.9, 0.0, 0.0]], 1.0, false),
+            (&[[0.0; 3], [0.0, -12.0, 0.0]], 1.0, true),
+            (&[[0.0; 3], [0.0, -11.9, 0.0]], 1.0, false),
+            (&[[0.0; 3], [10.0, 0.0, 3.0]], 1.0, false),
+            // Two periods apart, or one along each axis; up and down there is no period.
+            (&[[0.0; 3], [10.0, 0.0, 30.0], [20.0, 1.0, 0.0]], 1.0, true),
+            (&[[0.0; 3], [0.0, 14.0, 30.0], [1.0, -28.0, 0.0]], 1.0, true),
+            (&[[0.0; 3], [10.0, -14.0, 1.0]], 1.0, true),
+            (&[[0.0; 3], [10.0, 14.0, 1.0]], 1.0, true),
+            (&[[0.0; 3], [0.0, 0.0, 10.0], [0.0, 0.0, 14.0]], 1.0, false),
+        ] {
+            assert_eq!(meets_itself(&spheres(places, radius), sides), expected, "{places:?} {radius}");
+        }
+    }
+
+    #[test]
+    fn an_aggregate_turns_as_a_whole_and_may_be_too_wide() {
+        let begin = spheres(&[[0.0; 3], [3.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 0.0, 5.0]], 1.0);
+        let mut turned = begin.clone();
+        orient(&mut turned, [20.0; 2], &mut Stream::new(1, "test")).expect("room");
+        assert!((turned[1].centre - begin[1].centre).norm() > 0.1);
+        for (i, j) in (0..4).flat_map(|i| (0..4).map(move |j| (i, j))) {
+            let [before, after] = [&begin, &turned].map(|s| (s[i].centre - s[j].centre).norm());
+            assert!((before - after).abs() < 1e-12);
+        }
+        let volume = |s: &[Sphere]| s[1].centre.cross(s[2].centre).dot(s[3].centre);
+        assert!((volume(&turned) - volume(&begin)).abs() < 1e-12);
+        let wide = orient(&mut spheres(&[[0.0; 3], [0.0, 8.0, 6.0]], 3.0), [5.0; 2], &mut Stream::new(1, "test"));
+        let Err(Failure::Wide { number: 2, extent }) = wide else { panic!("{wide:?}") };
+        assert!((extent - 26.0).abs() < 1e-12, "{extent}");
+    }
+
+    #[test]
+    fn a_fall_ends_where_the_lowest_or_the_next_sphere_touches() {
+        let sides = [60.0; 2];
+        let path = Path { drift: 1e6, diffusion: 1.0, graze: 1e-3 };
+        let falling = spheres(&[[0.0, 0.0, 1.0], [0.0, 0.0, -3.0]], 2.0);
+        let fall = |column: &Column, seed| {
+            path.fall(column, &falling, sides, &mut Stream::new(seed, "test"), &Interrupt::default()).expect("a place")
+        };
+        let mut column = Column::new(sides, 10.0);
+        let (at, on_floor) = fall(&column, 1);
+        assert!(on_floor && (at.0[2] - 5.0).abs() < 1e-12, "{at:?}");
+        // A floor of spheres: it rests upon them.
+        for (x, y) in (0..6).flat_map(|x| (0..6).map(move |y| (10.0 * f64::from(x), 10.0 * f64::from(y)))) {
+            column.add(Vec3([x, y, 10.0]), 10.0);
+        }
+        for seed in 0..20 {
+            let (at, on_floor) = fall(&column, seed);
+            let low = at + falling[1].centre;
+            let gap = (0..6).flat_map(|x| (0..6).map(move |y| Vec3([10.0 * f64::from(x), 10.0 * f64::from(y), 10.0])));
+            let period = |u: f64| u - 60.0 * (u / 60.0).round();
+            let gap = gap.map(|s| s - low).map(|s| Vec3([period(s.0[0]), period(s.0[1]), s.0[2]]).norm() - 12.0);
+            let gap = gap.fold(f64::INFINITY, f64::min);
+            assert!(!on_floor && gap.abs() < 1e-9, "{gap}");
+        }
+        let interrupt = Interrupt::default();
+        interrupt.request();
+        let stopped = path.fall(&column, &falling, sides, &mut Stream::new(1, "test"), &interrupt);
+        assert!(matches!(stopped, Err(Failure::Ungrown(Ungrown::Interrupted))));
+    }
+}

@@ -189,3 +189,57 @@ fn what_cannot_be_built_is_refused() {
     let open = FilmPlan { k_f: 0.1, ..small() }.build(1, &Interrupt::default());
     assert!(matches!(open, Err(Failure::Ungrown(Ungrown::Unmet { .. }))));
 }
+
+#[test]
+fn a_class_holds_the_shares_from_the_one_before_it_up_to_its_own() {
+    let share = Stream::new(1, "test").uniform();
+    let drawn = |first: f64| aggregates::draw(&[(3.0, first), (4.0, 1.0)], &mut Stream::new(1, "test"));
+    assert_eq!([drawn(share.next_up()), drawn(share), drawn(0.0)], [3.0, 4.0, 4.0]);
+    // Rounding may leave the last share below one.
+    assert_eq!(aggregates::draw(&[(3.0, 0.0), (4.0, 0.0)], &mut Stream::new(1, "test")), 4.0);
+}
+
+#[test]
+fn shares_of_diameters_rise_to_one_and_numbers_are_whole_from_one_on() {
+    let classes = Diameters { median: 9.0, deviation: 1.45, smallest: 3, largest: 23 }.classes();
+    assert!(classes.iter().map(|class| class.0).eq((3..=23).map(f64::from)));
+    assert!(classes.is_sorted_by(|a, b| a.1 < b.1) && (classes[20].1 - 1.0).abs() < 1e-12);
+    // Of one class alone the share is one.
+    let one = Diameters { median: 9.0, deviation: 1.45, smallest: 9, largest: 9 }.classes();
+    assert!(one.len() == 1 && one[0].0 == 9.0 && (one[0].1 - 1.0).abs() < 1e-12);
+    let mut stream = Stream::new(1, "test");
+    let mut numbers = |median, largest| {
+        let numbers = Numbers { median, deviation: 0.5, largest };
+        let drawn: Vec<usize> = (0..200).map(|_| numbers.draw(&mut stream)).collect();
+        [drawn.iter().min(), drawn.iter().max()].map(|end| *end.expect("numbers"))
+    };
+    assert_eq!([numbers(0.7, 2), numbers(3.0, 3)], [[1, 2], [1, 3]]);
+}
+
+#[test]
+fn failures_are_told_in_words() {
+    for (failure, text) in [
+        (Failure::Narrow { least: 34.5 }, "the column is too narrow, its sides must not be below 34.5 nm"),
+        (
+            Failure::Wide { number: 7, extent: 12.4 },
+            "an aggregate of 7 spheres is 12 nm long and touches its own periodic image: the column is too narrow",
+        ),
+        (Failure::Ungrown(Ungrown::Interrupted), "the growth was interrupted"),
+    ] {
+        assert_eq!(failure.to_string(), text);
+    }
+    assert!(matches!(Failure::Ungrown(Ungrown::Interrupted).of("film"), Error::Interrupted));
+    assert_eq!(
+        Failure::Narrow { least: 1.0 }.of("film").to_string(),
+        "film: the column is too narrow, its sides must not be below 1 nm"
+    );
+}
+
+#[test]
+fn a_film_may_have_sides_of_just_one_cell() {
+    let plan = single_spheres(3, 15.0, 1e3);
+    let film = plan.build(1, &Interrupt::default()).unwrap();
+    assert_eq!((film.spheres.len(), film.aggregates()), (3, 3));
+    let narrow = FilmPlan { sides: [15.0, 14.9], ..plan };
+    assert_eq!(narrow.build(1, &Interrupt::default()), Err(Failure::Narrow { least: 15.0 }));
+}
