@@ -262,6 +262,16 @@ mod tests {
     }
 
     #[test]
+    fn necks_are_in_ascending_order_and_the_shortest_ones_join() {
+        assert_eq!(joined(&at(&[[0.0; 3], [2.005, 0.0, 0.0], [4.005, 0.0, 0.0]]), 0.01, true), [(0, 1), (1, 2)]);
+        // Two spheres 2.015 apart, and one 2.001 from both.
+        let height = (2.001f64.powi(2) - 1.0075f64.powi(2)).sqrt();
+        let three = at(&[[-1.0075, 0.0, 0.0], [1.0075, 0.0, 0.0], [0.0, height, 0.0]]);
+        let distance = joining_distance(&three, Touching, &Interrupt::default()).unwrap().expect("one part");
+        assert!((distance - 0.001).abs() < 1e-12, "{distance}");
+    }
+
+    #[test]
     fn a_near_sphere_is_joined_after_one_that_touches_to_a_millionth() {
         // The first two are nearly in touch, the third is as far from both.
         let joined = |gap: f64| {

@@ -273,6 +273,9 @@ mod tests {
             ([37.0, 7.0, 20.0], 9.0, "unknown"),
             ([37.0, 37.0, 20.0], 9.0, "unknown"),
             ([37.0, 7.0, 7.0], 6.0, "floor"),
+            // As near as what is not told apart.
+            ([37.0, 7.0, 10.0], 9.0, "floor"),
+            ([22.0, 7.0, 10.0], 9.0, "floor"),
             // Higher than any cell.
             ([7.0, 7.0, 200.0], 187.0, "unknown"),
             // In the next cell, but farther than what may be beyond it.

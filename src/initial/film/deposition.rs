@@ -137,6 +137,8 @@ mod tests {
             (&[[0.0; 3], [0.0, -12.0, 0.0]], 1.0, true),
             (&[[0.0; 3], [0.0, -11.9, 0.0]], 1.0, false),
             (&[[0.0; 3], [10.0, 0.0, 3.0]], 1.0, false),
+            (&[[0.0; 3], [0.0, 14.0, 3.0]], 1.0, false),
+            (&[[20.0, 0.0, 0.0], [28.0, 0.0, 0.0]], 1.0, true),
             // Two periods apart, or one along each axis; up and down there is no period.
             (&[[0.0; 3], [10.0, 0.0, 30.0], [20.0, 1.0, 0.0]], 1.0, true),
             (&[[0.0; 3], [0.0, 14.0, 30.0], [1.0, -28.0, 0.0]], 1.0, true),
@@ -163,6 +165,29 @@ mod tests {
         let wide = orient(&mut spheres(&[[0.0; 3], [0.0, 8.0, 6.0]], 3.0), [5.0; 2], &mut Stream::new(1, "test"));
         let Err(Failure::Wide { number: 2, extent }) = wide else { panic!("{wide:?}") };
         assert!((extent - 26.0).abs() < 1e-12, "{extent}");
+        let small = orient(&mut spheres(&[[0.0; 3]], 0.25), [0.5; 2], &mut Stream::new(1, "test"));
+        assert_eq!(small, Err(Failure::Wide { number: 1, extent: 0.5 }));
+    }
+
+    #[test]
+    fn a_fall_begins_anywhere_above_the_column() {
+        let (sides, column) = ([100.0, 20.0], Column::new([100.0, 20.0], 5.0));
+        let path = Path { drift: 1.0, diffusion: 1.0, graze: 1e-3 };
+        let fall = |seed| {
+            let mut stream = Stream::new(seed, "test");
+            path.fall(&column, &spheres(&[[0.0; 3]], 1.0), sides, &mut stream, &Interrupt::default())
+                .expect("a place")
+                .0
+        };
+        let places: Vec<Vec3<f64>> = (0..100).map(fall).collect();
+        for (axis, side) in sides.into_iter().enumerate() {
+            let along = || places.iter().map(|place| place.0[axis]);
+            assert!(
+                along().all(|x| (0.0..side).contains(&x))
+                    && along().any(|x| x < 0.1 * side)
+                    && along().any(|x| x > 0.9 * side)
+            );
+        }
     }
 
     #[test]

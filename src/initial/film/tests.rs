@@ -243,3 +243,46 @@ fn a_film_may_have_sides_of_just_one_cell() {
     let narrow = FilmPlan { sides: [15.0, 14.9], ..plan };
     assert_eq!(narrow.build(1, &Interrupt::default()), Err(Failure::Narrow { least: 15.0 }));
 }
+
+#[test]
+fn aggregates_have_as_many_spheres_as_are_drawn_and_small_ones_need_not_meet_the_law() {
+    let numbers = Numbers { median: 3.0, deviation: 1e-9, largest: 3 };
+    let plan = FilmPlan { spheres: 10, numbers, cluster: 3, ..small() };
+    let found = aggregates(&plan, 1, &Interrupt::default()).unwrap();
+    assert_eq!(found.iter().map(|aggregate| aggregate.spheres.len()).collect::<Vec<_>>(), [3; 4]);
+    let open = FilmPlan { k_f: 0.1, ..plan };
+    assert_eq!(aggregates(&open, 1, &Interrupt::default()).unwrap().len(), 4);
+    let joined = aggregates(&FilmPlan { cluster: 2, ..open }, 1, &Interrupt::default());
+    assert!(matches!(joined.map(|found| found.len()), Err(Failure::Ungrown(Ungrown::Unmet { number: 3, .. }))));
+}
+
+#[test]
+fn aggregates_come_to_rest_in_the_column() {
+    let film = single_spheres(40, 40.0, 1e-2).build(1, &Interrupt::default()).unwrap();
+    assert!(film.spheres.iter().all(|s| (0..2).all(|a| (0.0..40.0).contains(&s.centre.0[a]))));
+}
+
+#[test]
+fn a_film_is_a_system_of_fixed_and_of_free_aggregates() {
+    let sphere = |x: f64, z: f64, diameter, aggregate| FilmSphere { centre: Vec3([x, 5.0, z]), diameter, aggregate };
+    let spheres = vec![
+        sphere(2.0, 2.0, 4.0, 0),
+        sphere(12.0, 12.0, 4.0, 1),
+        sphere(6.0, 2.0, 4.0, 0),
+        sphere(16.0, 12.0, 4.0, 1),
+        sphere(19.0, 12.0, 2.0, 1),
+        sphere(30.0, 1.0, 2.0, 2),
+    ];
+    let film = DepositedFilm { spheres, on_floor: vec![true, false, true], sides: [40.0, 10.0], thickness: 14.0 };
+    let [rigid, necked] = [Bonding::Rigid, Bonding::Necks].map(|bonding| film.system(bonding, |d| (0.4 * d, d)));
+    for system in [&rigid, &necked] {
+        assert_eq!(system.domain, Domain { sides: [40.0, 10.0, 14.0], periodic: [true, true, false] });
+        assert_eq!(system.particles.tag, [0, 1, 0, 1, 1, 2]);
+        assert_eq!((system.particles.radius[4], system.particles.mass[4]), (0.8, 2.0));
+        assert_eq!(system.particles.x[3], Vec3([16.0, 5.0, 12.0]));
+        assert_eq!(system.particles.wall, [1, 0, 1, 0, 0, 1]);
+        assert_eq!((system.walls.len(), system.walls[0].mass), (1, 10.0));
+    }
+    assert_eq!((rigid.particles.body, rigid.necks), (vec![2, 1, 2, 1, 1, 2], vec![]));
+    assert_eq!((necked.particles.body, necked.necks), (vec![1, 0, 1, 0, 0, 1], vec![(1, 3), (3, 4)]));
+}
