@@ -22,6 +22,18 @@ fn one() -> Cluster {
     cluster(&[([0.0; 3], 1.2)], Form::GeometricMean)
 }
 
+/// Four spheres that are not their mirror image; the outermost is not the one whose centre is farthest out.
+fn four() -> Cluster {
+    let spheres = [([0.0; 3], 1.0), ([2.0, 0.0, 0.0], 1.0), ([2.0, 1.3, 0.0], 0.3), ([2.0, 1.3, 0.6], 0.3)];
+    cluster(&spheres, Form::GeometricMean)
+}
+
+/// Six times the volume between the first four spheres, negative for their mirror image.
+fn handedness(spheres: &[Sphere]) -> f64 {
+    let [a, b, c, d] = [0, 1, 2, 3].map(|k| spheres[k].centre);
+    (b - a).cross(c - a).dot(d - a)
+}
+
 /// The first cluster has stayed, the other is the same as before but for where it is, they touch once and overlap nowhere; the centre of the other.
 fn joined(a: &Cluster, b: &Cluster, spheres: &[Sphere]) -> Vec3<f64> {
     let (here, there) = spheres.split_at(a.spheres.len());
@@ -29,6 +41,7 @@ fn joined(a: &Cluster, b: &Cluster, spheres: &[Sphere]) -> Vec3<f64> {
     for (i, j) in (0..there.len()).flat_map(|i| (0..i).map(move |j| (i, j))) {
         assert!((there[i].gap(&there[j]) - b.spheres[i].gap(&b.spheres[j])).abs() < 1e-12);
     }
+    assert!(there.len() < 4 || (handedness(there) - handedness(&b.spheres)).abs() < 1e-12);
     assert!(there.iter().map(|s| s.radius).eq(b.spheres.iter().map(|s| s.radius)));
     let gaps: Vec<f64> = here.iter().flat_map(|s| there.iter().map(|t| s.gap(t))).collect();
     assert!(gaps.iter().all(|&gap| gap > -1e-12), "{gaps:?}");
@@ -45,6 +58,7 @@ fn placed_clusters_touch_at_one_point_at_the_distance_that_is_wanted() {
         (three(), one(), [2.1, 2.6, 3.2]),
         (three(), two(), [2.4, 3.0, 3.6]),
         (two(), three(), [2.4, 3.0, 3.6]),
+        (two(), four(), [2.4, 2.8, 3.4]),
     ] {
         for distance in distances {
             let placed: Vec<Vec3<f64>> = (0..400)
@@ -84,7 +98,7 @@ fn a_pair_is_placed_at_every_angle() {
 
 #[test]
 fn clusters_in_line_touch_with_their_outermost_spheres() {
-    for (a, b) in [(one(), one()), (one(), three()), (three(), two()), (two(), three())] {
+    for (a, b) in [(one(), one()), (one(), three()), (three(), two()), (two(), three()), (four(), four())] {
         let spheres = in_line(&a, &b);
         let at = joined(&a, &b, &spheres);
         assert!((at.norm() - (a.reach + b.reach)).abs() < 1e-12);
@@ -206,4 +220,22 @@ fn triangles_have_cosines_and_vectors_directions() {
     (0..3000).for_each(|_| counts[pick(&three(), &mut stream)] += 1);
     // Five standard deviations.
     assert!(counts.iter().all(|&count: &i32| (count - 1000).abs() < 130), "{counts:?}");
+}
+
+#[test]
+fn angles_are_free_until_the_spheres_touch() {
+    // Rings at different heights, of different sizes and spheres.
+    let (fixed, turning) = ([Ring::new(0.0, 2.0, 0.5, 1.0)], || vec![Ring::new(1.0, -1.0, 1.2, 0.8)]);
+    let mut stream = Stream::new(1, "test");
+    let gaps: Vec<f64> = (0..2000)
+        .map(|_| free_angle(&fixed, turning(), &mut stream).expect("room"))
+        .map(|angle| turned(&fixed[0], 0.0).gap(&turned(&turning()[0], angle)))
+        .collect();
+    let [least, largest] = [f64::min, f64::max].map(|choose| gaps.iter().copied().reduce(choose).expect("gaps"));
+    // At most both are on opposite sides of the axis.
+    let apart = (1.0 + (4.25f64.sqrt() + 2.44f64.sqrt()).powi(2)).sqrt() - 1.8;
+    assert!(
+        (-1e-9..0.01).contains(&least) && (apart - 0.01..apart + 1e-9).contains(&largest),
+        "{least} {largest} {apart}"
+    );
 }
