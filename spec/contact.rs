@@ -12,6 +12,8 @@ pub struct Contact<R> {
     pub n: Vec3<R>,
     /// Distance of the centres, m.
     pub distance: R,
+    /// One over the distance of the centres, 1/m.
+    pub inverse: R,
     /// Distance of the surfaces, m: negative for an overlap.
     pub gap: R,
     /// Relative velocity of the centres, `v_i - v_j`, m/s.
@@ -46,7 +48,7 @@ impl<R: Real> Contact<R> {
         r_i: R,
         r_j: R,
     ) -> Self {
-        Self { n: x * inverse, distance, gap: distance - r_i - r_j, v, omega_i, omega_j, r_i, r_j }
+        Self { n: x * inverse, distance, inverse, gap: distance - r_i - r_j, v, omega_i, omega_j, r_i, r_j }
     }
 
     /// Rate of change of the gap, m/s: positive when the spheres separate.

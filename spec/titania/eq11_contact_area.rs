@@ -24,7 +24,8 @@ use crate::{Real, equation};
 /// A_{ij} = \frac{\pi}{4 d^2} (a + b - d)(d - a + b)(d + a - b)(d + a + b)
 /// ```
 ///
-/// of which the first factor is the overlap. It is zero for spheres that do not meet.
+/// of which the first factor is the overlap. The outer two are $(a + b)^2 - d^2$ and the inner two $d^2 - (a - b)^2$: where the distance is known only by its
+/// square, the area needs no root. It is zero for spheres that do not meet.
 ///
 /// | name | symbol | unit | domain | meaning |
 /// |---|---|---|---|---|
@@ -46,16 +47,15 @@ use crate::{Real, equation};
 /// * `does_not_depend_on_which_particle_is_first`
 #[inline(always)]
 pub fn contact_area<R: Real>(r_i: R, r_j: R, h_n: R, d: R) -> (R, R) {
-    let delta_n = super::def_radius::overlap(r_i, r_j, h_n, d);
-    (section(r_i + h_n, r_j + h_n, d, delta_n), delta_n)
+    let (a, b, delta_n) = (r_i + h_n, r_j + h_n, super::def_radius::overlap(r_i, r_j, h_n, d));
+    (section(a, b, delta_n * (a + b + d), d.squared(), R::one() / d.squared()), delta_n)
 }
 
-/// Eq. 11 of two contact spheres of radii `a` and `b`, with their overlap.
+/// Eq. 11 of two contact spheres of radii `a` and `b`, with $(a + b)^2 - d^2$, the square $d^2$ of their distance and its inverse.
 #[inline(always)]
-pub(super) fn section<R: Real>(a: R, b: R, d: R, overlap: R) -> R {
-    let (near, far) = (d - a + b, d + a - b);
-    let area = R::pi() * overlap * near * far * (d + a + b) / (R::lit(4.0) * d.squared());
-    R::select(overlap.min(near).min(far).gt(R::zero()), area, R::zero())
+pub(super) fn section<R: Real>(a: R, b: R, outer: R, square: R, inverse: R) -> R {
+    let inner = square - (a - b).squared();
+    R::select(outer.min(inner).gt(R::zero()), R::pi() * R::lit(0.25) * outer * inner * inverse, R::zero())
 }
 
 /// **Section 2.4**, unnumbered: area of the circle in which a contact sphere and a plane meet.

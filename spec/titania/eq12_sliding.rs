@@ -90,11 +90,11 @@ pub fn sawtooth<R: Real>(tau_s: R, a: R, delta_t: R, lambda_t: R, t: Vec3<R>) ->
 pub fn sliding_spring<R: Real>(tau_s: R, a: R, lambda_t: R, xi: Vec3<R>, slip: R) -> (Vec3<R>, Vec3<R>) {
     let (zero, one, length) = (R::zero(), R::one(), xi.norm());
     let slips = length.ge(lambda_t);
-    let periods = length / lambda_t;
-    let remainder = R::select(slips, slip * (periods - periods.floor()) / periods, one);
-    let kept = R::select(slip.gt(zero), remainder, one / periods);
+    let (periods, period) = (length / lambda_t, lambda_t / length);
+    let remainder = R::select(slips, slip * (periods - periods.floor()) * period, one);
+    let kept = R::select(slip.gt(zero), remainder, period);
     let acting = R::select(slips, kept, one);
-    (xi * -(tau_s * a / lambda_t * acting), xi * remainder)
+    (xi * -(tau_s / lambda_t * a * acting), xi * remainder)
 }
 
 /// **Section 2.4**, unnumbered: energy stored in the tangential spring.
@@ -118,7 +118,7 @@ pub fn sliding_spring<R: Real>(tau_s: R, a: R, lambda_t: R, xi: Vec3<R>, slip: R
 /// * `a_slip_loses_half_the_peak_force_times_the_period`
 #[inline(always)]
 pub fn spring_energy<R: Real>(tau_s: R, a: R, lambda_t: R, xi: Vec3<R>) -> R {
-    R::lit(0.5) * (tau_s * a / lambda_t) * xi.dot(xi)
+    R::lit(0.5) * (tau_s / lambda_t * a) * xi.dot(xi)
 }
 
 pub(super) fn equations() -> Vec<Equation> {

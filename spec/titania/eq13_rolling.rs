@@ -87,9 +87,9 @@ pub fn rolling_resistance<R: Real>(r_i: R, r_j: R, h_n: R, tau_r: R, a: R) -> R 
 #[inline(always)]
 pub fn rolling_torque<R: Real>(m_r: R, omega_i: Vec3<R>, omega_j: Vec3<R>, n: Vec3<R>, inertia: R, dt: R) -> Vec3<R> {
     let omega_r = (omega_i - omega_j).perpendicular_to(n);
-    // the spin that the full torque would take in one step
-    let speed = omega_r.norm().max(m_r * dt / inertia);
-    omega_r * -R::select(speed.gt(R::zero()), m_r / speed, R::zero())
+    let speed = omega_r.norm();
+    let per_speed = (m_r / speed).min(inertia * (R::one() / dt));
+    omega_r * -R::select(speed.gt(R::zero()), per_speed, R::zero())
 }
 
 /// **Eq. 13** in the authors' program: the share of rolling in a relative spin, by which twisting weakens the resistance to rolling.

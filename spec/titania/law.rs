@@ -216,8 +216,10 @@ impl Titania {
     }
 
     /// Area over which two particles touch.
+    #[inline(always)]
     pub fn area<R: Real>(c: &Contact<R>) -> R {
-        section(c.r_i, c.r_j, c.distance, -c.gap)
+        let outer = -c.gap * (c.r_i + c.r_j + c.distance);
+        section(c.r_i, c.r_j, outer, c.distance.squared(), c.inverse.squared())
     }
 
     /// The constants of the contact of a pair of given radii (m) and masses (kg).
@@ -327,11 +329,12 @@ impl Titania {
         let (tau_s, tau_r, lambda_t) = (R::lit(self.tau_s), R::lit(self.tau_r), R::lit(self.lambda_t));
         let slip = R::lit(f64::from(u8::from(self.slip == Slip::Remainder)));
         let touches = delta_n.gt(zero);
-        let a = section(c.r_i, c.r_j, c.distance, delta_n);
+        let a = Self::area(c);
 
         // The area before the step that led here, which the spring was left with.
-        let apart = (c.n * c.distance - c.v * dt).norm();
-        let before = section(c.r_i, c.r_j, apart, (c.r_i + c.r_j) - apart);
+        let apart = c.n * c.distance - c.v * dt;
+        let square = apart.dot(apart);
+        let before = section(c.r_i, c.r_j, (c.r_i + c.r_j).squared() - square, square, R::one() / square);
 
         let stretched = stretched_spring(spring, c.n, c.sliding_velocity(arm_i, arm_j), dt);
         let (f_t, kept) = sliding_spring(tau_s, a, lambda_t, stretched, slip);
@@ -356,11 +359,10 @@ impl Titania {
     /// The energy of a pair whose attraction has the energy `potential`.
     #[inline(always)]
     pub fn held<R: Real>(&self, k: &Parameters<R>, c: &Contact<R>, potential: R, spring: &Vec3<R>) -> Held<R> {
-        let a = section(c.r_i, c.r_j, c.distance, -c.gap);
         Held {
             repulsion: hertz(k.k_n, -c.gap, k.r_eff).2,
             attraction: potential,
-            tangential: self.spring_energy(a, *spring),
+            tangential: self.spring_energy(Self::area(c), *spring),
         }
     }
 
