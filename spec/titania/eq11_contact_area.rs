@@ -36,7 +36,7 @@ use crate::{Real, equation};
 /// | → `a` | $A_{ij}$ | m^2 | | contact area |
 /// | → `delta_n` | $\delta_n$ | m | | overlap |
 ///
-/// Rounding: at most 6 ULP.
+/// Rounding: at most 2 ULP.
 ///
 /// # Laws
 ///

@@ -148,8 +148,8 @@ pub fn vectorised<W: Vectorised>(instructions: Instructions, work: W) -> W::Outc
     return_with!(instructions, vectorised(work))
 }
 
-/// Aligns the stack of the function that calls it to whole vectors. The compiler does not, and vectors that are spilled across the border of two pages
-/// make a row take a quarter longer, in one process and not in the next.
+/// Aligns the stack of the function that calls it to whole vectors. The compiler does not, and a row then takes up to a quarter longer in one process
+/// than in the next, as the place of the stack is random and spilled vectors may lie across two pages.
 #[inline(always)]
 fn align_stack() {
     std::hint::black_box(&mut Row::zero());
