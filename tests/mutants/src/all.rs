@@ -13,6 +13,10 @@ use std::time::Duration;
 const GROUP: usize = 4;
 /// Laws that take longer are run by themselves, after the others.
 const QUICK: Duration = Duration::from_secs(5);
+/// Laws that take longer still are left out.
+const LONGEST: Duration = Duration::from_secs(30);
+/// How long tests of the engine may take together, without a mutant.
+const ENOUGH: Duration = Duration::from_secs(90);
 /// How much longer laws may take with many samples than with few.
 const MORE: u32 = 8;
 
@@ -24,9 +28,10 @@ pub(crate) fn all(copy: &Copy, root: &Path, name: &str) -> bool {
     let mut mutants: Vec<&Mutant> =
         copy.mutants.iter().filter(|m| m.file.contains(name) && known.get(m).is_none()).collect();
     eprintln!("{} mutants, {} of them to be tried", copy.mutants.len(), mutants.len());
-    mutants.sort_by_key(|mutant| shuffled(mutant.id));
+    mutants.sort_by_key(|mutant| (!known.survived(mutant), shuffled(mutant.id)));
     let done = AtomicUsize::new(0);
     in_parallel(&mutants, |_, mutant| {
+        let notice = if mutant.part == "src" { notice_in_engine } else { notice };
         known.add(mutant, notice(&laws, mutant));
         let done = done.fetch_add(1, Ordering::Relaxed) + 1;
         if done.is_multiple_of(100) {
@@ -41,20 +46,39 @@ pub(crate) fn all(copy: &Copy, root: &Path, name: &str) -> bool {
 fn notice(laws: &Laws, mutant: &Mutant) -> Notice {
     let [own, others] = laws.reaching(mutant.id, &mutant.file);
     let whole = laws.of_file(&mutant.file);
-    for (notice, names, slow, samples) in [
+    let steps = [
         (Notice::Own, &own, false, FEW),
         (Notice::Other, &others, false, FEW),
         (Notice::Own, &own, true, FEW),
         (Notice::Other, &others, true, FEW),
         (Notice::Own, &whole, false, MANY),
         (Notice::Other, &others, false, MANY),
-    ] {
-        let names: Vec<&str> = names.iter().copied().filter(|name| (laws.time(&[*name]) > QUICK) == slow).collect();
+    ];
+    for (notice, names, slow, samples) in steps {
+        let times = if slow { QUICK..LONGEST } else { Duration::ZERO..QUICK };
+        let names: Vec<&str> = names.iter().copied().filter(|name| times.contains(&laws.time(&[*name]))).collect();
         let longer = if samples == MANY { MORE } else { 1 };
         let fails =
             |names: &[&str]| !laws.hold(names, Some(mutant.id), None, longer * patience(laws.time(names)), samples);
         if names.chunks(if slow { 1 } else { GROUP }).any(fails) {
             return notice;
+        }
+    }
+    Notice::Nobody
+}
+
+/// Who notices a mutant of the engine: as many tests that reach it as take a minute and a half together, the cheapest for what they notice first.
+fn notice_in_engine(laws: &Laws, mutant: &Mutant) -> Notice {
+    let [own, others] = laws.reaching(mutant.id, &mutant.file);
+    let own = own.into_iter().map(|name| (Notice::Own, name));
+    let mut left = ENOUGH;
+    for (notice, name) in own.chain(others.into_iter().map(|name| (Notice::Other, name))) {
+        let time = laws.time(&[name]);
+        if time <= left {
+            left -= time;
+            if !laws.hold(&[name], Some(mutant.id), None, patience(time), FEW) {
+                return notice;
+            }
         }
     }
     Notice::Nobody

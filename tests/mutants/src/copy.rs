@@ -1,5 +1,6 @@
-//! The mutated copy of the specification: written, compiled, and rid of the mutants that do not compile.
+//! The mutated copy: written, compiled, and rid of the mutants that do not compile.
 
+use crate::engine;
 use crate::rewrite::{Entry, Kind, Listed, Mutant, entries, rewrite};
 use std::collections::BTreeSet;
 use std::fs;
@@ -11,8 +12,8 @@ use std::process::{Command, Stdio};
 pub(crate) struct Copy {
     /// The folder it is in.
     pub home: PathBuf,
-    /// The program that runs its tests.
-    pub tests: PathBuf,
+    /// The programs that run its tests, with the name before the names of theirs: none for those of the changed sources themselves.
+    pub tests: Vec<(String, PathBuf)>,
     pub mutants: Vec<Mutant>,
     pub listed: Vec<Listed>,
     pub entries: Vec<Entry>,
@@ -35,32 +36,49 @@ const LEFT: [&str; 11] = [
     "numbers/written",
 ];
 
-/// Writes and compiles a copy of the specification of the repository at `root`.
+/// Writes and compiles a copy of the repository at `root`, or of its specification.
 pub(crate) fn build(root: &Path, kind: Kind) -> Copy {
-    let home = root.join("target/mutants").join(if kind == Kind::Scaled { "sweep" } else { "all" });
+    let home = root.join("target/mutants").join(match kind {
+        Kind::Scaled => "sweep",
+        Kind::Changed => "all",
+        Kind::Engine => "engine",
+    });
     let kept = home.join("dropped.txt");
-    let sources = sources(&root.join("spec"));
+    let sources = read(&root.join(kind.part()));
     // Mutants that did not compile the last time.
     let mut dropped: BTreeSet<String> =
         fs::read_to_string(&kept).unwrap_or_default().lines().map(String::from).collect();
     loop {
         let (mutants, listed, entries) = write(root, &home, kind, &sources, &dropped);
-        let messages = compile(root, &home);
-        let found = errors(&messages, &home);
+        let messages = if kind == Kind::Engine { engine::compile(&home) } else { compile(root, &home) };
+        let found = errors(&messages, &home.join(if kind == Kind::Engine { "" } else { "spec" }));
         if found.is_empty() {
             fs::write(&kept, dropped.iter().map(|key| format!("{key}\n")).collect::<String>()).expect("a file");
-            let tests = messages.iter().filter(|message| message["profile"]["test"] == true);
-            let tests = tests.filter_map(|message| message["executable"].as_str()).next_back().expect("a program");
-            let laws = digest(sources.iter().map(|(_, source)| source.as_str()));
-            return Copy { home, tests: tests.into(), mutants, listed, entries, laws };
+            let tests = messages.iter().filter_map(program).collect();
+            let mut texts: Vec<&str> = sources.iter().map(|(_, source)| source.as_str()).collect();
+            let programs = if kind == Kind::Engine { read(&root.join("tests")) } else { vec![] };
+            texts.extend(
+                programs.iter().filter(|(file, _)| !file.starts_with("mutants/")).map(|(_, text)| text.as_str()),
+            );
+            let laws = digest(texts.into_iter());
+            return Copy { home, tests, mutants, listed, entries, laws };
         }
         eprintln!("{} mutants do not compile", found.len());
         dropped.extend(mutants.into_iter().filter(|mutant| found.contains(&mutant.id)).map(|mutant| mutant.key));
     }
 }
 
-/// The sources of the specification, in order: paths relative to it, and texts.
-fn sources(spec: &Path) -> Vec<(String, String)> {
+/// A program that runs tests, from a message of the compiler.
+fn program(message: &serde_json::Value) -> Option<(String, PathBuf)> {
+    let target = &message["target"];
+    let is_test = target["kind"][0] == "test";
+    let has_tests = message["profile"]["test"] == true && (is_test || target["kind"][0] == "lib");
+    let name = if is_test { format!("{}: ", target["name"].as_str()?) } else { String::new() };
+    has_tests.then_some((name, message["executable"].as_str()?.into()))
+}
+
+/// The sources in a folder, in order: paths relative to it, and texts.
+fn read(part: &Path) -> Vec<(String, String)> {
     fn collect(folder: &Path, found: &mut Vec<PathBuf>) {
         for entry in fs::read_dir(folder).expect("a folder") {
             let path = entry.expect("an entry").path();
@@ -72,9 +90,9 @@ fn sources(spec: &Path) -> Vec<(String, String)> {
         }
     }
     let mut paths = vec![];
-    collect(spec, &mut paths);
+    collect(part, &mut paths);
     paths.sort();
-    let name = |path: &PathBuf| path.strip_prefix(spec).expect("below").display().to_string();
+    let name = |path: &PathBuf| path.strip_prefix(part).expect("below").display().to_string();
     paths.iter().map(|path| (name(path), fs::read_to_string(path).expect("a text"))).collect()
 }
 
@@ -99,18 +117,27 @@ fn write(
     let (mut mutants, mut listed, mut next) = (vec![], vec![], 0);
     for (file, source) in sources {
         let mut text = source.clone();
-        if !LEFT.iter().any(|left| file.starts_with(left)) && !file.contains("/laws") {
-            let formulas = source.split("#[cfg(test)]").next().unwrap_or(source);
-            let rewritten =
-                rewrite(kind, file, source, &digest([file.as_str(), formulas].into_iter()), next, dropped, &entries);
+        let is_changed = match kind {
+            Kind::Engine => engine::is_changed(file),
+            _ => !LEFT.iter().any(|left| file.starts_with(left)) && !file.contains("/laws"),
+        };
+        if is_changed {
+            let code = source.split("#[cfg(test)]").next().unwrap_or(source);
+            let digest = digest([file.as_str(), code].into_iter());
+            let parsed = if kind == Kind::Engine { &engine::without_macros(source) } else { source };
+            let rewritten = rewrite(kind, file, source, parsed, &digest, next, dropped, &entries);
             text = rewritten.text;
             mutants.extend(rewritten.mutants);
             listed.extend(rewritten.listed);
             next = (next + 1).max(rewritten.next);
         }
         if file == "lib.rs" {
-            text = text.replacen("\n#[cfg(test)]", "\n#![allow(warnings, clippy::all)]\n#[cfg(test)]", 1)
+            text = text.replacen("\n#[cfg(", "\n#![allow(warnings, clippy::all)]\n#[cfg(", 1)
                 + "\npub(crate) mod mutants;\n";
+        }
+        if kind == Kind::Engine {
+            put(&home.join("src").join(file), &text);
+            continue;
         }
         if file == "equation.rs" {
             // the laws do not look functions up, and every function with every kind of number takes long to compile
@@ -119,7 +146,12 @@ fn write(
         // inlined everywhere, the choices take long to compile
         put(&home.join("spec").join(file), &text.replace("#[inline(always)]", ""));
     }
-    put(&home.join("spec/mutants.rs"), include_str!("switch.rs"));
+    if kind == Kind::Engine {
+        put(&home.join("src/mutants.rs"), include_str!("switch.rs"));
+        engine::write_others(root, home);
+        return (mutants, listed, entries);
+    }
+    put(&home.join("spec/mutants.rs"), concat!(include_str!("switch.rs"), include_str!("scaled.rs")));
     let manifest = fs::read_to_string(root.join("spec/Cargo.toml")).expect("a manifest");
     let manifest = manifest.replace("[lints]\nworkspace = true\n", "");
     let own: String = manifest
@@ -145,48 +177,51 @@ fn write(
 }
 
 /// Writes a file unless it has this text already.
-fn put(path: &Path, text: &str) {
+pub(crate) fn put(path: &Path, text: &str) {
     fs::create_dir_all(path.parent().expect("a folder")).expect("a folder");
     if !fs::read_to_string(path).is_ok_and(|kept| kept == text) {
         fs::write(path, text).expect("a file");
     }
 }
 
-/// Compiles the tests of the copy, with the compiled dependencies of the repository.
+/// Compiles the tests of the copy of the specification, with the compiled dependencies of the repository.
 fn compile(root: &Path, home: &Path) -> Vec<serde_json::Value> {
-    let output = Command::new(env!("CARGO"))
-        .args(["test", "--lib", "--features=verify", "--no-run", "--message-format=json", "--manifest-path"])
-        .arg(home.join("spec/Cargo.toml"))
-        .arg("--target-dir")
-        .arg(root.join("target"))
-        .stderr(Stdio::inherit())
-        .output()
-        .expect("cargo");
+    let mut cargo = Command::new(env!("CARGO"));
+    cargo.args(["test", "--lib", "--features=verify", "--no-run", "--manifest-path"]);
+    cargo.arg(home.join("spec/Cargo.toml")).arg("--target-dir").arg(root.join("target"));
+    messages(&mut cargo)
+}
+
+/// What the compiler says.
+pub(crate) fn messages(cargo: &mut Command) -> Vec<serde_json::Value> {
+    let output = cargo.arg("--message-format=json").stderr(Stdio::inherit()).output().expect("cargo");
     String::from_utf8_lossy(&output.stdout).lines().filter_map(|line| serde_json::from_str(line).ok()).collect()
 }
 
-/// The mutants in the lines that the compiler complains of, or nearest to them.
-fn errors(messages: &[serde_json::Value], home: &Path) -> BTreeSet<u32> {
+/// The mutants in the lines of a folder that the compiler complains of, or nearest to them.
+fn errors(messages: &[serde_json::Value], folder: &Path) -> BTreeSet<u32> {
     let (mut found, mut others) = (BTreeSet::new(), String::new());
     for message in messages.iter().filter(|message| message["message"]["level"] == "error") {
-        for span in
-            message["message"]["spans"].as_array().into_iter().flatten().filter(|span| span["is_primary"] == true)
-        {
-            let file = span["file_name"].as_str().unwrap_or_default();
-            let path = if Path::new(file).is_absolute() { file.into() } else { home.join("spec").join(file) };
-            let text = fs::read_to_string(&path).expect("a source");
-            let lines: Vec<&str> = text.lines().collect();
-            let line = span["line_start"].as_u64().unwrap_or(1) as usize - 1;
-            let marked = |k: usize| {
-                lines.get(k).and_then(|line| line.split_once("/*M")?.1.split('*').next()?.parse::<u32>().ok())
-            };
-            match marked(line) {
-                Some(id) => drop(found.insert(id)),
-                None => found.extend((line.saturating_sub(3)..line + 4).filter_map(marked)),
-            }
-        }
+        let spans = message["message"]["spans"].as_array().map_or(&[][..], |spans| spans);
+        let of = |is_primary| {
+            let lines = spans.iter().filter(move |span| span["is_primary"] == is_primary);
+            lines.flat_map(|span| marked(span, folder)).collect::<Vec<_>>()
+        };
+        let primary = of(true);
+        found.extend(if primary.is_empty() { of(false) } else { primary });
         others += message["message"]["rendered"].as_str().unwrap_or_default();
     }
     assert!(!found.is_empty() || others.is_empty(), "{others}");
     found
+}
+
+/// The mutants in a line, or those within three lines.
+fn marked(span: &serde_json::Value, folder: &Path) -> Vec<u32> {
+    let Ok(text) = fs::read_to_string(folder.join(span["file_name"].as_str().unwrap_or_default())) else {
+        return vec![];
+    };
+    let lines: Vec<&str> = text.lines().collect();
+    let line = span["line_start"].as_u64().unwrap_or(1) as usize - 1;
+    let marked = |k: usize| lines.get(k)?.split_once("/*M")?.1.split('*').next()?.parse().ok();
+    marked(line).map_or_else(|| (line.saturating_sub(3)..line + 4).filter_map(marked).collect(), |id| vec![id])
 }

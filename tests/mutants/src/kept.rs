@@ -2,7 +2,7 @@
 
 use crate::copy::Copy;
 use crate::rewrite::Mutant;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs::{File, OpenOptions};
 use std::io::Write;
 use std::path::Path;
@@ -26,6 +26,8 @@ const WORDS: [(Notice, &str); 3] = [(Notice::Own, "own"), (Notice::Other, "other
 /// What is noticed stays so while the code of its file is the same; what is not is tried again when anything has changed.
 pub(crate) struct Outcomes {
     known: BTreeMap<String, Notice>,
+    /// Those that others than the present laws did not notice.
+    survived: BTreeSet<String>,
     file: Mutex<File>,
     laws: String,
 }
@@ -34,20 +36,27 @@ impl Outcomes {
     /// Those of the copy that are known already.
     pub(crate) fn of(copy: &Copy) -> Self {
         let path = copy.home.join("outcomes.txt");
-        let mut known = BTreeMap::new();
+        let (mut known, mut survived) = (BTreeMap::new(), BTreeSet::new());
         for line in std::fs::read_to_string(&path).unwrap_or_default().lines() {
             let [key, word, laws] = line.split(' ').collect::<Vec<_>>()[..] else { continue };
             let Some((notice, _)) = WORDS.iter().find(|(_, known)| *known == word) else { continue };
             if *notice != Notice::Nobody || laws == copy.laws {
                 known.insert(key.into(), *notice);
+            } else {
+                survived.insert(key.into());
             }
         }
         let file = OpenOptions::new().create(true).append(true).open(&path).expect("a file");
-        Self { known, file: Mutex::new(file), laws: copy.laws.clone() }
+        Self { known, survived, file: Mutex::new(file), laws: copy.laws.clone() }
     }
 
     pub(crate) fn get(&self, mutant: &Mutant) -> Option<Notice> {
         self.known.get(&mutant.key).copied()
+    }
+
+    /// Whether a mutant survived earlier laws: it is the first to be tried with others.
+    pub(crate) fn survived(&self, mutant: &Mutant) -> bool {
+        self.survived.contains(&mutant.key)
     }
 
     /// Writes an outcome down.
@@ -60,5 +69,8 @@ impl Outcomes {
 /// The lines of `tests/mutants/survivors.txt` that name a mutant: what follows a line of it is why nobody can notice.
 pub(crate) fn explained(root: &Path) -> Vec<String> {
     let text = std::fs::read_to_string(root.join("tests/mutants/survivors.txt")).unwrap_or_default();
-    text.lines().filter(|line| line.starts_with("spec/")).map(|line| line.trim().to_string()).collect()
+    text.lines()
+        .filter(|line| line.starts_with("spec/") || line.starts_with("src/"))
+        .map(|line| line.trim().to_string())
+        .collect()
 }

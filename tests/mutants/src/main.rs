@@ -1,19 +1,22 @@
-//! Changes the specification in small ways and looks whether its laws notice.
+//! Changes the specification and the engine in small ways and looks whether their tests notice.
 //!
 //!     cargo run -p veridem-mutants -- sweep [NAME]
 //!     cargo run -p veridem-mutants -- all [NAME]
+//!     cargo run -p veridem-mutants -- engine [NAME]
 //!     cargo run -p veridem-mutants -- table
 //!
 //! `sweep` multiplies the result of each equation of the list by 1.01, 0 and -1: the laws that its documentation lists must notice. `all`
-//! changes operators, comparisons, constants, selected branches and functions one at a time: any law of the specification may notice. With a
-//! name, only equations or files whose name contains it are changed. One copy of the specification is compiled with all mutants, of which an
+//! changes operators, comparisons, constants, selected branches and functions of the specification one at a time: any of its laws may notice.
+//! `engine` does the same with the engine, where it also leaves out conditions, assignments and calls: any test of it may notice. With a
+//! name, only equations or files whose name contains it are changed. One copy is compiled with all mutants, of which an
 //! environment variable activates one. The process fails if a mutant of the sweep survives, or if others than `tests/mutants/survivors.txt` lists do.
 //!
-//! `all` writes down what becomes of each mutant as it goes, in an order without order: interrupted, it is a sample, and the same command
-//! continues. `table` writes what is known into `docs/verification.md`.
+//! `all` and `engine` write down what becomes of each mutant as they go, in an order without order: interrupted, they have tried a sample, and the same command
+//! continues. `table` writes what is known of the specification into `docs/verification.md`.
 
 mod all;
 mod copy;
+mod engine;
 mod kept;
 mod rewrite;
 mod run;
@@ -37,9 +40,10 @@ fn main() -> ExitCode {
     let survive = match command {
         "sweep" => sweep(&copy::build(&root, Kind::Scaled), name),
         "all" => all::all(&copy::build(&root, Kind::Changed), &root, name),
+        "engine" => all::all(&copy::build(&root, Kind::Engine), &root, name),
         "table" => table::write(&copy::build(&root, Kind::Changed), &root),
         _ => {
-            eprintln!("sweep [NAME], all [NAME] or table");
+            eprintln!("sweep [NAME], all [NAME], engine [NAME] or table");
             return ExitCode::from(64);
         }
     };

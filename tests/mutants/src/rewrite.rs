@@ -3,16 +3,18 @@
 use std::collections::BTreeSet;
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
-use syn::{BinOp, Expr, ExprBinary, ExprCall, ExprLit, ExprMethodCall, ExprUnary, ItemFn, Lit, UnOp};
+use syn::{BinOp, Expr, ExprBinary, ExprCall, ExprIf, ExprLit, ExprMethodCall, ExprUnary, ItemFn, Lit, Stmt, UnOp};
 
-/// A change of the specification.
+/// A change of the specification or the engine.
 #[derive(Clone, Debug)]
 pub(crate) struct Mutant {
     /// Its number.
     pub id: u32,
     /// Its name in what is kept between runs: the digest of its file's code, and its place among the mutants of the file.
     pub key: String,
-    /// The file, relative to the specification.
+    /// The folder of what is changed, `spec` or `src`.
+    pub part: &'static str,
+    /// The file, relative to this folder.
     pub file: String,
     /// The line.
     pub line: usize,
@@ -25,7 +27,7 @@ pub(crate) struct Mutant {
 impl Mutant {
     /// What is changed, in a line of `survivors.txt`.
     pub(crate) fn sentence(&self) -> String {
-        format!("spec/{}, {}, {}", self.file, self.function, self.change)
+        format!("{}/{}, {}, {}", self.part, self.file, self.function, self.change)
     }
 }
 
@@ -49,8 +51,17 @@ pub(crate) struct Listed {
 pub(crate) enum Kind {
     /// The result of each equation, times a factor.
     Scaled,
-    /// Operators, comparisons, constants, branches and functions.
+    /// Operators, comparisons, constants, branches and functions of the specification.
     Changed,
+    /// The same of the engine, and its conditions, assignments and calls.
+    Engine,
+}
+
+impl Kind {
+    /// The folder whose files are changed.
+    pub(crate) fn part(self) -> &'static str {
+        if self == Self::Engine { "src" } else { "spec" }
+    }
 }
 
 /// A rewritten file.
@@ -62,17 +73,19 @@ pub(crate) struct Rewritten {
     pub next: u32,
 }
 
-/// Rewrites a file. Numbers of mutants begin at `first`; those of `dropped` do not compile and keep their numbers.
+/// Rewrites a file, of which `parsed` is the text that is Rust, byte for byte at the same places. Numbers of mutants begin at `first`;
+/// those of `dropped` do not compile and keep their numbers.
 pub(crate) fn rewrite(
     kind: Kind,
     file: &str,
     source: &str,
+    parsed: &str,
     digest: &str,
     first: u32,
     dropped: &BTreeSet<String>,
     entries: &[Entry],
 ) -> Rewritten {
-    let tree = syn::parse_file(source).unwrap_or_else(|error| panic!("spec/{file}: {error}"));
+    let tree = syn::parse_file(parsed).unwrap_or_else(|error| panic!("{}/{file}: {error}", kind.part()));
     let mut rewriter = Rewriter {
         kind,
         file,
@@ -155,35 +168,61 @@ impl Rewriter<'_> {
         self.source[at].split_whitespace().collect::<Vec<_>>().join(" ")
     }
 
+    /// The name between runs of the mutant with a number.
+    fn key(&self, id: u32) -> String {
+        format!("{}.{}", self.digest, id - self.first)
+    }
+
+    /// Whether one of the next mutants compiles; if none does, what is written stays as it is.
+    fn any_compiles(&mut self, count: usize) -> bool {
+        let numbers = self.next..self.next + count as u32;
+        let any = numbers.clone().any(|id| !self.dropped.contains(&self.key(id)));
+        if !any {
+            self.next = numbers.end;
+        }
+        any
+    }
+
+    /// Lists the next mutant, unless it does not compile; its number.
+    fn list(&mut self, at: Range, mutant: &str) -> Option<u32> {
+        let id = self.next;
+        self.next += 1;
+        let key = self.key(id);
+        if self.dropped.contains(&key) {
+            return None;
+        }
+        self.mutants.push(Mutant {
+            id,
+            key,
+            part: self.kind.part(),
+            file: self.file.into(),
+            line: self.source[..at.start].lines().count().max(1),
+            function: self.function.last().cloned().unwrap_or_default(),
+            change: format!("`{}`: {mutant}", self.written(at)),
+        });
+        Some(id)
+    }
+
     /// The branches of a choice: `if on(1) { … } else { … }`, one line for each mutant.
     fn choice(&mut self, at: Range, mutants: &[String], original: &str) -> String {
-        let (written, line) = (self.written(at.clone()), self.source[..at.start].lines().count().max(1));
         let mut text = String::from("\n");
         for mutant in mutants {
-            let id = self.next;
-            self.next += 1;
-            let key = format!("{}.{}", self.digest, id - self.first);
-            if self.dropped.contains(&key) {
-                continue;
+            if let Some(id) = self.list(at.clone(), mutant) {
+                text += &format!("if crate::mutants::on({id}) {{ {mutant} }} else /*M{id}*/\n");
             }
-            text += &format!("if crate::mutants::on({id}) {{ {mutant} }} else /*M{id}*/\n");
-            self.mutants.push(Mutant {
-                id,
-                key,
-                file: self.file.into(),
-                line,
-                function: self.function.last().cloned().unwrap_or_default(),
-                change: format!("`{written}`: {mutant}"),
-            });
         }
         text + &format!("{{ {original} }}\n")
     }
 
-    /// A choice between functions of two operands `l` and `r`.
-    fn operands(&mut self, whole: Range, [left, right]: [&Expr; 2], mutants: &[String], original: &str) {
-        self.edit(whole.start..range(left).start, true, "({ let (l, r) = ((".into());
+    /// A choice between functions of two operands `l` and `r`, taken `by` value or reference.
+    fn operands(&mut self, whole: Range, [left, right]: [&Expr; 2], by: &str, mutants: &[String], original: &str) {
+        if !self.any_compiles(mutants.len()) {
+            self.visit_expr(left);
+            return self.visit_expr(right);
+        }
+        self.edit(whole.start..range(left).start, true, format!("({{ let (l, r) = ({by}("));
         self.visit_expr(left);
-        self.edit(range(left).end..range(right).start, false, "), (".into());
+        self.edit(range(left).end..range(right).start, false, format!("), {by}("));
         self.visit_expr(right);
         let choice = self.choice(whole.clone(), mutants, original);
         self.edit(range(right).end..whole.end, false, format!(")); {choice} }})"));
@@ -191,10 +230,59 @@ impl Rewriter<'_> {
 
     /// A choice between functions of one operand `l`.
     fn operand(&mut self, whole: Range, inner: &Expr, mutants: &[String], original: &str) {
+        if !self.any_compiles(mutants.len()) {
+            return self.visit_expr(inner);
+        }
         self.edit(whole.start..range(inner).start, true, "({ let l = (".into());
         self.visit_expr(inner);
         let choice = self.choice(whole.clone(), mutants, original);
         self.edit(range(inner).end..whole.end, false, format!("); {choice} }})"));
+    }
+
+    /// A condition or a call with a text before and after, in which `ON` is whether the mutant is active.
+    fn around(&mut self, inner: &Expr, mutant: &str, [before, after]: [&str; 2]) {
+        let at = range(inner);
+        let Some(id) = self.list(at.clone(), mutant) else { return self.visit_expr(inner) };
+        let before = before.replace("ON", &format!("crate::mutants::on({id})"));
+        self.edit(at.start..at.start, true, format!("\n{before} /*M{id}*/\n"));
+        self.visit_expr(inner);
+        self.edit(at.end..at.end, false, after.into());
+    }
+
+    /// What only the engine does with two operands.
+    fn conditions_and_assignments(&mut self, binary: &ExprBinary) {
+        let around = match binary.op {
+            BinOp::And(_) => ["(ON || (", "))"],
+            BinOp::Or(_) => ["(!ON && (", "))"],
+            BinOp::AddAssign(_) => return self.assignment(binary, &["-=", "="]),
+            BinOp::SubAssign(_) => return self.assignment(binary, &["+="]),
+            BinOp::MulAssign(_) => return self.assignment(binary, &["/="]),
+            BinOp::DivAssign(_) => return self.assignment(binary, &["*="]),
+            BinOp::BitAndAssign(_) | BinOp::BitOrAssign(_) => return self.assignment(binary, &[]),
+            _ => return visit::visit_expr_binary(self, binary),
+        };
+        for term in [&*binary.left, &*binary.right] {
+            let is_joined = |op| matches!(op, BinOp::And(_) | BinOp::Or(_));
+            match term {
+                Expr::Let(_) => self.visit_expr(term),
+                Expr::Binary(inner) if is_joined(inner.op) => self.visit_expr(term),
+                _ => self.around(term, "left out", around),
+            }
+        }
+    }
+
+    /// An assignment `place op= r`.
+    fn assignment(&mut self, binary: &ExprBinary, others: &[&str]) {
+        if !self.any_compiles(others.len() + 1) {
+            return self.visit_expr(&binary.right);
+        }
+        let (whole, right, op) = (range(binary), range(&binary.right), self.written(range(&binary.op)));
+        let place = self.source[range(&binary.left)].to_string();
+        let mutants: Vec<String> = others.iter().map(|op| format!("{place} {op} r")).chain([String::new()]).collect();
+        self.edit(whole.start..right.start, true, "{ let r = (".into());
+        self.visit_expr(&binary.right);
+        let choice = self.choice(whole.clone(), &mutants, &format!("{place} {op} r"));
+        self.edit(right.end..whole.end, false, format!("); {choice} }}"));
     }
 }
 
@@ -224,7 +312,7 @@ impl<'ast> Visit<'ast> for Rewriter<'_> {
             self.edit(block.end..block.end, false, ") }".into());
             self.listed.push(Listed { id, function: name, file: self.file.into(), laws: laws(&item.attrs), first });
         }
-        if self.kind == Kind::Changed {
+        if self.kind != Kind::Scaled {
             self.visit_block(&item.block);
         }
         self.function.pop();
@@ -235,7 +323,7 @@ impl<'ast> Visit<'ast> for Rewriter<'_> {
             return;
         }
         self.function.push(item.sig.ident.to_string());
-        if self.kind == Kind::Changed {
+        if self.kind != Kind::Scaled {
             self.visit_block(&item.block);
         }
         self.function.pop();
@@ -266,11 +354,45 @@ impl<'ast> Visit<'ast> for Rewriter<'_> {
             BinOp::Ge(_) => &[">", "<"],
             BinOp::Eq(_) => &["!="],
             BinOp::Ne(_) => &["=="],
+            _ if self.kind == Kind::Engine => return self.conditions_and_assignments(binary),
             _ => return visit::visit_expr_binary(self, binary),
         };
         let op = self.written(range(&binary.op));
         let mutants: Vec<String> = others.iter().map(|other| format!("l {other} r")).collect();
-        self.operands(range(binary), [&binary.left, &binary.right], &mutants, &format!("l {op} r"));
+        // what the engine compares is not always copied
+        let by = if self.kind == Kind::Engine && op.starts_with(['<', '>', '=', '!']) { "&" } else { "" };
+        self.operands(range(binary), [&binary.left, &binary.right], by, &mutants, &format!("l {op} r"));
+    }
+
+    fn visit_expr_if(&mut self, branches: &'ast ExprIf) {
+        use Expr::{Call, Field, Index, Macro, MethodCall, Path};
+        let is_plain = matches!(*branches.cond, Call(_) | Field(_) | Index(_) | Macro(_) | MethodCall(_) | Path(_));
+        if self.kind == Kind::Engine && is_plain {
+            self.around(&branches.cond, "the contrary", ["(ON != (", "))"]);
+        } else {
+            self.visit_expr(&branches.cond);
+        }
+        self.visit_block(&branches.then_branch);
+        if let Some((_, otherwise)) = &branches.else_branch {
+            self.visit_expr(otherwise);
+        }
+    }
+
+    fn visit_stmt(&mut self, statement: &'ast Stmt) {
+        match statement {
+            Stmt::Expr(call @ (Expr::Call(_) | Expr::MethodCall(_) | Expr::Assign(_) | Expr::Try(_)), Some(_))
+                if self.kind == Kind::Engine =>
+            {
+                self.around(call, "left out", ["if !ON {", "; }"]);
+            }
+            _ => visit::visit_stmt(self, statement),
+        }
+    }
+
+    fn visit_trait_item_fn(&mut self, item: &'ast syn::TraitItemFn) {
+        self.function.push(item.sig.ident.to_string());
+        visit::visit_trait_item_fn(self, item);
+        self.function.pop();
     }
 
     fn visit_expr_unary(&mut self, unary: &'ast ExprUnary) {
@@ -300,7 +422,8 @@ impl<'ast> Visit<'ast> for Rewriter<'_> {
         let changes: Vec<String> = changes.iter().map(ToString::to_string).collect();
         match call.args.first() {
             Some(argument) => {
-                self.operands(range(call), [&call.receiver, argument], &changes, &format!("l.{method}(r)"));
+                let operands = [&*call.receiver, argument];
+                self.operands(range(call), operands, "", &changes, &format!("l.{method}(r)"));
             }
             None => self.operand(range(call), &call.receiver, &changes, &format!("l.{method}()")),
         }
@@ -315,9 +438,12 @@ impl<'ast> Visit<'ast> for Rewriter<'_> {
             _ => None,
         };
         if let Some(constant) = constant {
+            if !self.any_compiles(1) {
+                return;
+            }
             let choice = self.choice(range(call), &[constant.into()], &format!("{function}()"));
             self.edit(range(call), true, format!("({choice})"));
-        } else if function.ends_with("::select") && call.args.len() == 3 {
+        } else if function.ends_with("::select") && call.args.len() == 3 && self.any_compiles(2) {
             let (first, last) = (range(&call.args[0]), range(&call.args[2]));
             self.edit(range(call).start..first.start, true, "({ let (m, l, r) = (".into());
             call.args.iter().for_each(|argument| self.visit_expr(argument));
@@ -334,6 +460,9 @@ impl<'ast> Visit<'ast> for Rewriter<'_> {
             Lit::Int(number) => number.base10_parse::<u64>().map(|x| format!("{}{}", x + 1, number.suffix())),
             _ => return,
         };
+        if !self.any_compiles(1) {
+            return;
+        }
         let at = range(literal);
         let original = self.written(at.clone());
         let choice = self.choice(at.clone(), &[other.expect("a number")], &original);
