@@ -174,3 +174,15 @@ fn velocity_verlet_and_synchronous_starts_refuse_walls_and_bodies_by_name() {
         }
     }
 }
+
+#[test]
+fn the_momentum_flux_of_a_step_is_that_of_the_velocities_after_it() {
+    for integrator in BOTH {
+        let simulation = run(undamped(), restless(), with(integrator, DT), 100);
+        let Particles { v, mass, .. } = &simulation.system().particles;
+        for (a, flux) in simulation.momentum_flux().into_iter().enumerate() {
+            let sum: f64 = mass.iter().zip(v).map(|(m, v)| m * v.0[a] * v.0[a]).sum();
+            assert!((flux - sum).abs() <= 1e-13 * sum, "{integrator:?}: {flux} instead of {sum}");
+        }
+    }
+}

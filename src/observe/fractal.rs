@@ -103,4 +103,13 @@ mod tests {
         let law = FractalLaw::of(&grown).expect("enough spheres");
         assert!((law.dimension - 1.8).abs() < 4.0 * law.error && law.error < 0.3, "{law:?}");
     }
+
+    #[test]
+    fn a_dimension_that_one_pair_decides_has_no_error_and_is_not_told() {
+        let at = |x: f64, y: f64| Sphere { centre: Vec3([x, y, 0.0]), radius: 1.0 };
+        let grid = (0..25).map(|k| at(40.0 * f64::from(k % 5), 40.0 * f64::from(k / 5)));
+        // Only two spheres are closer than four radii.
+        let spheres: Vec<Sphere> = [at(2.0, 0.0)].into_iter().chain(grid).collect();
+        assert_eq!(FractalLaw::of(&spheres), None);
+    }
 }

@@ -255,4 +255,14 @@ mod tests {
         // The disc, moving with the upper body, slides over the lower one.
         assert!(motions.links_between(&touching(&system), Mover::Bottom, Mover::Top) > 0);
     }
+
+    #[test]
+    fn the_centre_of_spheres_on_both_sides_of_a_boundary_is_between_them() {
+        let (mut system, _) = slide(12.0, 0.0, |_| Vec3::zero());
+        (system.particles.x[0], system.particles.x[1]) = (Vec3([23.5, 1.0, 0.5]), Vec3([0.9, 2.0, 0.7]));
+        let member: Vec<bool> = (0..system.particles.len()).map(|i| i < 2).collect();
+        let centre = periodic_centre(&system, &member).expect("two spheres");
+        assert!((centre - Vec3([0.2, 1.5, 0.6])).norm() < 1e-12, "{centre:?}");
+        assert!(periodic_centre(&system, &vec![false; system.particles.len()]).is_none());
+    }
 }

@@ -207,4 +207,33 @@ mod tests {
             assert_eq!((ledger.discrete_residual(), ledger.physical_residual(), ledger.turnover()), (-3.0, 0.0, 0.0));
         }
     }
+
+    #[test]
+    fn an_account_has_an_entry_for_every_cause_or_is_not_one_of_the_model() {
+        let list = |length| vec![0.0; length];
+        let of = |[stored, first, lost, at_surfaces, at_first, lost_there]: [usize; 6]| Ledger {
+            stored: list(stored),
+            stored_at_start: list(first),
+            lost_by_pairs: list(lost),
+            surfaces: SurfaceAccount {
+                stored: list(at_surfaces),
+                stored_at_start: list(at_first),
+                lost: list(lost_there),
+                ..SurfaceAccount::default()
+            },
+            ..Ledger::default()
+        };
+        let whole = [2, 2, 3, 2, 2, 3];
+        assert!(of(whole).has_lengths(2, 3));
+        for place in 0..whole.len() {
+            let with = |length| {
+                let mut lengths = whole;
+                lengths[place] = length;
+                of(lengths).has_lengths(2, 3)
+            };
+            // What is stored now has not been evaluated yet at the start of a stage.
+            assert_eq!(with(0), place == 0 || place == 3, "{place}");
+            assert!(!with(1) && !with(4), "{place}");
+        }
+    }
 }
