@@ -159,7 +159,7 @@ fn velocities<'a>(source: &Source<'a>) -> Result<Option<BTreeMap<i64, Moving<'a>
     let keyword = |line: &str| line.starts_with(|c: char| c.is_ascii_alphabetic());
     let is_section = |line: &str| line.split('#').next().is_some_and(|line| line.trim() == "Velocities");
     let Some((head, _)) = source.lines().filter(|(_, line)| is_section(line)).last() else { return Ok(None) };
-    let mut found = BTreeMap::new();
+    let mut found: BTreeMap<i64, Moving> = BTreeMap::new();
     let rows = source.lines().skip(head).take_while(|(_, line)| !keyword(line));
     for (k, line) in rows.filter(|(_, line)| !line.is_empty() && !line.starts_with('#')) {
         let words: Vec<&str> = line.split('#').next().unwrap_or_default().split_whitespace().collect();
@@ -169,6 +169,9 @@ fn velocities<'a>(source: &Source<'a>) -> Result<Option<BTreeMap<i64, Moving<'a>
             _ => return Err(source.at(k, &format!("found {} columns, expected 4, or 7 with spins", words.len()))),
         };
         let id = id.parse().map_err(|_| source.at(k, &format!("found `{id}`, expected an integer")))?;
+        if found.values().next().is_some_and(|(.., first)| first.is_some() != w.is_some()) {
+            return Err(source.at(k, &format!("found {} columns, expected as many as in the rows above", words.len())));
+        }
         found.insert(id, (k, v, w));
     }
     Ok(Some(found))

@@ -92,6 +92,7 @@ fn what_is_no_row_of_a_section_is_reported_with_its_line() {
         (with("Velocities\n\n1 0 0\n"), "7: found 3 columns, expected 4, or 7 with spins"),
         (with("Velocities\n\n1 0 0 0 0\n"), "7: found 5 columns, expected 4, or 7 with spins"),
         (with("Velocities\n\n1.5 0 0 0\n"), "7: found `1.5`, expected an integer"),
+        (with("Velocities\n\n1 0 0 0\n2 0 0 0 1 1 1\n"), "8: found 7 columns, expected as many as in the rows above"),
         (with("Velocities\n\n1 0 0 b\n"), "7: found `b`, expected a number"),
         (with("Velocities\n\n2 0 0 0\n"), "3: found no row for 1 in the section `Velocities`"),
     ] {
