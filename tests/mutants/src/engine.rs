@@ -68,9 +68,8 @@ pub(crate) fn without_macros(source: &str) -> String {
 pub(crate) fn write_others(root: &Path, home: &Path) {
     let listed = Command::new("git").args(["ls-files", "-z"]).current_dir(root).output().expect("git");
     let listed = String::from_utf8(listed.stdout).expect("names");
-    for file in
-        listed.split('\0').filter(|file| !file.is_empty() && !(file.starts_with("src/") && file.ends_with(".rs")))
-    {
+    let is_source = |file: &str| file.starts_with("src/") && file.ends_with(".rs");
+    for file in listed.split('\0').filter(|file| !file.is_empty() && !is_source(file)) {
         let other = |folder: &str| file.starts_with(&format!("tests/{folder}"));
         if OTHERS.iter().any(|name| other(&format!("{name}.rs")) || other(&format!("{name}/"))) {
             continue;
