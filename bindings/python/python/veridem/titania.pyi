@@ -1618,7 +1618,8 @@ def contact_area(r_i: ArrayLike | str, r_j: ArrayLike | str, h_n: ArrayLike | st
     A_{ij} = \\frac{\\pi}{4 d^2} (a + b - d)(d - a + b)(d + a - b)(d + a + b)
     $$
 
-    of which the first factor is the overlap. It is zero for spheres that do not meet.
+    of which the first factor is the overlap. The outer two are $(a + b)^2 - d^2$ and the inner two $d^2 - (a - b)^2$: where the distance is known only by its
+    square, the area needs no root. It is zero for spheres that do not meet.
 
     Laws
     ----
@@ -1628,7 +1629,7 @@ def contact_area(r_i: ArrayLike | str, r_j: ArrayLike | str, h_n: ArrayLike | st
     * never exceeds the section of the smaller sphere
     * does not depend on which particle is first
 
-    titania-11, spec/titania/eq11_contact_area.rs, rounding error at most 6 ULP
+    titania-11, spec/titania/eq11_contact_area.rs, rounding error at most 2 ULP
     """
 
 @overload
