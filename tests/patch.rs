@@ -1,9 +1,9 @@
 //! Does a patch test end when its sample fails?
 
-use std::fs;
-use veridem::interrupt::Interrupt;
-use veridem::output::{ReadTable, RunFolder};
-use veridem::papers::PAPERS;
+mod common;
+
+use common::{column, run_to_the_end};
+use veridem::output::ReadTable;
 
 /// A small lattice that may be stretched to twice its length.
 const CASE: &str = "
@@ -19,17 +19,9 @@ output: {series: 20 steps}
 
 #[test]
 fn a_stretched_lattice_fails_once_its_strain_is_half_as_large_again_as_at_the_peak_and_its_stress_less_than_half() {
-    let place = tempfile::tempdir().expect("a folder");
-    let (file, run) = (place.path().join("case.yaml"), place.path().join("run"));
-    fs::write(&file, CASE).expect("a case");
-    let job = PAPERS.read(&file).expect("a good case");
-    job.launch(&run, false, &Interrupt::default(), &mut |_| {}).map(drop).expect("a run to the end");
-    let table = ReadTable::read(&RunFolder::open(&run).expect("a run folder").series()).expect("a series");
-    let column = |header: &str| -> Vec<f64> {
-        let place = table.columns.iter().position(|column| column == header).expect("a column");
-        table.rows.iter().map(|row| row[place].parse().expect("a number")).collect()
-    };
-    let [strain, stress, step] = ["normal strain", "normal stress [MPa]", "step"].map(column);
+    let (_place, folder) = run_to_the_end(CASE);
+    let table = ReadTable::read(&folder.series()).expect("a series");
+    let [strain, stress, step] = ["normal strain", "normal stress [MPa]", "step"].map(|header| column(&table, header));
     let fails = |row: usize| {
         let peak = (0..=row).max_by(|&a, &b| stress[a].total_cmp(&stress[b])).expect("a row");
         strain[row] > 1.5 * strain[peak] && stress[row] < 0.5 * stress[peak]

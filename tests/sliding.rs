@@ -1,8 +1,9 @@
 //! Do two bodies that slide on each other have the tables that they should, on a way longer than their box?
 
-use veridem::interrupt::Interrupt;
-use veridem::output::{Column, ReadTable, RunFolder, Series};
-use veridem::papers::PAPERS;
+mod common;
+
+use common::{column, run_to_the_end};
+use veridem::output::{Column, ReadTable, Series};
 
 /// A crystal with flat faces, slid by more than its length.
 const CASE: &str = "
@@ -16,20 +17,9 @@ experiment:
 output: {series: 100 steps}
 ";
 
-/// The numbers of a column of a table.
-fn column(table: &ReadTable, header: &str) -> Vec<f64> {
-    let place = table.columns.iter().position(|column| column == header).unwrap_or_else(|| panic!("no {header}"));
-    table.rows.iter().map(|row| row[place].parse().expect("a number")).collect()
-}
-
 #[test]
 fn the_walls_of_a_profile_move_with_the_bodies_and_the_layer_lies_between_them() {
-    let place = tempfile::tempdir().expect("a folder");
-    let (file, run) = (place.path().join("case.yaml"), place.path().join("run"));
-    std::fs::write(&file, CASE).expect("a case");
-    let job = PAPERS.read(&file).expect("a good case");
-    job.launch(&run, false, &Interrupt::default(), &mut |_| {}).map(drop).expect("a run to the end");
-    let folder = RunFolder::open(&run).expect("a run folder");
+    let (_place, folder) = run_to_the_end(CASE);
     let (windows, profiles) = (ReadTable::read(&folder.windows()), ReadTable::read(&folder.profiles()));
     let (windows, profiles) = (windows.expect("windows"), profiles.expect("profiles"));
     let slid = column(&windows, "slid [nm]");

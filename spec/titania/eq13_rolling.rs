@@ -88,6 +88,7 @@ pub fn rolling_resistance<R: Real>(r_i: R, r_j: R, h_n: R, tau_r: R, a: R) -> R 
 pub fn rolling_torque<R: Real>(m_r: R, omega_i: Vec3<R>, omega_j: Vec3<R>, n: Vec3<R>, inertia: R, dt: R) -> Vec3<R> {
     let omega_r = (omega_i - omega_j).perpendicular_to(n);
     let speed = omega_r.norm();
+    // no more than takes the whole spin in one step
     let per_speed = (m_r / speed).min(inertia * (R::one() / dt));
     omega_r * -R::select(speed.gt(R::zero()), per_speed, R::zero())
 }

@@ -300,7 +300,7 @@ mod tests {
         ] {
             assert_eq!(parsed(&binary[..length]), Err(format!("a.stl: {expected}")));
         }
-        // Each coordinate is looked at.
+        // No coordinate may be infinite.
         for k in [0, 4, 8] {
             let mut wrong = binary.clone();
             wrong[84 + 2 * 50 + 12 + 4 * k..][..4].copy_from_slice(&f32::INFINITY.to_le_bytes());

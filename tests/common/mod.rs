@@ -8,6 +8,9 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 use std::io::Write;
 use veridem::forces::Instructions;
+use veridem::interrupt::Interrupt;
+use veridem::output::{ReadTable, RunFolder};
+use veridem::papers::PAPERS;
 use veridem::run::advance;
 use veridem::simulation::{Settings, Simulation};
 use veridem::spec::Vec3;
@@ -35,6 +38,22 @@ pub(crate) fn instruction_sets() -> Vec<Instructions> {
         said.expect("standard error");
     }
     sets
+}
+
+/// Runs a case to its end, in a folder that lasts as long as the first result.
+pub(crate) fn run_to_the_end(case: &str) -> (tempfile::TempDir, RunFolder) {
+    let place = tempfile::tempdir().expect("a folder");
+    let (file, run) = (place.path().join("case.yaml"), place.path().join("run"));
+    std::fs::write(&file, case).expect("a case");
+    let job = PAPERS.read(&file).expect("a good case");
+    job.launch(&run, false, &Interrupt::default(), &mut |_| {}).map(drop).expect("a run to the end");
+    (place, RunFolder::open(&run).expect("a run folder"))
+}
+
+/// The numbers of a column of a table.
+pub(crate) fn column(table: &ReadTable, header: &str) -> Vec<f64> {
+    let place = table.columns.iter().position(|column| column == header).unwrap_or_else(|| panic!("no {header}"));
+    table.rows.iter().map(|row| row[place].parse().expect("a number")).collect()
 }
 
 /// Number drawn evenly from 0 to 1.

@@ -83,7 +83,7 @@ impl Laws {
             if let Some(kept) = recorded(&file) {
                 return kept;
             }
-            let (begin, growing) = (Instant::now(), folder.join(format!("{}.growing", name.replace("::", "."))));
+            let (begin, growing) = (Instant::now(), PathBuf::from(format!("{}.growing", file.display())));
             let holds = self.hold(&[name.as_str()], None, Some(&growing), ENDLESS, FEW);
             assert!(holds, "{name} fails without any mutant");
             let mut time = begin.elapsed();

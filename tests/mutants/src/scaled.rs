@@ -1,4 +1,6 @@
 
+// How results are multiplied by a factor: the end of the module in the copy of the specification.
+
 use crate::{Real, Vec3};
 
 /// What an equation returns.
