@@ -186,3 +186,28 @@ fn the_momentum_flux_of_a_step_is_that_of_the_velocities_after_it() {
         }
     }
 }
+
+#[test]
+fn the_stress_is_the_tension_of_necks_less_the_flux_of_momentum_per_volume() {
+    let volume: f64 = space().sides.iter().product();
+    for integrator in BOTH {
+        let stress = |system| {
+            let mut simulation = run(undamped(), system, with(integrator, 1e-4 * DT), 0);
+            advance(&mut simulation, 2).expect("a stable step");
+            simulation.stress()
+        };
+        let v = [30.0, -20.0, 10.0];
+        let mut flying = pair(v, [0.0; 3]);
+        flying.necks.clear();
+        flying.particles.x[1].0[0] += 10.0 * RADIUS;
+        for (found, v) in stress(flying).into_iter().zip(v) {
+            assert!((found * volume / (-MASS * v * v) - 1.0).abs() < 1e-9, "{integrator:?}: {found}");
+        }
+        let mut stretched = pair([0.0; 3], [0.0; 3]);
+        stretched.particles.x[1].0[0] += 0.5;
+        let pulled = undamped().neck.k_n * 0.5 * (2.0 * RADIUS + 0.5) / volume;
+        let [along, across, up] = stress(stretched);
+        assert!((along / pulled - 1.0).abs() < 1e-5, "{integrator:?}: {along} {pulled}");
+        assert!(across.abs() + up.abs() < 1e-9 * pulled, "{integrator:?}: {across} {up}");
+    }
+}

@@ -44,6 +44,7 @@ use crate::{Real, equation};
 /// * `positive_exactly_in_contact_which_bare_radii_are_not`
 /// * `for_a_small_overlap_it_is_pi_times_the_effective_radius_times_the_overlap`
 /// * `never_exceeds_the_section_of_the_smaller_sphere`
+/// * `is_zero_where_one_sphere_contains_the_other`
 /// * `does_not_depend_on_which_particle_is_first`
 #[inline(always)]
 pub fn contact_area<R: Real>(r_i: R, r_j: R, h_n: R, d: R) -> (R, R) {
@@ -129,6 +130,14 @@ mod laws {
         fn never_exceeds_the_section_of_the_smaller_sphere(r_i in 1.0..12.0, r_j in 1.0..12.0f64, d in 0.1..25.0) {
             let smaller = r_j.min(r_i) + 0.36;
             prop_assert!(contact_area(r_i, r_j, 0.36, d).0 <= std::f64::consts::PI * smaller * smaller * (1.0 + 1e-14));
+        }
+
+        #[test]
+        fn is_zero_where_one_sphere_contains_the_other(r in 1.0..12.0, more in 0.0..12.0, share in 0.0..0.999) {
+            for d in [0.0, share * more] {
+                prop_assert_eq!(contact_area(r, r + more, 0.36, d).0, 0.0);
+                prop_assert_eq!(contact_area(r, r, 0.36, 0.0).0, 0.0);
+            }
         }
 
         #[test]

@@ -192,6 +192,10 @@ mod laws {
         #[test]
         fn is_zero_at_rest(omega in vector(), spin in -3.0..3.0, m_r in 0.0..2.0, dt in 0.0..1.0) {
             prop_assert_eq!(rolling_torque(m_r, omega, omega, N, 1.0, dt).norm(), 0.0);
+            // where a step sets no limit
+            for (inertia, dt) in [(1.0, 0.0), (f64::INFINITY, dt)] {
+                prop_assert_eq!(rolling_torque(m_r, omega, omega, N, inertia, dt).norm(), 0.0);
+            }
             prop_assert!(rolling_torque(m_r, omega + N * spin, omega, N, 1.0, 0.1).norm() < 1e-13);
         }
     }

@@ -143,4 +143,13 @@ mod tests {
         }
         assert_eq!((system.particles.v[0], system.particles.w[0]), (Vec3([7.0; 3]), Vec3([8.0; 3])));
     }
+
+    #[test]
+    fn every_sphere_of_a_body_that_is_moved_has_its_velocity_at_once() {
+        let mut system = dumbbell();
+        system.add_body(&[0]);
+        let given = [Vec3([1.0, 2.0, 3.0]); 3];
+        system.move_body(1, &[0], (&given, &[Vec3::zero(); 3]));
+        assert_eq!(system.particles.v, [given[0], Vec3::zero(), Vec3::zero()]);
+    }
 }

@@ -26,3 +26,27 @@ impl BoxRelaxation {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const MODULUS: f64 = 100.0;
+
+    fn grown(target: [f64; 3], stress: [f64; 3]) -> ([f64; 3], [f64; 3]) {
+        let mut rate = [0.0; 3];
+        let domain = Domain::periodic([10.0, 20.0, 40.0]);
+        let factors = BoxRelaxation { target, modulus: MODULUS }.grow(&mut rate, stress, &domain, 2.0, 0.01);
+        (rate, factors)
+    }
+
+    #[test]
+    fn a_box_rests_at_its_target_and_gives_way_along_each_axis_to_the_excess() {
+        assert_eq!(grown([1.0, -2.0, 3.0], [1.0, -2.0, 3.0]), ([0.0; 3], [1.0; 3]));
+        // Tension that exceeds the target pulls the sides together.
+        let (rate, factors) = grown([1.0, -2.0, 3.0], [5.0, -2.0, 2.0]);
+        assert!(rate[0] < 0.0 && rate[1] == 0.0 && rate[2] > 0.0);
+        assert!(factors[0] < 1.0 && factors[1] == 1.0 && factors[2] > 1.0);
+        assert_eq!((rate, factors), grown([0.0; 3], [4.0, 0.0, -1.0]));
+    }
+}

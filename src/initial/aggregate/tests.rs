@@ -153,6 +153,9 @@ fn sizes_are_drawn_within_two_deviations_about_the_median() {
         [(1000, -0.6394), (2000, 0.0), (3000, 0.6394)].iter().all(|&(k, known)| (logarithm(k) - known).abs() < 0.11)
     );
     assert_eq!(Radii::Equal(3.0).draw(&mut stream), 3.0);
+    // A larger normal number gives a larger sphere.
+    let (normal, drawn) = (Stream::new(2, "test").normal(), radii.draw(&mut Stream::new(2, "test")));
+    assert!(normal.abs() < 2.0 && (drawn / 10.0 - 1.5f64.powf(normal)).abs() < 1e-14, "{normal} {drawn}");
 }
 
 #[test]

@@ -131,3 +131,100 @@ impl InitialEnergy {
         Err(Error::of_key("sample.aggregate", what))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::papers::parse;
+    use crate::spec::soot::Along;
+    use std::path::Path;
+
+    /// The published law without a coating.
+    fn law() -> Soot {
+        let text = "title: x\nmodel: {soot: {}}\nsample: {aggregate: {spheres: 2}}\nexperiment: {deposition: {}}\n";
+        let case = parse::<crate::papers::soot::Soot>(Path::new("x.yaml"), text).expect("a case");
+        let crate::papers::soot::case::Model::Soot(soot) = case.model;
+        let mut law = soot.law(Along);
+        law.attraction.psi = 0.0;
+        law
+    }
+
+    /// Spheres of radius 10 nm in a row with these gaps.
+    fn row(gaps: &[f64]) -> Vec<Sphere> {
+        let mut x = 0.0;
+        let places = std::iter::once(0.0).chain(gaps.iter().map(|gap| {
+            x += 20.0 + gap;
+            x
+        }));
+        places.map(|x| Sphere { centre: Vec3([x, 0.0, 0.0]), radius: 10.0 }).collect()
+    }
+
+    fn energy(gaps: &[f64], necks: &[Neck], length: NeckLength, stage: Option<&SootStage>) -> InitialEnergy {
+        let joined = (necks, length);
+        InitialEnergy::of(&law(), &row(gaps), joined, 1.0, stage, &Interrupt::default()).expect("no interrupt")
+    }
+
+    #[test]
+    fn spheres_interact_at_the_start_across_a_hundredth_of_their_distance_or_by_a_neck() {
+        let of = |necks: &[Neck]| {
+            near_or_joined(&row(&[0.19, 0.21, -0.5]), necks, &Interrupt::default()).expect("no interrupt")
+        };
+        assert_eq!(of(&[]), [(0, 1), (2, 3)]);
+        assert_eq!(of(&[(0, 1), (1, 2)]), [(0, 1), (1, 2), (2, 3)]);
+    }
+
+    #[test]
+    fn an_aggregate_absorbs_k_t_for_each_sphere_at_room_temperature() {
+        let alone = energy(&[50.0], &[], NeckLength::Touching, None);
+        let known = 2.0 * 1.380_649e-2 * 298.0;
+        assert!((alone.thermal / known - 1.0).abs() < 1e-12, "{}", alone.thermal);
+        assert_eq!(alone, InitialEnergy { thermal: alone.thermal, ..InitialEnergy::default() });
+    }
+
+    #[test]
+    fn necks_store_energy_in_their_gap_unless_they_are_at_rest_as_given() {
+        let stretched = |length| energy(&[0.1, 0.7, -0.3], &[(0, 1), (1, 2)], length, None);
+        let (touching, as_given) = (stretched(NeckLength::Touching), stretched(NeckLength::AsGiven));
+        let law = law();
+        let known = 0.5 * (law.neck.k_n * (0.1f64.powi(2) + 0.7f64.powi(2)) + law.contact.k_n * 0.3f64.powi(2));
+        assert!((touching.stored / known - 1.0).abs() < 1e-11, "{} {known}", touching.stored);
+        assert_eq!(as_given.stored, 0.0);
+        for found in [touching, as_given] {
+            assert!((found.stretched - 0.7).abs() < 1e-13 && (found.overlap - 0.3).abs() < 1e-13);
+        }
+        let springs = |length| initial_springs::<Along>(length, &row(&[0.1, 0.7, -0.3]), &[(1, 2)]);
+        assert_eq!([NeckLength::Touching, NeckLength::AsGiven].map(|length| springs(length).bonds().len()), [0, 2]);
+    }
+
+    #[test]
+    fn adhesion_is_the_work_against_the_attraction_of_all_spheres_that_nearly_touch() {
+        let adhesion = |gaps: &[f64]| energy(gaps, &[], NeckLength::Touching, None).adhesion;
+        let [near, far] = [0.1, 0.15].map(|gap| adhesion(&[gap]));
+        assert!(near > far && far > 0.0);
+        assert!((adhesion(&[0.1, 0.15]) / (near + far) - 1.0).abs() < 1e-12);
+        assert_eq!(adhesion(&[0.3]), 0.0);
+    }
+
+    #[test]
+    fn deposited_spheres_have_the_energy_of_their_velocity() {
+        let text = "title: x\nmodel: {soot: {}}\nsample: {aggregate: {spheres: 2}}\nexperiment: {deposition: {velocity: 3 m/s}}\n";
+        let case = parse::<crate::papers::soot::Soot>(Path::new("x.yaml"), text).expect("a case");
+        let crate::papers::soot::case::Experiment::Deposition(deposition) = case.experiment else { panic!("{text}") };
+        let stage = SootStage::Deposition(deposition);
+        let found = energy(&[50.0], &[], NeckLength::Touching, Some(&stage)).kinetic;
+        // two spheres of density 1
+        let known = 4.0 / 3.0 * std::f64::consts::PI * 1000.0 * 9.0;
+        assert!((found / known - 1.0).abs() < 1e-12, "{found} {known}");
+    }
+
+    #[test]
+    fn springs_may_store_a_multiple_of_what_an_aggregate_absorbs() {
+        let found =
+            InitialEnergy { stored: 12.0, kinetic: 1.0, adhesion: 2.0, thermal: 3.0, stretched: 0.5, overlap: 0.25 };
+        assert!(found.allowed(2.0).is_ok());
+        let refused = found.allowed(1.99).expect_err("too much").to_string();
+        for part in ["1.200e1 zJ", "up to 0.250 nm", "up to 0.500 nm", "1.99 times", "1.000e0", "2.000e0", "3.000e0"] {
+            assert!(refused.contains(part), "{refused}");
+        }
+    }
+}

@@ -172,3 +172,27 @@ impl Watch {
         ]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_tip_has_parted_by_its_way_since_the_rupture_at_the_latest_mean() {
+        let watch = |rupture, travelled: &[f64]| Watch {
+            rupture,
+            curve: travelled.iter().map(|&z| (z, 100.0)).collect(),
+            ..Watch::default()
+        };
+        assert!(watch(Some(-10.0), &[0.0, 35.0, 40.0]).parted_by(50.0));
+        assert!(!watch(Some(-10.0), &[45.0, 39.9]).parted_by(50.0));
+        assert!(!watch(None, &[90.0]).parted_by(50.0) && !watch(Some(0.0), &[]).parted_by(0.0));
+    }
+
+    #[test]
+    fn a_tip_presses_with_the_latest_mean_force() {
+        let watch = Watch { curve: vec![(0.0, 9.0), (1.0, 5.0)], ..Watch::default() };
+        assert!(watch.presses_with(5.0) && !watch.presses_with(5.1));
+        assert!(!Watch::default().presses_with(f64::NEG_INFINITY));
+    }
+}
