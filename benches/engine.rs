@@ -17,6 +17,9 @@ use veridem::spec::Vec3;
 use veridem::spec::soot::Along;
 use veridem::system::{Mesh, Shape};
 
+#[global_allocator]
+static ALLOCATOR: veridem::allocator::LargePages = veridem::allocator::LargePages;
+
 const CRYSTALS: [[usize; 3]; 2] = [[18, 12, 7], [29, 17, 26]];
 
 fn step(criterion: &mut Criterion) {

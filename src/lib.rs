@@ -41,6 +41,7 @@
 //! The programs in `examples/` show each of these: `two_spheres`, `own_law`, `own_observer`, `own_paper`. The feature `cli` adds the command line, reports and the
 //! claims of the papers, `verify` the number types that check the equations; the library builds without either.
 
+pub mod allocator;
 #[cfg(feature = "book")]
 pub mod book;
 pub mod case;

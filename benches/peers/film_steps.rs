@@ -18,6 +18,9 @@ const PER_AREA: f64 = 200_000.0 / (1581.4 * 1581.4);
 /// Density of titania, ag/nm³.
 const DENSITY: f64 = 4.23e-3;
 
+#[global_allocator]
+static ALLOCATOR: veridem::allocator::LargePages = veridem::allocator::LargePages;
+
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let words: Vec<String> = std::env::args().skip(1).collect();
     let [bonding, spheres, steps, set @ ..] = &words[..] else {

@@ -8,6 +8,9 @@ use veridem::error::Halt;
 use veridem::forces::Instructions;
 use veridem::run::advance;
 
+#[global_allocator]
+static ALLOCATOR: veridem::allocator::LargePages = veridem::allocator::LargePages;
+
 fn main() -> Result<(), Halt> {
     let words: Vec<String> = std::env::args().skip(1).collect();
     let numbers: Vec<usize> = words.iter().take(5).map(|word| word.parse().expect("whole numbers")).collect();

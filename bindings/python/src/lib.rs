@@ -18,6 +18,9 @@ mod work;
 
 use pyo3::prelude::*;
 
+#[global_allocator]
+static ALLOCATOR: veridem::allocator::LargePages = veridem::allocator::LargePages;
+
 /// The compiled part of the package.
 #[pymodule]
 fn _veridem(module: &Bound<'_, PyModule>) -> PyResult<()> {
