@@ -1,6 +1,6 @@
 //! The layer between the program and its files: see `layer.c`.
 
-use crate::user::{told, veridem};
+use crate::user::{folder, told, veridem};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::OnceLock;
@@ -28,7 +28,7 @@ pub(crate) fn above(place: &Path, arguments: &[&str], settings: &[(&str, String)
 
 /// The journal of all file calls of a command, and its outcome.
 pub(crate) fn journal(place: &Path, arguments: &[&str]) -> (Vec<String>, Output) {
-    let elsewhere = tempfile::tempdir().unwrap();
+    let elsewhere = folder();
     let path = elsewhere.path().join("journal");
     let output = above(place, arguments, &[("LAYER_JOURNAL", path.display().to_string())]);
     let text = std::fs::read_to_string(path).expect("the layer is loaded");

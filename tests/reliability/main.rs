@@ -20,7 +20,7 @@ use std::path::Path;
 use std::process::Stdio;
 use std::time::Instant;
 use user::{
-    FILE, RUN, desk, desk_with_input, difference, go_on, go_on_to, outcome, told, trials, undisturbed, veridem,
+    FILE, RUN, desk, desk_with_input, difference, folder, go_on, go_on_to, outcome, told, trials, undisturbed, veridem,
 };
 
 /// Says how often something was tried, and fails with all that failed.
@@ -57,7 +57,7 @@ fn a_power_cut_at_any_call_loses_nothing_that_was_checkpointed() {
     let cut = |calls: usize, unsynced: Unsynced| {
         let mut disk = before.clone();
         journal[..calls].iter().for_each(|line| disk.apply(line));
-        let left = tempfile::tempdir().unwrap();
+        let left = folder();
         disk.after_power_cut(unsynced, left.path());
         let failed = |what: String| Some(format!("after {calls} of {} calls, {unsynced:?}: {what}", journal.len()));
         match go_on(left.path()) {

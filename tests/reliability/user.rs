@@ -28,16 +28,21 @@ pub(crate) fn trials(few: u64) -> u64 {
     few * setting("VERIDEM_TRIALS")
 }
 
+/// An empty folder, in memory where the system has one there: a disk would take most of the time for syncs that no trial needs.
+pub(crate) fn folder() -> TempDir {
+    tempfile::tempdir_in("/dev/shm").or_else(|_| tempfile::tempdir()).unwrap()
+}
+
 /// A folder with the case and nothing else.
 pub(crate) fn desk() -> TempDir {
-    let place = tempfile::tempdir().unwrap();
+    let place = folder();
     std::fs::write(place.path().join(FILE), CASE).unwrap();
     place
 }
 
 /// The same, where the case imports its aggregate, of which the run keeps a copy.
 pub(crate) fn desk_with_input() -> TempDir {
-    let place = tempfile::tempdir().unwrap();
+    let place = folder();
     let import = "import: {file: row.xyz, unit: 1 nm}";
     std::fs::write(place.path().join(FILE), CASE.replace("spheres: 4", import)).unwrap();
     let row = "4\n\nC 0 0 0 14\nC 28 0 0 14\nC 56 0 0 14\nC 56 28 0 14\n";
