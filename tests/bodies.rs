@@ -12,9 +12,13 @@ use veridem::system::{Domain, Motion, Particles, Steering, System};
 
 /// The crowd of the other tests; of every five spheres in a row of six three are a body, bent by the jitter, and three stay by themselves.
 fn mixed(seed: u64) -> System {
-    let mut system = crowd(seed, 6);
-    for row in 0..36 {
-        system.add_body(&[6 * row, 6 * row + 1, 6 * row + 2]);
+    mixed_rows(seed, 6)
+}
+
+fn mixed_rows(seed: u64, length: usize) -> System {
+    let mut system = crowd(seed, length);
+    for row in 0..length * length {
+        system.add_body(&[length * row, length * row + 1, length * row + 2]);
         let body = system.bodies.last_mut().expect("just added");
         (body.v, body.l) = (Vec3([30.0, -20.0, 10.0 * (row % 3) as f64]), Vec3([0.3, -0.2, 0.1 * (row % 5) as f64]));
     }
@@ -220,5 +224,48 @@ fn what_nothing_touches_is_in_its_place_when_it_is_looked_at() {
         let p = &system.particles;
         let y = |id: u32| p.x[p.id.iter().position(|&other| other == id).expect("a sphere")].0[1];
         assert!((y(2) - 5.0 - 3.0 * 100.0 * 2e-5).abs() < 1e-12 && y(0) == 5.0, "{}", y(2));
+    }
+}
+
+#[test]
+fn the_state_at_the_end_has_the_spheres_of_bodies_where_they_are() {
+    let mut system = mixed(3);
+    system.particles = system.particles.pick(&[0, 1, 2]);
+    system.bodies.truncate(1);
+    has_members_in_place(&steps(start(system), 50).into_system());
+}
+
+#[test]
+fn hundreds_of_bodies_move_together_with_their_spheres() {
+    let mut system = mixed_rows(3, 13);
+    system.domain.periodic = [false; 3];
+    let before = momenta(&system);
+    let end = steps(start(system), 50).into_system();
+    let after = momenta(&end);
+    assert_eq!(end.bodies.len(), 169);
+    assert!((after.0 - before.0).norm() < 1e-10 * before.0.norm(), "{:?}", after.0 - before.0);
+    assert!((after.1 - before.1).norm() < 1e-9 * before.1.norm(), "{:?}", after.1 - before.1);
+    has_members_in_place(&end);
+}
+
+#[test]
+fn bodies_of_dozens_of_spheres_move_with_all_of_them() {
+    let mut system = crowd(3, 6);
+    for body in 0..4 {
+        let members: Vec<usize> = (50 * body..50 * body + 16 + 7 * body).collect();
+        system.add_body(&members);
+        system.bodies[body].l = Vec3([3.0, -2.0, body as f64]);
+    }
+    system.place_members(0);
+    has_members_in_place(&steps(start(system), 50).into_system());
+}
+
+/// Checks that every sphere of a body is where its body is, and moves with it.
+fn has_members_in_place(system: &System) {
+    let particles = &system.particles;
+    for (p, &number) in particles.body.iter().enumerate().filter(|(_, number)| **number > 0) {
+        let body = &system.bodies[number as usize - 1];
+        let (x, v) = body.member(body.omega(), particles.arm[p]);
+        assert!((particles.x[p] - x).norm() < 1e-12 && (particles.v[p] - v).norm() < 1e-9, "{p}");
     }
 }

@@ -3,7 +3,7 @@
 mod common;
 
 use common::{crowd, run, settings, sheared_crowd};
-use veridem::motion::inertia;
+use veridem::motion::{BoxRelaxation, inertia};
 use veridem::simulation::Simulation;
 use veridem::spec::Vec3;
 use veridem::spec::wear::law::Wear;
@@ -46,6 +46,18 @@ fn the_discrete_account_closes_to_rounding() {
         let ledger = run(system, settings(2e-5), 1000).ledger();
         assert!(ledger.discrete_residual().abs() < 1e-11 * ledger.turnover(), "{ledger:?}");
     }
+}
+
+#[test]
+fn the_physical_account_closes_with_the_work_of_a_box_that_follows_its_stress() {
+    let residual = |dt: f64| {
+        let relaxation = BoxRelaxation { target: [-3e3; 3], modulus: 1e4 };
+        let ledger = run(crowd(6, 6), settings(dt).relax_box(relaxation), (0.02 / dt) as usize).ledger();
+        assert!(ledger.work_box.abs() > 0.02 * ledger.turnover(), "{ledger:?}");
+        ledger.physical_residual().abs() / ledger.turnover()
+    };
+    let (coarse, fine) = (residual(2e-5), residual(5e-6));
+    assert!(coarse < 2e-2 && fine < 0.3 * coarse, "{coarse} {fine}");
 }
 
 fn physical_residual(dt: f64, steps: usize) -> f64 {

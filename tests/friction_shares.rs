@@ -84,3 +84,23 @@ fn twelve_contacts_together_stop_a_sphere_and_do_not_turn_it_back() {
     let still = simulation.system().particles.w.iter().map(|w| w.norm()).fold(0.0, f64::max);
     assert!(still < 1e-6, "{still}");
 }
+
+#[test]
+fn contacts_across_the_side_of_a_periodic_box_share_like_all_others() {
+    let spin = |p: usize| Vec3([p as f64 + 1.0, -2.0, 0.5]);
+    let spins = |shift: f64| {
+        let mut system = lattice(3, spin);
+        system.domain = Domain::periodic(system.domain.sides.map(|side| 2.0 * side));
+        let side = system.domain.sides[0];
+        for x in &mut system.particles.x {
+            *x = Vec3(x.0.map(|x| (x + shift * side) % side));
+        }
+        after(system, 0.2)
+    };
+    let inside = spins(0.0);
+    for shift in [0.72, 0.8, 0.88] {
+        for ((_, here), (_, there)) in inside.iter().zip(spins(shift)) {
+            assert!((*here - there).norm() < 1e-9, "{shift}: {here:?} {there:?}");
+        }
+    }
+}

@@ -2,13 +2,17 @@
 
 mod common;
 
-use common::uniform;
+use common::{settings, uniform, wear};
 use quickcheck::{QuickCheck, TestResult};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use veridem::geometry::{Neighbour, neighbours};
-use veridem::spec::Vec3;
-use veridem::system::Domain;
+use veridem::motion::BoxRelaxation;
+use veridem::run::advance;
+use veridem::simulation::Simulation;
+use veridem::spec::mechanics::box_relaxation::box_inertia;
+use veridem::spec::{PairModel, Vec3};
+use veridem::system::{Domain, Particles, System};
 
 /// Every pair and every copy within two boxes, the long way.
 fn brute_force(x: &[Vec3<f64>], radius: &[f64], domain: &Domain, reach: impl Fn(f64, f64) -> f64) -> Vec<Neighbour> {
@@ -57,4 +61,49 @@ fn the_list_is_every_pair_in_reach() {
         TestResult::from_bool(neighbours(&x, &radius, &domain, reach) == brute_force(&x, &radius, &domain, reach))
     }
     QuickCheck::new().tests(60).quickcheck(same as fn(u64, u8, u8) -> TestResult);
+}
+
+/// A sphere, and another beyond its range.
+fn apart(offset: Vec3<f64>, particles: &mut Particles) {
+    let x = offset + Vec3([30.0 * particles.len() as f64; 3]);
+    [Vec3::zero(), offset].into_iter().for_each(|from| particles.push(x + from, 1.0, 1.0, 0));
+}
+
+#[test]
+fn spheres_that_a_shrinking_box_brings_together_are_listed() {
+    let mut particles = Particles::default();
+    let range = wear().range(1.0, 1.0);
+    apart(Vec3([1.5 * range, 0.0, 0.0]), &mut particles);
+    let side = 40.0 * range;
+    // The box shrinks to half its size in some hundred steps.
+    let pull = 1e-5 / (1e-5f64 * 1e-5) * box_inertia(2.0, side) / side.powi(3);
+    let relaxation = BoxRelaxation { target: [-pull; 3], modulus: 1e-9 };
+    let system = System::new(particles, Domain::periodic([side; 3]));
+    let mut simulation = Simulation::new(wear(), system, settings(1e-5).relax_box(relaxation)).expect("a valid system");
+    assert_eq!(simulation.pairs().count(), 0);
+    while simulation.system().domain.sides[0] > 0.55 * side {
+        advance(&mut simulation, 1).expect("a stable step");
+    }
+    assert_eq!(simulation.pairs().count(), 1);
+}
+
+#[test]
+fn spheres_that_fly_together_along_any_axis_are_listed() {
+    let range = wear().range(1.0, 1.0);
+    for axis in 0..3 {
+        let mut particles = Particles::default();
+        let mut offset = Vec3::zero();
+        offset.0[axis] = 2.0 * range;
+        // Eight of them are advanced at once.
+        for pair in 0..8 {
+            apart(offset, &mut particles);
+            particles.v[2 * pair] = offset * 100.0;
+        }
+        let domain = Domain { sides: [1e3; 3], periodic: [false; 3] };
+        let system = System::new(particles, domain);
+        let mut simulation = Simulation::new(wear(), system, settings(1e-5)).expect("a valid system");
+        assert_eq!(simulation.pairs().count(), 0);
+        advance(&mut simulation, 550).expect("a stable step");
+        assert_eq!(simulation.pairs().count(), 8, "axis {axis}");
+    }
 }

@@ -2,12 +2,14 @@
 
 mod common;
 
-use common::{settings, wear};
-use veridem::error::Reason;
+use common::{settings, soot, wear};
+use veridem::error::{Halt, Reason};
+use veridem::motion::BoxRelaxation;
+use veridem::run::advance;
 use veridem::simulation::{Settings, Simulation};
 use veridem::spec::mechanics::coordinated_step::coordinated_time_step;
 use veridem::spec::{PairModel, Vec3};
-use veridem::system::System;
+use veridem::system::{Domain, System};
 
 const DT: f64 = 1e-6;
 
@@ -87,4 +89,30 @@ fn a_frame_does_not_hold_what_single_precision_does_not() {
         wide.check_frame().expect_err("too wide").reason,
         Reason::NotANumber { quantity: "sides of the box".into() }
     );
+}
+
+#[test]
+fn one_pair_that_overlaps_beyond_the_limit_stops_a_run_among_many_that_are_apart() {
+    let mut aggregate = soot::system(|_| false);
+    let particles = &mut aggregate.particles;
+    let (last, deep) = (particles.len() as u32, 2.0 * soot::RADIUS - 1.0);
+    let clear =
+        |x: Vec3<f64>| particles.x.iter().filter(|&&other| (x - other).norm() < 2.0 * soot::RADIUS + 1.0).count() == 1;
+    let along = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|axis| Vec3(axis) * deep);
+    let beside = particles.x.iter().flat_map(|&x| along.map(|branch| x + branch)).find(|&x| clear(x));
+    particles.push(beside.expect("a sphere with a free side"), soot::RADIUS, soot::MASS, 0);
+    let settings = soot::settings(soot::DT).max_overlap(0.02);
+    let halt = Simulation::new(soot::dry(), aggregate, settings).and_then(|mut simulation| advance(&mut simulation, 2));
+    let Err(Halt { reason: Reason::Overlap { pair, ratio, limit }, .. }) = halt else { panic!("{halt:?}") };
+    assert!(pair.0 == last || pair.1 == last, "{pair:?}");
+    assert!((ratio - 1.0 / (2.0 * soot::RADIUS)).abs() < 1e-3 && limit == 0.02, "{ratio}");
+}
+
+#[test]
+fn a_box_that_grows_without_bounds_stops_the_run() {
+    let relaxation = BoxRelaxation { target: [1e6, 0.0, 0.0], modulus: 1e-9 };
+    let system = System { domain: Domain::periodic([50.0; 3]), ..pair() };
+    let mut simulation = Simulation::new(wear(), system, settings(DT).relax_box(relaxation)).expect("a valid system");
+    let halt = advance(&mut simulation, 100_000).expect_err("an endless box");
+    assert_eq!(halt.reason, Reason::NotANumber { quantity: "sides of the box".into() });
 }

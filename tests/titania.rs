@@ -52,6 +52,19 @@ fn a_pair_comes_to_rest_slides_and_rolls_as_the_law_says() {
 }
 
 #[test]
+fn a_single_slip_has_a_peak_and_no_period() {
+    let place = tempfile::tempdir().unwrap();
+    let text = std::fs::read_to_string(case("titania-pair.yaml")).unwrap();
+    std::fs::write(place.path().join("short.yaml"), text.replace("distance: 1.1 nm", "distance: 0.6 nm")).unwrap();
+    veridem(place.path(), &["--quiet", "run", "short.yaml"]);
+    let run = place.path().join("run/short");
+    assert_eq!(finding(&run, "slips"), 1.0);
+    assert!(finding(&run, "peak friction") > 1.0);
+    let results = std::fs::read_to_string(run.join("results.yaml")).unwrap();
+    assert!(results.contains("no second slip within"), "{results}");
+}
+
+#[test]
 fn a_stretched_agglomerate_has_the_same_bits_for_any_number_of_threads_and_when_resumed() {
     let place = tempfile::tempdir().unwrap();
     let case = case("titania-agglomerate.yaml");

@@ -120,20 +120,21 @@ mod tests {
 
     #[test]
     fn a_ball_holds_its_spheres_and_is_no_larger_than_they_need() {
-        let row =
-            |n: usize| (0..n).map(|k| Sphere { centre: Vec3([0.0, k as f64, 0.0]), radius: 0.25 }).collect::<Vec<_>>();
+        // The longest side is not the farthest from the origin.
+        let at = |y: f64| Vec3([90.0, y - 50.0, 0.0]);
+        let row = |n: usize| (0..n).map(|k| Sphere { centre: at(k as f64), radius: 0.25 }).collect::<Vec<_>>();
         for n in [1, 2, FEW, FEW + 1, 4 * FEW] {
             let ball = Ball::of(row(n));
             let half = 0.5 * (n - 1) as f64;
-            assert_eq!(ball.bound.centre, Vec3([0.0, half, 0.0]));
+            assert_eq!(ball.bound.centre, at(half));
             assert!(ball.bound.radius >= half + 0.25 && ball.bound.radius < (half + 0.25) * (1.0 + 1e-8));
             // Many are divided across the longest side into halves.
             match (&ball.content, n <= FEW) {
                 (Content::Spheres(rows), true) => assert_eq!(rows.len(), n.div_ceil(LANES)),
                 (Content::Balls(balls), false) => {
                     let lower = (n / 2) as f64;
-                    assert_eq!(balls[0].bound.centre, Vec3([0.0, 0.5 * (lower - 1.0), 0.0]));
-                    assert_eq!(balls[1].bound.centre, Vec3([0.0, 0.5 * (lower + (n - 1) as f64), 0.0]));
+                    assert_eq!(balls[0].bound.centre, at(0.5 * (lower - 1.0)));
+                    assert_eq!(balls[1].bound.centre, at(0.5 * (lower + (n - 1) as f64)));
                 }
                 _ => panic!("{n}"),
             }

@@ -99,6 +99,18 @@ mod tests {
     }
 
     #[test]
+    fn what_the_cantilever_reads_is_recorded_where_the_tip_is() {
+        let mut curve = ForceCurve::new(1.0);
+        for (displacement, force) in [(0.0, 0.0), (-1.0, 4.0), (-0.5, 6.0)] {
+            curve.follow(force, 0.5);
+            curve.look(displacement);
+        }
+        let [(lowest, pressed), (risen, now)] = curve.retraction() else { panic!("{:?}", curve.retraction()) };
+        assert_eq!((*lowest, *risen, *now), (-1.0, -0.5, curve.reading()));
+        assert!(*pressed > 0.0 && now > pressed);
+    }
+
+    #[test]
     fn the_teeth_of_a_saw_are_counted_and_ripples_are_not() {
         let saw = curve(&[-3.0, 0.0, 4.0, 10.0, 2.0, 5.0, 5.5, 5.2, 5.6, 1.0, 3.0, 0.2, 0.3, 0.1]);
         assert_eq!(saw.peaks(), [(3.0, 10.0), (8.0, 5.6), (10.0, 3.0)]);

@@ -112,4 +112,17 @@ mod tests {
         let spheres: Vec<Sphere> = [at(2.0, 0.0)].into_iter().chain(grid).collect();
         assert_eq!(FractalLaw::of(&spheres), None);
     }
+
+    #[test]
+    fn every_part_counts_alike_for_the_error() {
+        let recipe =
+            Recipe { number: 10 * GROUPS, d_f: 1.8, k_f: 1.4, radii: Radii::Equal(1.0), method: Method::Clusters };
+        let mut spheres = aggregate(&recipe, 1, &Interrupt::default()).expect("an aggregate");
+        let law = FractalLaw::of(&spheres).expect("enough spheres");
+        for _ in 1..GROUPS {
+            spheres.rotate_left(1);
+            let turned = FractalLaw::of(&spheres).expect("enough spheres");
+            assert!((turned.error / law.error - 1.0).abs() < 1e-9, "{turned:?} {law:?}");
+        }
+    }
 }

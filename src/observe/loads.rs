@@ -106,3 +106,33 @@ impl Loads {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::simulation::Settings;
+    use crate::spec::titania::Titania;
+    use crate::system::System;
+
+    #[test]
+    fn necks_and_contacts_of_a_sphere_are_counted_and_menisci_are_not() {
+        let law = Titania::paper(1.0, 1.0, 1.0);
+        let radius = law.contact_radius(8.0);
+        let touching = 1.99 * radius;
+        // A row of four, the first three joined by necks, and a sphere beside the third with a meniscus.
+        let row = (0..4).map(|k| [touching * f64::from(k), 0.0, 0.0]).chain([[2.0 * touching, 2.01 * radius, 0.0]]);
+        let spheres = row.fold(System::builder(), |system, x| system.sphere(x, radius, 1.0));
+        let system = System { necks: vec![(0, 1), (1, 2)], ..spheres.build().expect("five spheres") };
+        let simulation = Simulation::new(law, system, Settings::new(1e-4).skin(1.0)).expect("a stable step");
+        let kind = |contact: &Contact<f64>| {
+            let kind = if contact.gap < 0.0 { PairKind::Contact } else { PairKind::Meniscus };
+            (contact.gap < 0.5).then_some(kind)
+        };
+        let loads = Loads::of(&simulation, kind);
+        let by_id =
+            |counts: &[u32]| simulation.system().particles.by_id().iter().map(|&p| counts[p]).collect::<Vec<_>>();
+        assert_eq!(by_id(&loads.necks), [1, 2, 1, 0, 0]);
+        assert_eq!(by_id(&loads.coordination), [1, 2, 2, 1, 0]);
+        assert_eq!(loads.pairs.len(), 4);
+    }
+}

@@ -171,4 +171,14 @@ mod tests {
     fn two_points_have_no_rotation() {
         assert!(RigidMotion::fit(&[Vec3::zero(); 2], &[Vec3::zero(); 2], &[1.0; 2]).is_none());
     }
+
+    #[test]
+    fn three_points_have_a_motion_and_two_have_none() {
+        let points = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 2.0, 0.0]].map(Vec3);
+        let after = points.map(|x| turned(Vec3([0.0, 0.0, 1.0]), 0.5, x));
+        let of = |count: usize| RigidMotion::fit(&points[..count], &after[..count], &[1.0; 3][..count]);
+        let motion = of(3).expect("a motion");
+        assert!(points.iter().zip(after).all(|(&x, to)| (motion.apply(x) - to).norm() < 1e-12));
+        assert!(of(2).is_none());
+    }
 }

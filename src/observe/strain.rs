@@ -89,4 +89,16 @@ mod tests {
     fn three_points_do_not_span_space() {
         assert!(displacement_gradient(&[Vec3::zero(); 3], &[Vec3::zero(); 3]).is_none());
     }
+
+    #[test]
+    fn how_flat_a_sample_may_be_does_not_depend_on_its_size() {
+        let found = |thickness: f64, scale: f64| {
+            let at = |k: i32| [k % 3, k / 3 % 3, k / 9].map(f64::from);
+            let points: Vec<_> = (0..27).map(at).map(|[x, y, z]| Vec3([x, y, thickness * z]) * scale).collect();
+            displacement_gradient(&points, &points).is_some()
+        };
+        for scale in [1e-3, 1.0, 1e3] {
+            assert_eq!([1e-6, 1e-7].map(|thickness| found(thickness, scale)), [true, false], "{scale}");
+        }
+    }
 }

@@ -103,8 +103,11 @@ impl<M: PairModel> Simulation<M> {
         if dt < limit { Ok(()) } else { Err(self.halt(Reason::TimeStep { dt, limit, particle })) }
     }
 
-    /// A NaN anywhere makes the kinetic energy one.
+    /// A NaN anywhere makes the kinetic energy one, but for that of a box whose spheres are at rest.
     pub(super) fn check_finite(&self, kinetic: f64) -> Result<(), Halt> {
+        if !self.box_rate.iter().all(|rate| rate.is_finite()) {
+            return Err(self.not_a_number("sides of the box"));
+        }
         if kinetic.is_finite() {
             return Ok(());
         }

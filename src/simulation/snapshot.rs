@@ -140,3 +140,36 @@ impl<M: PairModel> Simulation<M> {
         if fits { Ok(()) } else { Err(self.halt(Reason::Snapshot)) }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::simulation::Settings;
+    use crate::spec::titania::Titania;
+
+    #[test]
+    fn a_snapshot_is_unsound_if_any_of_its_numbers_is_not_finite() {
+        let law = Titania::paper(1.0, 1.0, 1.0);
+        let radius = law.contact_radius(8.0);
+        let system = System::builder().sphere([0.0; 3], radius, 1.0).sphere([2.0 * radius, 0.0, 0.0], radius, 1.0);
+        let system = system.build().expect("a system");
+        let simulation = Simulation::new(law, system, Settings::new(1e-4).skin(1.0)).expect("a stable step");
+        let whole = simulation.snapshot();
+        assert!(whole.is_sound());
+        let spoil: [fn(&mut Snapshot); 8] = [
+            |snapshot| snapshot.system.particles.x[0].0[0] = f64::NAN,
+            |snapshot| snapshot.begun = f64::NAN,
+            |snapshot| snapshot.memory[0] = f64::INFINITY,
+            |snapshot| snapshot.far = Some(vec![f64::NAN]),
+            |snapshot| snapshot.box_rate[2] = f64::NAN,
+            |snapshot| snapshot.momentum_flux[1] = f64::NAN,
+            |snapshot| snapshot.stress[0] = f64::NAN,
+            |snapshot| snapshot.ledger.kinetic = f64::NAN,
+        ];
+        for (number, spoil) in spoil.into_iter().enumerate() {
+            let mut spoiled = whole.clone();
+            spoil(&mut spoiled);
+            assert!(!spoiled.is_sound(), "{number}");
+        }
+    }
+}

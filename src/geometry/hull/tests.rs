@@ -63,6 +63,24 @@ fn points_that_coincide_or_lie_in_a_line_have_a_hull() {
 }
 
 #[test]
+fn a_polygon_has_two_sides_however_small_it_is_and_wherever_it_lies() {
+    for size in [1e-6, 1.0, 1e6] {
+        for axis in 0..3 {
+            let corner = |x: f64, y: f64| {
+                let mut place = [0.0, 3.0 * x, 4.0 * y];
+                place.rotate_left(axis);
+                Vec3(place) * size
+            };
+            let triangle = [corner(0.0, 0.0), corner(1.0, 0.0), corner(0.0, 1.0), corner(0.2, 0.2)];
+            let found = measures(&triangle);
+            let found = [found.volume, found.surface / (size * size), found.curvature / size];
+            let expected = [0.0, 12.0, 6.0 * PI];
+            assert!(found.iter().zip(expected).all(|(found, known)| (found - known).abs() < 1e-10), "{size} {found:?}");
+        }
+    }
+}
+
+#[test]
 fn the_inner_radius_is_the_distance_of_the_nearest_face() {
     let corners =
         |[x, y, z]: [[f64; 2]; 3]| (0..8).map(|k| Vec3([x[k & 1], y[k >> 1 & 1], z[k >> 2]])).collect::<Vec<_>>();

@@ -211,6 +211,7 @@ impl Fate {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::system::{Domain, Motion, Particles};
 
     fn row(slid: f64, separation: f64, rolled: f64, rigidity: f64, links: usize) -> Row {
         Row {
@@ -286,5 +287,22 @@ mod tests {
         assert_eq!(Fate::of(&rows, 10.0), Fate::Rolls);
         rows[0].window = 1.2;
         assert_eq!(Fate::of(&rows, 10.0), Fate::Cut);
+    }
+
+    #[test]
+    fn a_window_without_a_third_body_has_no_rotation() {
+        let mut particles = Particles::default();
+        [0.0, 10.0].into_iter().for_each(|y| particles.push(Vec3([0.0, y, 0.0]), 0.5, 1.0, 0));
+        let mut system = System::new(particles, Domain::periodic([20.0; 3]));
+        for member in 0..2 {
+            system.add_wall([Motion::Velocity(0.0); 3], |_, p| p == member);
+        }
+        let mut witness = Witness::new(&system, 9.0);
+        system.particles.x[1] = Vec3([2.0, 11.0, 0.0]);
+        system.walls[1].force = Vec3([-3.0, 5.0, 0.0]);
+        witness.follow(&system);
+        let found = witness.look(&system, &[]);
+        let expected = Row { friction: 3.0, normal: 5.0, third_height: 0.0, ..row(2.0, 10.0, 0.0, 0.0, 0) };
+        assert_eq!(*found, Row { window: 2.0, ..expected });
     }
 }

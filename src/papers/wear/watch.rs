@@ -157,6 +157,16 @@ impl Watch {
     }
 }
 
+/// Whether the stress has fallen below its peak for good.
+fn has_passed(stress: f64, peak: [f64; 2]) -> bool {
+    stress < PASSED * peak[1]
+}
+
+/// Whether a sample has failed: its strain exceeds the strain at the peak by half, and its stress is below half the peak.
+fn has_failed([strain, stress]: [f64; 2], peak: [f64; 2]) -> bool {
+    strain > 0.01 && strain > 1.5 * peak[0] && stress < 0.5 * peak[1]
+}
+
 impl Test {
     /// The strain and the stress of the test, and all cells but the peak.
     fn read(&self, simulation: &Simulation<impl PairModel>, links: &[Link]) -> ([f64; 2], [f64; 5]) {
@@ -173,15 +183,11 @@ impl Test {
         if stress > self.peak[1] {
             (self.peak, self.passed) = ([strain, stress], false);
         }
-        self.passed |= stress < PASSED * self.peak[1];
+        self.passed |= has_passed(stress, self.peak);
         if !simulation.system().step.is_multiple_of(JUDGED) {
             return;
         }
-        // Failure: the strain exceeds the strain at the peak by half, and the stress is below half the peak.
-        self.failed = self.kind != Kind::Compression
-            && strain > 0.01
-            && strain > 1.5 * self.peak[0]
-            && stress < 0.5 * self.peak[1];
+        self.failed = self.kind != Kind::Compression && has_failed([strain, stress], self.peak);
     }
 
     fn look(&self, simulation: &Simulation<impl PairModel>, links: &[Link]) -> Vec<Cell> {
@@ -225,5 +231,23 @@ impl Test {
             Finding::reached(at, peak(strain), &*rising),
             Finding::number(largest, stress),
         ]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sample_fails_beyond_its_peak_with_little_stress_left() {
+        let peak = [0.02, 100.0];
+        assert!(has_failed([0.031, 49.0], peak));
+        for held in [[0.029, 49.0], [0.031, 51.0]] {
+            assert!(!has_failed(held, peak), "{held:?}");
+        }
+        assert!([10.0, 100.0].map(|stress| has_passed(0.89 * stress, [0.02, stress])) == [true; 2]);
+        assert!([10.0, 100.0].map(|stress| has_passed(0.91 * stress, [0.02, stress])) == [false; 2]);
+        // Noise at the start is no peak.
+        assert!(!has_failed([0.009, 0.1], [0.001, 1.0]) && has_failed([0.011, 0.1], [0.001, 1.0]));
     }
 }

@@ -195,4 +195,19 @@ mod tests {
         assert!(watch.presses_with(5.0) && !watch.presses_with(5.1));
         assert!(!Watch::default().presses_with(f64::NEG_INFINITY));
     }
+
+    #[test]
+    fn the_last_peak_is_higher_than_the_mean_before_it_and_a_shoulder_is_none() {
+        let last = |pulls: &[f64], rupture| {
+            let curve = pulls.iter().map(|&pull| (0.0, -pull)).collect();
+            Watch { curve, rupture, ..Watch::default() }.largest_and_last_pull()
+        };
+        let shoulder = [100.0, 300.0, 200.0, 200.0, 150.0, 40.0, 45.0];
+        assert_eq!(last(&shoulder, Some(1.0)), (Some(300.0), Some(300.0)));
+        assert_eq!(last(&shoulder, None), (Some(300.0), None));
+        assert_eq!(last(&[100.0, 300.0, 200.0, 210.0, 150.0], Some(1.0)), (Some(300.0), Some(210.0)));
+        assert_eq!(last(&[300.0, 200.0, 40.0], Some(1.0)), (Some(300.0), Some(300.0)));
+        assert_eq!(last(&[-9.0, 49.0], Some(1.0)), (Some(49.0), None));
+        assert_eq!(last(&[-9.0, -8.0], Some(1.0)), (None, None));
+    }
 }
