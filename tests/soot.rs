@@ -2,8 +2,8 @@
 
 mod common;
 
-use common::instruction_sets;
 use common::soot::{DT, MASS, RADIUS, SPHERES, law, momentum, run, settings, space, system, third};
+use common::{instruction_sets, run_to_the_end};
 use veridem::forces::Instructions;
 use veridem::geometry::Sphere;
 use veridem::motion::inertia;
@@ -146,4 +146,12 @@ fn drawn(speed: f64, breaks: impl Fn(&Contact<f64>, &Memory<f64>, &Stored<f64>) 
     assert!(ledger.physical_residual().abs() < 1e-2 * ledger.turnover(), "{ledger:?}");
     assert_eq!(simulation.system().necks.is_empty(), broken == [(0, 1)]);
     (broken == [(0, 1)], ledger.lost_to_breaking)
+}
+
+#[test]
+fn an_aggregate_that_is_deposited_slowly_keeps_a_share_of_its_kinetic_energy_all_the_same() {
+    let case = "title: slow\nmodel: {soot: {}}\nsample: {aggregate: {spheres: 2}}\nexperiment: {deposition: {velocity: 1e-3 m/s, duration: 2 steps}}\n";
+    let (_place, folder) = run_to_the_end(case);
+    let results = std::fs::read_to_string(folder.root().join("results.yaml")).expect("results");
+    assert!(results.contains("% of its kinetic energy remains"), "{results}");
 }

@@ -65,3 +65,25 @@ fn grown(ball: (Vec3<f64>, f64), column: &Column, bulk: [f64; 2], stream: &mut S
     }
     (at, room)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_ball_grows_and_stays_inside_the_bulk() {
+        // A low ceiling over the middle: more room is above and below the bulk, and beside the middle.
+        let mut column = Column::new([100.0; 2], 40.0);
+        column.add(Vec3([50.0, 50.0, 60.0]), 40.0);
+        let begin = Vec3([50.0, 50.0, 15.0]);
+        let begun = column.clearance(begin);
+        for bulk in [[12.0, 20.0], [0.0, 90.0]] {
+            for seed in 0..20 {
+                let mut stream = Stream::new(seed, "test");
+                let (at, room) = grown((begin, begun), &column, bulk, &mut stream);
+                assert!((bulk[0]..=bulk[1]).contains(&at.0[2]), "{bulk:?} {at:?}");
+                assert!(room > begun && room == column.clearance(at), "{room} {begun}");
+            }
+        }
+    }
+}

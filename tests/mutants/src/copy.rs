@@ -132,8 +132,7 @@ fn write(
             next = (next + 1).max(rewritten.next);
         }
         if file == "lib.rs" {
-            text = text.replacen("\n#[cfg(", "\n#![allow(warnings, clippy::all)]\n#[cfg(", 1)
-                + "\npub(crate) mod mutants;\n";
+            text = text.replacen("\n\n", "\n\n#![allow(warnings, clippy::all)]\n", 1) + "\npub(crate) mod mutants;\n";
         }
         if kind == Kind::Engine {
             put(&home.join("src").join(file), &text);
