@@ -120,9 +120,11 @@ mod tests {
 
     #[test]
     fn a_ball_holds_its_spheres_and_is_no_larger_than_they_need() {
-        // The longest side is not the farthest from the origin.
+        // The longest side is not the farthest from the origin, and neighbours in the row are not neighbours in the list.
         let at = |y: f64| Vec3([90.0, y - 50.0, 0.0]);
-        let row = |n: usize| (0..n).map(|k| Sphere { centre: at(k as f64), radius: 0.25 }).collect::<Vec<_>>();
+        let place = |k: usize, n: usize| if 2 * k < n { 2 * k } else { 2 * (n - 1 - k) + 1 };
+        let row =
+            |n: usize| (0..n).map(|k| Sphere { centre: at(place(k, n) as f64), radius: 0.25 }).collect::<Vec<_>>();
         for n in [1, 2, FEW, FEW + 1, 4 * FEW] {
             let ball = Ball::of(row(n));
             let half = 0.5 * (n - 1) as f64;
