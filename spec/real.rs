@@ -43,6 +43,11 @@ pub trait Real:
 
     /// The entry of a list at a place, a whole number below its length, which is a power of two.
     fn entry(list: &[f64], place: Self) -> Self;
+    /// The numbers at such a place of a list of several numbers each.
+    fn entries<const N: usize>(list: &[[f64; N]], place: Self) -> [Self; N] {
+        let column = |k: usize| list.iter().map(|numbers| numbers[k]).collect::<Vec<_>>();
+        std::array::from_fn(|k| Self::entry(&column(k), place))
+    }
 
     /// `self < other`; false for a NaN.
     fn lt(self, other: Self) -> Self::Mask;
@@ -141,6 +146,11 @@ macro_rules! native {
                 *list.get(place_in(list, f64::from(place))).unwrap_or(&f64::NAN) as $float
             }
             #[inline(always)]
+            fn entries<const N: usize>(list: &[[f64; N]], place: Self) -> [Self; N] {
+                // one address for all the numbers
+                list.get(place_in(list, f64::from(place))).unwrap_or(&[f64::NAN; N]).map(|number| number as $float)
+            }
+            #[inline(always)]
             fn lt(self, other: Self) -> bool {
                 self < other
             }
@@ -168,7 +178,7 @@ const UNIT_SPACED: f64 = 4_503_599_627_370_496.0;
 
 /// The place as an index below the length of the list: added to 2^52, a whole number is in the lowest bits.
 #[inline(always)]
-pub(crate) fn place_in(list: &[f64], place: f64) -> usize {
+pub(crate) fn place_in<T>(list: &[T], place: f64) -> usize {
     (place + UNIT_SPACED).to_bits() as usize & list.len().wrapping_sub(1)
 }
 
@@ -218,6 +228,9 @@ mod laws {
     fn the_entry_of_a_list_is_at_its_place() {
         let list = [3.0, 1.0, 4.0, 1.5];
         assert_eq!([0.0, 1.0, 2.0, 3.0].map(|place| <f64 as Real>::entry(&list, place)), list);
+        let list = [[3.0, 1.0, 4.0], [1.5, 9.0, 2.0]];
+        assert_eq!([0.0, 1.0].map(|place| <f64 as Real>::entries(&list, place)), list);
+        assert_eq!(Real::entries(&list, Lanes([1.0, 0.0])), [[1.5, 3.0], [9.0, 1.0], [2.0, 4.0]].map(Lanes));
     }
 
     /// Every function of `Real` once, as lists of numbers.

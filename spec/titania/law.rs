@@ -286,7 +286,7 @@ impl PairModel for Titania {
 
     fn pair<R: Real>(&self, c: &Contact<R>, (contact, pair): &Coefficients<R>, spring: Vec3<R>, dt: R) -> Act<R> {
         let attraction = Attraction { meniscus: self.meniscus, pair: *pair };
-        self.act(contact, self.arms.of(c, self.h_n), c, attraction.force(c.distance), spring, dt)
+        self.act(contact, self.arms.of(c, self.h_n), c, || attraction.force(c.distance), spring, dt)
     }
 
     fn stored<R: Real>(&self, c: &Contact<R>, (contact, pair): &Coefficients<R>, spring: &Vec3<R>) -> Held<R> {
@@ -313,7 +313,7 @@ impl Turns for Titania {
 pub type Act<R> = Outcome<R, Vec3<R>, Lost<R>>;
 
 impl Titania {
-    /// Eqs. 1 to 13 composed: the forces of a pair with attraction `f_na` along the normal (negative), its spring advanced by
+    /// Eqs. 1 to 13 composed: the forces of a pair with the attraction that `f_na` gives along the normal (negative), its spring advanced by
     /// `dt`. Out of contact only the attraction acts, and the spring is reset.
     #[inline(always)]
     pub fn act<R: Real>(
@@ -321,7 +321,7 @@ impl Titania {
         k: &Parameters<R>,
         [arm_i, arm_j]: [R; 2],
         c: &Contact<R>,
-        f_na: R,
+        f_na: impl FnOnce() -> R,
         spring: Vec3<R>,
         dt: R,
     ) -> Act<R> {
@@ -336,6 +336,8 @@ impl Titania {
         let square = apart.dot(apart);
         let before = section(c.r_i, c.r_j, (c.r_i + c.r_j).squared() - square, square, R::one() / square);
 
+        // Between roots and divisions, which wait for nothing from memory: a table is read while they are at work.
+        let f_na = f_na();
         let stretched = stretched_spring(spring, c.n, c.sliding_velocity(arm_i, arm_j), dt);
         let (f_t, kept) = sliding_spring(tau_s, a, lambda_t, stretched, slip);
         let kept = Vec3::select(touches, kept, Vec3::zero());

@@ -4,8 +4,8 @@ use crate::{Real, flat_struct};
 
 /// A force against the distance of two centres that ends with a jump where its slope is infinite, such as that of a meniscus.
 ///
-/// Between the nodes it is a cubic in the square root of the distance left before the end, evenly spaced, with the force and its slope exact at the nodes.
-/// The last node is the end itself. The potential is the exact integral of the cubics, so energy is conserved as if they were the law.
+/// It consists of cells that are evenly spaced in the square root of the distance left before the end, which is where the first of them begins. In each it is the polynomial in this
+/// root with the exact force and slope at both ends and in the middle. The potential is the exact integral of the polynomials, so energy is conserved as if they were the law.
 #[derive(Clone, Debug)]
 pub struct Table {
     piece: Piece<f64>,
@@ -14,7 +14,7 @@ pub struct Table {
 }
 
 flat_struct! {
-    /// Position of a table's cubics in a list, and the ends of the table.
+    /// Position of a table's cells in a list, and the ends of the table.
     pub struct Piece {
         /// Distance beyond which the force is zero.
         pub end,
@@ -35,17 +35,24 @@ flat_struct! {
     }
 }
 
-/// The cubics of tables, end to end, four numbers a cell, and the energy at the far end of each cell; as long as powers of two.
+/// Nodes of a cell, its ends included: with three, the tables of many sizes are a third as large as with two.
+const NODES: usize = 3;
+/// Coefficients of a cell: a value and a slope at each node.
+const LEN: usize = 2 * NODES;
+/// The coefficients of a polynomial, from the constant up, in the place within a cell from 0 to 1.
+type Polynomial<R> = [R; LEN];
+
+/// The polynomials of the cells of tables, end to end, and the energy at the far end of each cell; as long as powers of two.
 #[derive(Clone, Debug, Default)]
 pub struct Lists {
-    cells: Vec<f64>,
+    cells: Vec<Polynomial<f64>>,
     energies: Vec<f64>,
 }
 
 impl Lists {
-    fn new(cells: &[[f64; 4]], energies: &[f64]) -> Self {
-        let mut lists = Self { cells: cells.concat(), energies: energies.to_vec() };
-        lists.cells.resize(lists.cells.len().next_power_of_two(), 0.0);
+    fn new(cells: &[Polynomial<f64>], energies: &[f64]) -> Self {
+        let mut lists = Self { cells: cells.to_vec(), energies: energies.to_vec() };
+        lists.cells.resize(lists.cells.len().next_power_of_two(), [0.0; LEN]);
         lists.energies.resize(lists.energies.len().next_power_of_two(), 0.0);
         lists
     }
@@ -56,7 +63,7 @@ impl Lists {
         for Table { piece, lists, .. } in tables {
             pieces.push(Piece { first: cells.len() as f64, ..piece });
             let count = piece.last as usize + 1;
-            cells.extend(lists.cells[..4 * count].chunks(4).map(|cell| [cell[0], cell[1], cell[2], cell[3]]));
+            cells.extend(&lists.cells[..count]);
             energies.extend(&lists.energies[..count]);
         }
         (pieces, Self::new(&cells, &energies))
@@ -73,18 +80,15 @@ impl<R: Real> Piece<R> {
     }
 
     #[inline(always)]
-    fn cubic(&self, lists: &Lists, cell: R) -> [R; 4] {
-        let begin = (self.first + cell) * R::lit(4.0);
-        let coefficient = |k| R::entry(&lists.cells, begin + R::lit(k));
-        // one by one: in a loop over a pair's coefficients the compiler loses the loop over pairs
-        [coefficient(0.0), coefficient(1.0), coefficient(2.0), coefficient(3.0)]
+    fn polynomial(&self, lists: &Lists, cell: R) -> Polynomial<R> {
+        R::entries(&lists.cells, self.first + cell)
     }
 
     /// Force at a given distance.
     #[inline(always)]
     pub fn force(&self, lists: &Lists, d: R) -> R {
         let (cell, t) = self.place(d);
-        let inside = cubic(self.cubic(lists, cell), t);
+        let inside = value(self.polynomial(lists, cell), t);
         let deep = self.force + self.slope * (d - self.start);
         R::select(d.lt(self.end), R::select(d.lt(self.start), deep, inside), R::zero())
     }
@@ -94,7 +98,7 @@ impl<R: Real> Piece<R> {
     pub fn potential(&self, lists: &Lists, d: R) -> R {
         let (cell, t) = self.place(d);
         let beyond = R::entry(&lists.energies, self.first + cell);
-        let inside = beyond + work(self.cubic(lists, cell), cell, R::one() / self.per_width, t);
+        let inside = beyond + work(self.polynomial(lists, cell), cell, R::one() / self.per_width, t);
         let below = d - self.start;
         let deep = self.energy - below * (self.force + R::lit(0.5) * self.slope * below);
         R::select(d.lt(self.end), R::select(d.lt(self.start), deep, inside), R::zero())
@@ -102,14 +106,16 @@ impl<R: Real> Piece<R> {
 }
 
 /// Largest number of cells of a table; a tolerance that requires more is not met.
-const MOST_CELLS: usize = 1 << 16;
+const MOST_CELLS: usize = 1 << 14;
+/// Number of cells of a table to begin with.
+const FEWEST_CELLS: usize = 4;
 
 impl Table {
     /// Tabulates from the distance `start` to `end` the function that `rooted` gives with its slope, both against the square root of what is left to
     /// `end`, so finely that [`Table::error`] is at most `tolerance`. Nearer than `start` the force is a line of the given `slope`.
     pub fn new(rooted: impl Fn(f64) -> (f64, f64), start: f64, end: f64, slope: f64, tolerance: f64) -> Self {
         let length = (end - start).sqrt();
-        let mut count = 16;
+        let mut count = FEWEST_CELLS;
         loop {
             let width = length / count as f64;
             let cells = cells(&rooted, width, count);
@@ -117,25 +123,25 @@ impl Table {
             if error <= tolerance || count >= MOST_CELLS {
                 return Self::of(&cells, width, start, end, slope, error);
             }
-            // the error goes with the fourth power of the width
-            let finer = 1.05 * (error / tolerance).sqrt().sqrt();
+            // the error goes with this power of the width
+            let finer = 1.02 * libm::pow(error / tolerance, 1.0 / LEN as f64);
             count = (count as f64 * finer.min(8.0)).ceil() as usize;
         }
     }
 
-    fn of(cells: &[[f64; 4]], width: f64, start: f64, end: f64, slope: f64, error: f64) -> Self {
+    fn of(cells: &[Polynomial<f64>], width: f64, start: f64, end: f64, slope: f64, error: f64) -> Self {
         let mut energies = vec![0.0];
         for (k, &cell) in cells.iter().enumerate() {
             energies.push(energies[k] + work(cell, k as f64, width, 1.0));
         }
         let last = cells.len() - 1;
-        let (force, energy) = (cubic(cells[last], 1.0), energies[cells.len()]);
+        let (force, energy) = (value(cells[last], 1.0), energies[cells.len()]);
         let (per_width, last) = (1.0 / width, last as f64);
         let piece = Piece { end, per_width, last, first: 0.0, start, force, slope, energy };
         Self { piece, lists: Lists::new(cells, &energies), error }
     }
 
-    /// Twice the largest difference, at the middles of the cells, between the table and the function it was made of from `start` on: more than what was found anywhere between.
+    /// Twice the largest difference, where it is largest in each cell, between the table and the function it was made of from `start` on: more than what was found anywhere between.
     pub fn error(&self) -> f64 {
         self.error
     }
@@ -143,7 +149,7 @@ impl Table {
     pub fn end(&self) -> f64 {
         self.piece.end
     }
-    /// Number of cubics.
+    /// Number of cells.
     pub fn cells(&self) -> usize {
         self.piece.last as usize + 1
     }
@@ -157,37 +163,61 @@ impl Table {
     }
 }
 
-/// Powers of the place within each cell: the cubic with the values and slopes at both ends.
-fn cells(rooted: &impl Fn(f64) -> (f64, f64), width: f64, count: usize) -> Vec<[f64; 4]> {
-    let nodes: Vec<(f64, f64)> = (0..=count).map(|k| rooted(k as f64 * width)).collect();
-    let cell = |ends: &[(f64, f64)]| {
-        let ((f_0, s_0), (f_1, s_1)) = (ends[0], ends[1]);
-        let (s_0, s_1, rise) = (s_0 * width, s_1 * width, f_1 - f_0);
-        [f_0, s_0, 3.0 * rise - 2.0 * s_0 - s_1, s_0 + s_1 - 2.0 * rise]
-    };
-    nodes.windows(2).map(cell).collect()
+/// The polynomials of all cells, with the values and slopes of the function at their nodes.
+fn cells(rooted: &impl Fn(f64) -> (f64, f64), width: f64, count: usize) -> Vec<Polynomial<f64>> {
+    let gap = 1.0 / (NODES - 1) as f64;
+    let known: Vec<_> = (0..=count * (NODES - 1)).map(|k| rooted(k as f64 * gap * width)).collect();
+    let scaled = |&(value, slope): &(f64, f64)| (value, slope * width);
+    let of_cell = |k: usize| std::array::from_fn(|node| scaled(&known[k * (NODES - 1) + node]));
+    (0..count).map(|k| hermite(of_cell(k), gap)).collect()
+}
+
+/// The polynomial with the values and slopes at nodes that are evenly spaced from 0 on, by Newton's divided differences with every node twice.
+fn hermite(known: [(f64, f64); NODES], gap: f64) -> Polynomial<f64> {
+    let node = |k: usize| (k / 2) as f64 * gap;
+    let mut differences: Polynomial<f64> = std::array::from_fn(|k| known[k / 2].0);
+    for order in 1..LEN {
+        for k in (order..LEN).rev() {
+            let slope = order == 1 && k % 2 == 1;
+            let apart = node(k) - node(k - order);
+            differences[k] = if slope { known[k / 2].1 } else { (differences[k] - differences[k - 1]) / apart };
+        }
+    }
+    let mut powers = [0.0; LEN];
+    for k in (0..LEN).rev() {
+        // what there is times the distance from the node, plus the difference
+        for n in (1..LEN).rev() {
+            powers[n] = powers[n - 1] - node(k) * powers[n];
+        }
+        powers[0] = differences[k] - node(k) * powers[0];
+    }
+    powers
 }
 
 #[inline(always)]
-fn cubic<R: Real>([a, b, c, e]: [R; 4], t: R) -> R {
-    a + t * (b + t * (c + t * e))
+fn value<R: Real>(powers: Polynomial<R>, t: R) -> R {
+    let mut sum = powers[LEN - 1];
+    for k in (0..LEN - 1).rev() {
+        sum = powers[k] + t * sum;
+    }
+    sum
 }
 
-/// Integral of a cubic over the distance, from the far end of its cell to the place `t` in it: the distance changes by twice the root.
+/// Integral of a polynomial over the distance, from the far end of its cell to the place `t` in it: the distance changes by twice the root.
 #[inline(always)]
-fn work<R: Real>([a, b, c, e]: [R; 4], k: R, width: R, t: R) -> R {
-    let over = |x: R, n: f64| x / R::lit(n);
-    let even = t * (a + t * (over(b, 2.0) + t * (over(c, 3.0) + t * over(e, 4.0))));
-    let odd = t * t * (over(a, 2.0) + t * (over(b, 3.0) + t * (over(c, 4.0) + t * over(e, 5.0))));
+fn work<R: Real>(powers: Polynomial<R>, k: R, width: R, t: R) -> R {
+    let over = |first: usize| std::array::from_fn(|n| powers[n] / R::lit((n + first) as f64));
+    let (even, odd) = (t * value(over(1), t), t * t * value(over(2), t));
     R::lit(2.0) * width * width * (k * even + odd)
 }
 
-/// A bound of the error. The error of a Hermite cubic is the fourth derivative times a function that is largest at the midpoint;
-/// where the derivative hardly changes within a cell, the error at its midpoint is the largest, and twice the largest of all is a
-/// bound.
-fn error(rooted: &impl Fn(f64) -> (f64, f64), width: f64, cells: &[[f64; 4]]) -> f64 {
-    let middle = |(k, cell): (usize, &[f64; 4])| (cubic(*cell, 0.5) - rooted((k as f64 + 0.5) * width).0).abs();
-    2.0 * cells.iter().enumerate().map(middle).fold(0.0, f64::max)
+/// A bound of the error. The error of a Hermite polynomial is a derivative times the square of $t (t - 1/2) (t - 1)$, which is largest at
+/// $1/2 \pm 1/\sqrt{12}$; where the derivative hardly changes within a cell, the error at one of these two places is the largest, and
+/// twice the largest of all is a bound.
+fn error(rooted: &impl Fn(f64) -> (f64, f64), width: f64, cells: &[Polynomial<f64>]) -> f64 {
+    let at = |k: usize, t: f64| (value(cells[k], t) - rooted((k as f64 + t) * width).0).abs();
+    let aside = 1.0 / 12f64.sqrt();
+    2.0 * (0..cells.len()).map(|k| at(k, 0.5 - aside).max(at(k, 0.5 + aside))).fold(0.0, f64::max)
 }
 
 #[cfg(test)]
@@ -277,16 +307,20 @@ mod laws {
     #[test]
     fn a_constant_needs_no_more_than_the_first_cells_and_errors_of_either_sign_are_found() {
         let constant = Table::new(|_| (2.0, 0.0), 0.0, 1.5, 0.0, 0.0);
-        assert_eq!((constant.cells(), constant.error()), (16, 0.0));
-        // the fourth derivative has one sign, and with it the difference between function and cubics
+        assert_eq!((constant.cells(), constant.error()), (FEWEST_CELLS, 0.0));
+        // the sixth derivative has one sign, and with it the difference between function and polynomials
         for sign in [1.0, -1.0] {
-            let table = Table::new(|u| (sign * Real::exp(u), sign * Real::exp(u)), 0.0, 1.5, 0.0, 1e-9);
-            assert!(table.cells() > 16 && table.error() > 0.7e-9 && table.error() <= 1e-9, "{}", table.error());
+            let table = Table::new(|u| (sign * Real::exp(u), sign * Real::exp(u)), 0.0, 1.5, 0.0, 1e-12);
+            assert!(
+                table.cells() > FEWEST_CELLS && table.error() > 0.7e-12 && table.error() <= 1e-12,
+                "{}",
+                table.error()
+            );
         }
     }
 
     #[test]
-    fn line_and_cubics_meet() {
+    fn line_and_cells_meet() {
         for (_, table) in PAIRS.iter() {
             let start = table.piece.start;
             let [below, here, above] = [start.next_down(), start, start.next_up()];
@@ -306,8 +340,8 @@ mod laws {
             let rooted = |u: f64| (Real::cos(5.0 * u), -5.0 * Real::sin(5.0 * u));
             (rooted, Table::new(rooted, 0.0, 1.5, 0.0, tolerance))
         };
-        assert_eq!([1.0, 0.0].map(|tolerance| waves(tolerance).1.cells()), [16, MOST_CELLS]);
-        for tolerance in [3e-5, 1e-6, 1e-7] {
+        assert_eq!([1.0, 0.0].map(|tolerance| waves(tolerance).1.cells()), [FEWEST_CELLS, MOST_CELLS]);
+        for tolerance in [1e-8, 1e-9, 1e-10] {
             let (rooted, table) = waves(tolerance);
             assert!(table.error() > 0.7 * tolerance, "{} {tolerance}", table.error());
             let found = (0..20_000).map(|k| {
@@ -327,7 +361,7 @@ mod laws {
             assert!((table.force(last) - law.rooted(0.0).0).abs() < 1e-5);
             let d = law.kink() - 0.1;
             assert!((table.force(d) - law.force(d)).abs() < 0.01, "{} {}", table.force(d), law.force(d));
-            assert!(table.cells() < 1500, "{}", table.cells());
+            assert!(table.cells() < 300, "{}", table.cells());
         }
     }
 }

@@ -105,7 +105,7 @@ impl PairModel for Tabulated {
         spring: Vec3<R>,
         dt: R,
     ) -> Act<R> {
-        let f_na = piece.force(&self.lists, c.distance);
+        let f_na = || piece.force(&self.lists, c.distance);
         self.law.act(contact, self.law.arms.of(c, self.law.h_n), c, f_na, spring, dt)
     }
 

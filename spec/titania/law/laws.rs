@@ -37,7 +37,7 @@ impl Pair {
     }
     fn act(&self, c: &Contact<f64>, spring: Vec3<f64>) -> (Wrench<f64>, Vec3<f64>, Lost<f64>) {
         let (arms, f_na) = (self.law.arms.of(c, self.law.h_n), self.attraction.force(c.distance));
-        let Outcome { wrench, memory, losses } = self.law.act(&self.k, arms, c, f_na, spring, DT);
+        let Outcome { wrench, memory, losses } = self.law.act(&self.k, arms, c, || f_na, spring, DT);
         (wrench, memory, losses)
     }
 }
@@ -268,7 +268,7 @@ fn approach(gamma_0: f64, start: f64, duration: f64, dt: f64) -> (Vec<f64>, f64)
     let at = |d: f64, v: f64| pair.contact(Vec3::new(d, 0.0, 0.0), Vec3::new(v, 0.0, 0.0), [none; 2]);
     let act = |d: f64, v: f64| {
         let c = at(d, v);
-        pair.law.act(&pair.k, pair.law.arms.of(&c, pair.law.h_n), &c, pair.attraction.force(d), none, dt)
+        pair.law.act(&pair.k, pair.law.arms.of(&c, pair.law.h_n), &c, || pair.attraction.force(d), none, dt)
     };
     let energy = |d: f64, v: f64| {
         let held = pair.law.held(&pair.k, &at(d, v), pair.attraction.potential(d), &none);

@@ -27,7 +27,7 @@ fn relaxation(run: &Run, complaints: &mut Complaints) -> Result<(), String> {
         for _ in 0..steps {
             let along = |x| Vec3::new(x, 0.0, 0.0);
             let c = Contact::new(along(2.0 * r - delta), along(-rate), none, none, r, r);
-            let acts = law.act(&k, [r - 0.5 * delta; 2], &c, -f_a, none, dt);
+            let acts = law.act(&k, [r - 0.5 * delta; 2], &c, || -f_a, none, dt);
             rate -= acts.wrench.force.0[0] / m_eff * dt;
             delta += rate * dt;
         }
