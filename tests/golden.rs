@@ -72,7 +72,7 @@ fn right(x: &[f64]) -> f64 {
 fn a_value_that_is_lost_is_noticed() {
     let (whole, document) = broken(|x| vec![right(x)]);
     let inputs = samples(&whole, &document, 8);
-    let ulps = |equation: &Equation| measure(equation, inputs.iter().map(|sample| sample.numbers.as_slice())).ulps;
+    let ulps = |equation: &Equation| measure(equation, &inputs).ulps;
     assert_eq!(check(&golden(), &whole, &document), Vec::<String>::new());
     assert!(ulps(&whole) <= document.rounding.unwrap());
     let vectors = read(&golden(), &whole).unwrap().vectors.len();
@@ -103,7 +103,7 @@ fn one_value_that_is_lost_among_many_is_noticed() {
     let (lost, document) = broken(|x| vec![if x[0] < 1e-14 { f64::NAN } else { right(x) }]);
     let inputs = samples(&lost, &document, 200);
     assert!(inputs.iter().filter(|sample| sample.numbers[0] < 1e-14).all(|sample| sample.flag == "small"));
-    assert_eq!(measure(&lost, inputs.iter().map(|sample| sample.numbers.as_slice())).ulps, f64::INFINITY);
+    assert_eq!(measure(&lost, &inputs).ulps, f64::INFINITY);
     let wrong = check(&golden(), &lost, &document);
     assert!(!wrong.is_empty() && wrong.iter().all(|one| one.contains("inf ULP")), "{wrong:?}");
 }

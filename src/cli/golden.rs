@@ -71,8 +71,7 @@ pub(super) fn run(arguments: &Arguments, papers: Papers, manner: OutputMode) -> 
             let mut text = format!("{:24} {:>10} {:>8}\n", "equation", "measured", "stated");
             let mut bounds = Vec::new();
             for (equation, document) in &equations {
-                let inputs = samples(equation, document, SAMPLED);
-                let measured = measure(equation, inputs.iter().map(|sample| sample.numbers.as_slice())).ulps;
+                let measured = measure(equation, &samples(equation, document, SAMPLED)).ulps;
                 let stated = document.rounding.map_or("-".into(), |bound| bound.to_string());
                 text += &format!("{:24} {measured:>10.3} {stated:>8}\n", equation.id);
                 bounds.push(json!({ "equation": equation.id, "measured": measured, "stated": document.rounding }));

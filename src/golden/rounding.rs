@@ -1,5 +1,6 @@
 //! The rounding error of an equation in `f64`, measured against 256-bit numbers.
 
+use super::Sample;
 use veridem_spec::Real;
 use veridem_spec::equation::Equation;
 use veridem_spec::numbers::{Dual, Reference};
@@ -37,16 +38,14 @@ pub fn error(equation: &Equation, numbers: &[f64], out: &[f64], exact: &[Referen
     out.iter().zip(exact).zip(sizes).map(ulps).collect()
 }
 
-/// The largest error of an equation in `f64` over the given inputs.
-pub fn measure<'a>(equation: &Equation, inputs: impl Iterator<Item = &'a [f64]>) -> Rounding {
+/// The largest error of an equation in `f64` over the given samples.
+pub fn measure(equation: &Equation, samples: &[Sample]) -> Rounding {
     let mut worst = Rounding { ulps: 0.0, at: vec![] };
-    for numbers in inputs {
-        let exact: Vec<Reference> = numbers.iter().map(|x| Reference::exact(*x)).collect();
-        let exact = (equation.eval.reference)(&exact);
+    for Sample { numbers, exact, .. } in samples {
         let out = (equation.eval.f64)(numbers);
-        let ulps = error(equation, numbers, &out, &exact, f64::EPSILON).into_iter().fold(0.0, f64::max);
+        let ulps = error(equation, numbers, &out, exact, f64::EPSILON).into_iter().fold(0.0, f64::max);
         if ulps > worst.ulps {
-            worst = Rounding { ulps, at: numbers.to_vec() };
+            worst = Rounding { ulps, at: numbers.clone() };
         }
     }
     worst

@@ -15,6 +15,8 @@ pub struct Sample {
     pub flag: &'static str,
     /// The arguments, laid end to end.
     pub numbers: Vec<f64>,
+    /// The results, with many digits.
+    pub exact: Vec<Reference>,
 }
 
 /// Inputs of an equation: `count` drawn at random, then some where arguments are equal, at the edge of their domain, or zero. All these numbers are of
@@ -28,12 +30,9 @@ pub fn samples(equation: &Equation, document: &Document, count: usize) -> Vec<Sa
     let mut keep = |flag, arguments: &[Vec<f64>]| {
         let inside = document.arguments.iter().zip(arguments).all(|(q, values)| q.domain.contains(values));
         let numbers = arguments.concat();
-        if inside && has_value(equation, &numbers) {
-            out.push(Sample { flag, numbers });
-            true
-        } else {
-            false
-        }
+        let exact = if inside { value(equation, &numbers) } else { None };
+        let found = exact.map(|exact| out.push(Sample { flag, numbers, exact }));
+        found.is_some()
     };
     // where a table cannot say all of the domain, such as `a < b`, some draws have no value
     let mut missing = count;
@@ -68,10 +67,11 @@ pub fn samples(equation: &Equation, document: &Document, count: usize) -> Vec<Sa
     out
 }
 
-/// Whether the equation has a value there: not every domain can be written in a table. Whether it is found in `f64` does not matter.
-fn has_value(equation: &Equation, numbers: &[f64]) -> bool {
+/// The value of the equation, if it has one there: not every domain can be written in a table. Whether it is found in `f64` does not matter.
+fn value(equation: &Equation, numbers: &[f64]) -> Option<Vec<Reference>> {
     let exact: Vec<Reference> = numbers.iter().map(|x| Reference::exact(*x)).collect();
-    (equation.eval.reference)(&exact).iter().all(|y| y.to_f64().is_finite())
+    let exact = (equation.eval.reference)(&exact);
+    exact.iter().all(|y| y.to_f64().is_finite()).then_some(exact)
 }
 
 /// How numbers are drawn.
