@@ -320,6 +320,23 @@ mod laws {
     }
 
     #[test]
+    fn the_error_is_twice_the_largest_difference_of_any_cell_on_either_side_of_its_middle() {
+        let width = 0.5;
+        for (tilt, weights) in [(0.0f64, [1.0, 0.0]), (0.4, [1.0, 2.0]), (-0.4, [3.0, 2.0])] {
+            // Zero at the nodes, with its slope.
+            let apart = |u: f64| {
+                let (k, t) = ((u / width).floor(), (u / width).fract());
+                let level = t * (t - 0.5) * (t - 1.0);
+                (weights[k as usize] * level * level * (1.0 + tilt * (t - 0.5)), 0.0)
+            };
+            // The square is 1/432 at most, 0.28867 beside the middle.
+            let largest = weights[0].max(weights[1]) * (1.0 + tilt.abs() * 0.288_675_134_594_812_9) / 432.0;
+            let found = error(&apart, width, &[[0.0; LEN]; 2]);
+            assert!((found / (2.0 * largest) - 1.0).abs() < 1e-12, "{found} {largest}");
+        }
+    }
+
+    #[test]
     fn line_and_cells_meet() {
         for (_, table) in PAIRS.iter() {
             let start = table.piece.start;
