@@ -1627,6 +1627,7 @@ def contact_area(r_i: ArrayLike | str, r_j: ArrayLike | str, h_n: ArrayLike | st
     * positive exactly in contact which bare radii are not
     * for a small overlap it is pi times the effective radius times the overlap
     * never exceeds the section of the smaller sphere
+    * is zero where one sphere contains the other
     * does not depend on which particle is first
 
     titania-11, spec/titania/eq11_contact_area.rs, rounding error at most 2 ULP
