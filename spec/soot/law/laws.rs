@@ -336,3 +336,10 @@ fn a_neck_is_stable_below_the_critical_time_step_and_not_above() {
         assert!(grows(1.02 * limit), "{springs:?} {other}");
     }
 }
+
+#[test]
+fn a_neck_twice_as_strong_bears_twice_the_stresses_and_four_times_the_energy() {
+    let strength = Strength { energy: Some(5.0), stress: Some([7.0, 11.0, 3.0]) };
+    assert_eq!(strength.times(2.0), Strength { energy: Some(20.0), stress: Some([14.0, 22.0, 3.0]) });
+    assert_eq!(Strength::default().times(2.0), Strength::default());
+}
