@@ -68,6 +68,9 @@ impl Real for Dual {
     fn entry(list: &[f64], place: Self) -> Self {
         Self::constant(Real::entry(list, place.value))
     }
+    fn entries<const N: usize>(list: &[[f64; N]], place: Self) -> [Self; N] {
+        f64::entries(list, place.value).map(Self::constant)
+    }
     fn lt(self, other: Self) -> bool {
         self.value < other.value
     }

@@ -101,6 +101,11 @@ impl<const N: usize> Real for Lanes<N> {
         place.map(|place| Real::entry(list, place))
     }
     #[inline(always)]
+    fn entries<const M: usize>(list: &[[f64; M]], place: Self) -> [Self; M] {
+        let rows = place.0.map(|place| f64::entries(list, place));
+        std::array::from_fn(|k| Self(rows.map(|numbers| numbers[k])))
+    }
+    #[inline(always)]
     fn lt(self, other: Self) -> LaneMask<N> {
         self.compare(other, |a, b| a < b)
     }

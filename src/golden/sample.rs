@@ -67,10 +67,14 @@ pub fn samples(equation: &Equation, document: &Document, count: usize) -> Vec<Sa
     out
 }
 
+/// The results of an equation, with many digits.
+pub(super) fn exact(equation: &Equation, numbers: &[f64]) -> Vec<Reference> {
+    (equation.eval.reference)(&numbers.iter().map(|x| Reference::exact(*x)).collect::<Vec<_>>())
+}
+
 /// The value of the equation, if it has one there: not every domain can be written in a table. Whether it is found in `f64` does not matter.
 fn value(equation: &Equation, numbers: &[f64]) -> Option<Vec<Reference>> {
-    let exact: Vec<Reference> = numbers.iter().map(|x| Reference::exact(*x)).collect();
-    let exact = (equation.eval.reference)(&exact);
+    let exact = exact(equation, numbers);
     exact.iter().all(|y| y.to_f64().is_finite()).then_some(exact)
 }
 

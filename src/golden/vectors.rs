@@ -1,7 +1,7 @@
 //! Files of golden vectors: reading, generating, checking.
 
 use super::rounding::error;
-use super::sample::samples;
+use super::sample::{Sample, exact, samples};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 use std::path::{Path, PathBuf};
@@ -72,19 +72,14 @@ impl Vector {
             None => Ok(out),
         }
     }
-    fn mint(equation: &Equation, document: &Document, flag: &str, numbers: &[f64]) -> Self {
-        let exact = exact(equation, numbers);
+    fn mint(document: &Document, Sample { flag, numbers, exact }: &Sample) -> Self {
         Self {
-            flag: flag.into(),
+            flag: (*flag).into(),
             source: None,
             inputs: unlay(&document.arguments, numbers, |x| Value::from(*x)),
-            out: unlay(&document.results, &exact, |y| Value::from(y.to_decimal())),
+            out: unlay(&document.results, exact, |y| Value::from(y.to_decimal())),
         }
     }
-}
-
-fn exact(equation: &Equation, numbers: &[f64]) -> Vec<Reference> {
-    (equation.eval.reference)(&numbers.iter().map(|x| Reference::exact(*x)).collect::<Vec<_>>())
 }
 
 fn flatten<T>(
@@ -184,8 +179,7 @@ fn check_vector(equation: &Equation, document: &Document, vector: &Vector) -> Re
 pub fn regenerate(golden: &Path, equation: &Equation, document: &Document) -> std::io::Result<Vec<String>> {
     let old = read(golden, equation).map(|file| file.vectors).unwrap_or_default();
     let minted = samples(equation, document, SAMPLED);
-    let mut vectors: Vec<Vector> =
-        minted.iter().map(|sample| Vector::mint(equation, document, sample.flag, &sample.numbers)).collect();
+    let mut vectors: Vec<Vector> = minted.iter().map(|sample| Vector::mint(document, sample)).collect();
     let (independent, before): (Vec<Vector>, Vec<Vector>) = old.into_iter().partition(|vector| vector.source.is_some());
     let mut changes = vec![];
     for vector in &vectors {

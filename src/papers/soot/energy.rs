@@ -136,14 +136,21 @@ impl InitialEnergy {
 mod tests {
     use super::*;
     use crate::papers::parse;
+    use crate::papers::soot::case::{Case, Experiment, Model};
     use crate::spec::soot::Along;
     use std::path::Path;
 
+    /// A case of the published law with this experiment.
+    fn case(experiment: &str) -> Case {
+        let text = format!(
+            "title: x\nmodel: {{soot: {{}}}}\nsample: {{aggregate: {{spheres: 2}}}}\nexperiment: {{{experiment}}}\n"
+        );
+        parse::<crate::papers::soot::Soot>(Path::new("x.yaml"), &text).expect("a case")
+    }
+
     /// The published law without a coating.
     fn law() -> Soot {
-        let text = "title: x\nmodel: {soot: {}}\nsample: {aggregate: {spheres: 2}}\nexperiment: {deposition: {}}\n";
-        let case = parse::<crate::papers::soot::Soot>(Path::new("x.yaml"), text).expect("a case");
-        let crate::papers::soot::case::Model::Soot(soot) = case.model;
+        let Model::Soot(soot) = case("deposition: {}").model;
         let mut law = soot.law(Along);
         law.attraction.psi = 0.0;
         law
@@ -207,9 +214,9 @@ mod tests {
 
     #[test]
     fn deposited_spheres_have_the_energy_of_their_velocity() {
-        let text = "title: x\nmodel: {soot: {}}\nsample: {aggregate: {spheres: 2}}\nexperiment: {deposition: {velocity: 3 m/s}}\n";
-        let case = parse::<crate::papers::soot::Soot>(Path::new("x.yaml"), text).expect("a case");
-        let crate::papers::soot::case::Experiment::Deposition(deposition) = case.experiment else { panic!("{text}") };
+        let Experiment::Deposition(deposition) = case("deposition: {velocity: 3 m/s}").experiment else {
+            panic!("a deposition")
+        };
         let stage = SootStage::Deposition(deposition);
         let found = energy(&[50.0], &[], NeckLength::Touching, Some(&stage)).kinetic;
         // two spheres of density 1
