@@ -60,7 +60,8 @@ fn necks_are_exported_with_their_strength_and_a_box_with_what_moves_its_sides() 
         .split(' ')
         .map(|word| word.parse().unwrap())
         .collect();
-    assert!(words.len() == 7 && words[0] > 0.0 && words[4..].iter().all(|flux| *flux > 0.0), "{input}");
+    let [modulus, _, _, _, owed @ .., x, y, z] = &words[..] else { panic!("{input}") };
+    assert!(*modulus > 0.0 && *owed == [0.0; 3] && [x, y, z].iter().all(|flux| **flux > 0.0), "{input}");
 }
 
 #[test]

@@ -134,6 +134,27 @@ def growth(rate, dt):
     return dict(factor=mp.fdot([(rate, dt), (1, 1)]))
 
 
+@equation(
+    "mechanics-growing-rate",
+    cases=[
+        dict(rate=rate, owed=owed, dt=dt)
+        for rate, owed, dt in (
+            (1e5, 0.0, 1e-13),
+            (-3e-4, -2e-4, 1e-13),
+            (2e-3, -5e-3, 2e-13),
+            (5e-3, 4e-3, 1e-13),
+            (-0.4, 0.39, 1e-13),
+            (7e-6, 3e-5, 2e-11),
+        )
+    ],
+)
+def growing_rate(rate, owed, dt):
+    # A double between one half and one has 53 digits: eight of its last are 2^-50.
+    due = mp.fdot([(rate, 1), (owed, 1)])
+    moves = mp.fabs(due) * dt >= mp.ldexp(1, -50)
+    return dict(growing=due if moves else mp.mpf(0), owed_next=mp.mpf(0) if moves else due)
+
+
 @equation("mechanics-period", cases=[dict(m=m, k=k) for m, k in zip(MASSES, (58.6, 160.0, 4e4, 0.02))])
 def period(m, k):
     # exp(i omega t) is back at one, with the root of m s^2 + k = 0.

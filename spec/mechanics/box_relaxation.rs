@@ -65,6 +65,45 @@ pub fn box_strain_rate<R: Real>(rate: R, excess: R, modulus: R, volume: R, inert
     rate - (pull + R::lit(2.0) * frequency * rate) * dt
 }
 
+/// Strain below which a growth in one time step is lost among the last digits of positions.
+const LEAST_STRAIN: f64 = 4.0 * f64::EPSILON;
+
+/// Rate of strain at which a side grows in a time step, and the rate that it owes to the next one.
+///
+/// ```math
+/// (\dot\varepsilon, \dot\varepsilon_o') =
+/// \begin{cases}
+/// (0, \dot\varepsilon_n + \dot\varepsilon_o) & |\dot\varepsilon_n + \dot\varepsilon_o| \, \Delta t < 2^{-50} \\
+/// (\dot\varepsilon_n + \dot\varepsilon_o, 0) & \text{otherwise}
+/// \end{cases}
+/// ```
+///
+/// # Reading
+///
+/// A box of many spheres comes to rest by strains of less than the rounding of a position in each step. They are added up until they can move
+/// something: otherwise the box stops while stress remains in it.
+///
+/// | name | symbol | unit | domain | meaning |
+/// |---|---|---|---|---|
+/// | `rate` | $\dot\varepsilon_n$ | 1/s | any | rate of strain of the side |
+/// | `owed` | $\dot\varepsilon_o$ | 1/s | any | rate of the steps before in which it did not grow |
+/// | `dt` | $\Delta t$ | s | > 0 | time step |
+/// | → `growing` | $\dot\varepsilon$ | 1/s |  | rate at which it grows |
+/// | → `owed_next` | $\dot\varepsilon_o'$ | 1/s |  | rate that it owes |
+///
+/// Rounding: at most 0.5 ULP.
+///
+/// # Laws
+///
+/// * `a_strain_is_only_postponed`
+/// * `a_side_that_grows_grows_by_more_than_its_rounding`
+#[inline(always)]
+pub fn growing_rate<R: Real>(rate: R, owed: R, dt: R) -> (R, R) {
+    let whole = rate + owed;
+    let waits = (whole * dt).abs().lt(R::lit(LEAST_STRAIN));
+    (R::select(waits, R::zero(), whole), R::select(waits, whole, R::zero()))
+}
+
 /// Factor by which a side and all positions along it grow in a time step.
 ///
 /// ```math
@@ -120,6 +159,7 @@ pub(crate) fn equations() -> Vec<Equation> {
         equation!("mechanics/box_relaxation.rs", "mechanics-box-inertia", [], box_inertia),
         equation!("mechanics/box_relaxation.rs", "mechanics-box-strain-rate", [], box_strain_rate),
         equation!("mechanics/box_relaxation.rs", "mechanics-growth", [], growth),
+        equation!("mechanics/box_relaxation.rs", "mechanics-growing-rate", [], growing_rate),
         equation!("mechanics/box_relaxation.rs", "mechanics-box-work", [], box_work),
     ]
 }
@@ -154,6 +194,28 @@ mod laws {
                 prop_assert!((strain - start * (1.0 + phase) * (-phase).exp()).abs() < 1e-2 * start);
             }
             prop_assert!(strain.abs() < 1e-3 * start);
+        }
+
+        #[test]
+        fn a_strain_is_only_postponed(rates in prop::collection::vec(-9.0..9.0f64, 1..100), dt in 1e-17..1e-15f64) {
+            let (mut owed, mut grown) = (0.0, 0.0);
+            for &rate in &rates {
+                let growing;
+                (growing, owed) = growing_rate(rate, owed, dt);
+                prop_assert!(growing == 0.0 || owed == 0.0);
+                grown += growing;
+            }
+            prop_assert!((grown + owed - rates.iter().sum::<f64>()).abs() < 1e-11);
+            prop_assert!(owed.abs() * dt < LEAST_STRAIN);
+        }
+
+        #[test]
+        fn a_side_that_grows_grows_by_more_than_its_rounding(rate in -9.0..9.0f64, owed in -9.0..9.0f64, scale in -20.0..0.0f64) {
+            let dt = 10f64.powf(scale);
+            let (growing, _) = growing_rate(rate, owed, dt);
+            prop_assert_eq!(growing == 0.0, (rate + owed).abs() * dt < LEAST_STRAIN);
+            prop_assert_eq!(growth(growing, dt) == 1.0, growing == 0.0);
+            prop_assert_eq!(growing_rate(LEAST_STRAIN, 0.0, 1.0), (LEAST_STRAIN, 0.0));
         }
 
         #[test]

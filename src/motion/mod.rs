@@ -11,7 +11,7 @@ pub mod verlet;
 mod walls;
 
 pub use bodies::{LoadTable, advance_bodies};
-pub use box_relaxation::BoxRelaxation;
+pub use box_relaxation::{BoxMotion, BoxRelaxation};
 pub use spheres::{MotionTotals, Spheres, Step, advance, inertia};
 pub use verlet::Integrator;
 pub use walls::{WallWork, drive, kinetic_energy};

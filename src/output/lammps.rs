@@ -1,6 +1,6 @@
 //! The state of a simulation as LAMMPS with the plugin of `bindings/lammps` reads it: a data file, the history of the pairs, an input script.
 
-use crate::motion;
+use crate::motion::{self, BoxMotion};
 use crate::simulation::{Integrator, Simulation};
 use crate::spec::mechanics::sphere::sphere_mass;
 use crate::spec::{Flat, PairModel, Vec3};
@@ -228,8 +228,9 @@ fn motion_of<M: PairModel>(text: &mut String, simulation: &Simulation<M>) {
     let damping = settings.damping;
     if !has_free_bodies(system) && settings.integrator == Integrator::HalfStep {
         let relax = settings.relax_box.map_or(String::new(), |relaxation| {
-            let ([a, b, c], [x, y, z]) = (simulation.box_rate(), simulation.momentum_flux());
-            format!(" relax {} {a} {b} {c} {x} {y} {z}", relaxation.modulus)
+            let (BoxMotion { rate, owed }, flux) = (simulation.box_motion(), simulation.momentum_flux());
+            let numbers: String = [rate, owed, flux].into_iter().flatten().map(|number| format!(" {number}")).collect();
+            format!(" relax {}{numbers}", relaxation.modulus)
         });
         line(text, format_args!("fix step all veridem/step damping {damping}{}{relax}", walls(system)));
     } else {

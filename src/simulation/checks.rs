@@ -105,7 +105,7 @@ impl<M: PairModel> Simulation<M> {
 
     /// A NaN anywhere makes the kinetic energy one, but for that of a box whose spheres are at rest.
     pub(super) fn check_finite(&self, kinetic: f64) -> Result<(), Halt> {
-        if !self.box_rate.iter().all(|rate| rate.is_finite()) {
+        if !self.box_motion.rate.iter().all(|rate| rate.is_finite()) {
             return Err(self.not_a_number("sides of the box"));
         }
         if kinetic.is_finite() {

@@ -23,7 +23,7 @@ pub use snapshot::Snapshot;
 use crate::error::{Halt, Reason};
 use crate::forces::{self, Block, MergedLoads, Totals, stored_loads};
 use crate::interrupt::Interrupt;
-use crate::motion::{self, LoadTable, MotionTotals, Spheres};
+use crate::motion::{self, BoxMotion, LoadTable, MotionTotals, Spheres};
 use crate::spec::mechanics::box_relaxation::box_work;
 use crate::spec::mechanics::box_stress::box_stress;
 use crate::spec::{PairModel, Vec3};
@@ -53,8 +53,7 @@ pub struct Simulation<M: PairModel> {
     far_known: bool,
     /// The counts by which contacts have their shares of moments of inertia; empty before the first evaluation of a neighbour list.
     shares: Shares,
-    /// Rates of strain of the sides, 1/ns.
-    box_rate: [f64; 3],
+    box_motion: BoxMotion,
     momentum_flux: [f64; 3],
     stress: [f64; 3],
     ledger: Ledger,
@@ -90,7 +89,7 @@ impl<M: PairModel> Simulation<M> {
             reach: 0.0,
             far_known: false,
             shares: Shares::default(),
-            box_rate: [0.0; 3],
+            box_motion: BoxMotion::default(),
             momentum_flux: [0.0; 3],
             stress: [0.0; 3],
             ledger: Ledger::default(),
@@ -164,9 +163,9 @@ impl<M: PairModel> Simulation<M> {
         self.stress
     }
 
-    /// Rates of strain of the sides of the box, 1/ns.
-    pub fn box_rate(&self) -> [f64; 3] {
-        self.box_rate
+    /// The motion of the sides of the box.
+    pub fn box_motion(&self) -> BoxMotion {
+        self.box_motion
     }
 
     /// Diagonal of the sum of `m v v` of the last step, zJ.
@@ -232,7 +231,7 @@ impl<M: PairModel> Simulation<M> {
         let growth = match &self.settings.relax_box {
             Some(relaxation) => {
                 let mass = self.system.particles.mass.iter().sum();
-                relaxation.grow(&mut self.box_rate, self.stress, domain, mass, dt)
+                relaxation.grow(&mut self.box_motion, self.stress, domain, mass, dt)
             }
             None => [1.0; 3],
         };

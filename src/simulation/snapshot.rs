@@ -6,7 +6,7 @@
 use super::shares::Shares;
 use super::{Integrator, Ledger, Listed, Settings, Simulation, VerletState};
 use crate::error::{Halt, Reason};
-use crate::motion::LoadTable;
+use crate::motion::{BoxMotion, LoadTable};
 use crate::spec::{Flat, PairModel};
 use crate::system::{Springs, Surface, System, bounded};
 use serde::{Deserialize, Serialize};
@@ -21,7 +21,7 @@ pub struct Snapshot {
     memory: Vec<f64>,
     /// The held forces of far pairs, block by block, if the next step uses them.
     far: Option<Vec<f64>>,
-    box_rate: [f64; 3],
+    box_motion: BoxMotion,
     momentum_flux: [f64; 3],
     stress: [f64; 3],
     ledger: Ledger,
@@ -36,9 +36,9 @@ impl Snapshot {
 
     /// Whether its numbers are bounded, its lists have the same lengths, and its indices and ids are those of something.
     pub fn is_sound(&self) -> bool {
-        let Self { system, begun, listed, memory, far, box_rate, momentum_flux, stress, ledger, held } = self;
-        let numbers = memory.iter().chain(far.iter().flatten()).chain(box_rate).chain(momentum_flux).chain(stress);
-        let numbers = numbers.chain([begun]);
+        let Self { system, begun, listed, memory, far, box_motion, momentum_flux, stress, ledger, held } = self;
+        let numbers = memory.iter().chain(far.iter().flatten()).chain(momentum_flux).chain(stress);
+        let numbers = numbers.chain(&box_motion.rate).chain(&box_motion.owed).chain([begun]);
         system.is_sound() && listed.is_sound(system) && ledger.is_sound() && held.is_sound() && bounded(numbers)
     }
 }
@@ -61,7 +61,7 @@ impl<M: PairModel> Simulation<M> {
             system,
             begun: self.begun,
             listed: self.listed.clone(),
-            box_rate: self.box_rate,
+            box_motion: self.box_motion,
             momentum_flux: self.momentum_flux,
             stress: self.stress,
             ledger: self.ledger.clone(),
@@ -75,7 +75,7 @@ impl<M: PairModel> Simulation<M> {
     ///
     /// If the settings make no sense, or the snapshot is that of another model or integrator.
     pub fn resume(model: M, settings: Settings, snapshot: Snapshot) -> Result<Self, Halt> {
-        let Snapshot { system, begun, listed, memory, far, box_rate, momentum_flux, stress, ledger, held } = snapshot;
+        let Snapshot { system, begun, listed, memory, far, box_motion, momentum_flux, stress, ledger, held } = snapshot;
         let (blocks, load_table, on_walls, reach, far_known) =
             (Vec::new(), LoadTable::default(), Vec::new(), 0.0, false);
         let mut simulation = Self {
@@ -88,7 +88,7 @@ impl<M: PairModel> Simulation<M> {
             reach,
             far_known,
             shares: Shares::default(),
-            box_rate,
+            box_motion,
             momentum_flux,
             stress,
             ledger,
@@ -156,12 +156,13 @@ mod tests {
         let simulation = Simulation::new(law, system, Settings::new(1e-4).skin(1.0)).expect("a stable step");
         let whole = simulation.snapshot();
         assert!(whole.is_sound());
-        let spoil: [fn(&mut Snapshot); 8] = [
+        let spoil: [fn(&mut Snapshot); 9] = [
             |snapshot| snapshot.system.particles.x[0].0[0] = f64::NAN,
             |snapshot| snapshot.begun = f64::NAN,
             |snapshot| snapshot.memory[0] = f64::INFINITY,
             |snapshot| snapshot.far = Some(vec![f64::NAN]),
-            |snapshot| snapshot.box_rate[2] = f64::NAN,
+            |snapshot| snapshot.box_motion.rate[2] = f64::NAN,
+            |snapshot| snapshot.box_motion.owed[0] = f64::NAN,
             |snapshot| snapshot.momentum_flux[1] = f64::NAN,
             |snapshot| snapshot.stress[0] = f64::NAN,
             |snapshot| snapshot.ledger.kinetic = f64::NAN,

@@ -14,9 +14,9 @@
 
 using namespace LAMMPS_NS;
 
-static const char *const EXPECTED = "first, damping C, wall GROUP MASS DRIVE DRIVE DRIVE, or relax MODULUS with six numbers";
+static const char *const EXPECTED = "first, damping C, wall GROUP MASS DRIVE DRIVE DRIVE, or relax MODULUS with nine numbers";
 
-/* fix ID group veridem/step [first] [damping C] [wall GROUP MASS DRIVE DRIVE DRIVE]... [relax MODULUS RATES FLUXES]; a drive is a load, NULL for
+/* fix ID group veridem/step [first] [damping C] [wall GROUP MASS DRIVE DRIVE DRIVE]... [relax MODULUS RATES OWED FLUXES]; a drive is a load, NULL for
  * the velocity that the wall has, or return SPEED TURN AGE */
 FixVeridemStep::FixVeridemStep(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg) {
   auto number = [&](int k) { return utils::numeric(FLERR, arg[k], false, lmp); };
@@ -28,11 +28,11 @@ FixVeridemStep::FixVeridemStep(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, nar
       damping = number(k + 1);
       if (!(damping >= 0.0)) error->all(FLERR, "fix veridem/step: found a damping of {}, expected 0 or more", arg[k + 1]);
       k += 2;
-    } else if (strcmp(arg[k], "relax") == 0 && k + 7 < narg) {
+    } else if (strcmp(arg[k], "relax") == 0 && k + 10 < narg) {
       box.reset(new RelaxingBox(lmp, number(k + 1)));
-      for (int a = 0; a < 3; a++) box->rate[a] = number(k + 2 + a), box->flux[a] = number(k + 5 + a);
+      for (int a = 0; a < 3; a++) box->rate[a] = number(k + 2 + a), box->owed[a] = number(k + 5 + a), box->flux[a] = number(k + 8 + a);
       box_change |= BOX_CHANGE_SIZE;
-      k += 8;
+      k += 11;
     } else if (strcmp(arg[k], "wall") == 0 && k + 5 < narg) {
       int place = group->find(arg[k + 1]);
       if (place < 0) error->all(FLERR, "fix veridem/step: there is no group {}", arg[k + 1]);
@@ -145,7 +145,8 @@ double FixVeridemStep::compute_scalar() {
 void FixVeridemStep::write_restart(FILE *fp) {
   std::vector<double> state = {static_cast<double>(walls.size()), box ? 1.0 : 0.0, compute_scalar()};
   for (const auto &wall : walls) state.push_back(wall.age);
-  if (box) state.insert(state.end(), box->rate.begin(), box->rate.end()), state.insert(state.end(), box->flux.begin(), box->flux.end());
+  if (box)
+    for (const auto &numbers : {box->rate, box->owed, box->flux}) state.insert(state.end(), numbers.begin(), numbers.end());
   if (comm->me != 0) return;
   int bytes = static_cast<int>(state.size() * sizeof(double));
   fwrite(&bytes, sizeof(int), 1, fp);
@@ -161,5 +162,6 @@ void FixVeridemStep::restart(char *buf) {
   drag = comm->me == 0 ? *state : 0.0;
   state++;
   for (auto &wall : walls) wall.age = *state++;
-  if (box) std::copy_n(state, 3, box->rate.begin()), std::copy_n(state + 3, 3, box->flux.begin());
+  if (box)
+    for (auto *numbers : {&box->rate, &box->owed, &box->flux}) std::copy_n(state, 3, numbers->begin()), state += 3;
 }

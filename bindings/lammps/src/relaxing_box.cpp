@@ -30,7 +30,9 @@ void RelaxingBox::follow() {
   for (int a = 0; a < 3; a++) {
     double inertia = equation<1>(error, "mechanics-box-inertia", {mass, domain->prd[a]})[0];
     rate[a] = equation<1>(error, "mechanics-box-strain-rate", {rate[a], stress[a], modulus, volume, inertia, dt})[0];
-    growth[a] = equation<1>(error, "mechanics-growth", {rate[a], dt})[0];
+    auto [growing, rest] = equation<2>(error, "mechanics-growing-rate", {rate[a], owed[a], dt});
+    owed[a] = rest;
+    growth[a] = equation<1>(error, "mechanics-growth", {growing, dt})[0];
   }
 }
 

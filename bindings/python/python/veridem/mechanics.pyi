@@ -22,6 +22,7 @@ __all__ = [
     "drift",
     "elongation",
     "excess_of_a_kick",
+    "growing_rate",
     "growth",
     "gyration_term",
     "hcp_cell",
@@ -556,6 +557,53 @@ def growth(rate: float | str, dt: float | str, *, check: bool = True) -> float:
     """
 @overload
 def growth(rate: ArrayLike | str, dt: ArrayLike | str, *, check: bool = True) -> NDArray[np.float64]: ...
+
+@type_check_only
+class _GrowingRate(NamedTuple):
+    growing: Any
+    owed_next: Any
+
+def growing_rate(rate: ArrayLike | str, owed: ArrayLike | str, dt: ArrayLike | str, *, check: bool = True) -> _GrowingRate:
+    """Rate of strain at which a side grows in a time step, and the rate that it owes to the next one.
+
+    Parameters
+    ----------
+    rate : float or array [1/s]
+        $\\dot\\varepsilon_n$: rate of strain of the side
+    owed : float or array [1/s]
+        $\\dot\\varepsilon_o$: rate of the steps before in which it did not grow
+    dt : float or array [s], > 0
+        $\\Delta t$: time step
+    check : bool
+        refuse values outside their domain, and results that are not finite
+
+    Returns
+    -------
+    growing : float or array [1/s]
+        $\\dot\\varepsilon$: rate at which it grows
+    owed_next : float or array [1/s]
+        $\\dot\\varepsilon_o'$: rate that it owes
+
+    Formula as printed
+    ------------------
+        (\\dot\\varepsilon, \\dot\\varepsilon_o') =
+        \\begin{cases}
+        (0, \\dot\\varepsilon_n + \\dot\\varepsilon_o) & |\\dot\\varepsilon_n + \\dot\\varepsilon_o| \\, \\Delta t < 2^{-50} \\\\
+        (\\dot\\varepsilon_n + \\dot\\varepsilon_o, 0) & \\text{otherwise}
+        \\end{cases}
+
+    Reading
+    -------
+    A box of many spheres comes to rest by strains of less than the rounding of a position in each step. They are added up until they can move
+    something: otherwise the box stops while stress remains in it.
+
+    Laws
+    ----
+    * a strain is only postponed
+    * a side that grows grows by more than its rounding
+
+    mechanics-growing-rate, spec/mechanics/box_relaxation.rs, rounding error at most 0.5 ULP
+    """
 
 def box_work(virial: ArrayLike, factor: ArrayLike, *, check: bool = True) -> Any:
     """Work of the sides of a box on the spheres inside it in a time step.
