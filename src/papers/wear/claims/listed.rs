@@ -78,7 +78,7 @@ pub const LISTED: &[Listed] = &[
         claim: "Young's modulus of amorphous samples; weak samples fail",
         paper: "falling; fails above 20 d_c",
         rows: &[("amorphous", "Fig. 8"), ("amorphous", "Young's modulus")],
-        open: "a weak sample of the paper's size: after 110,000 steps it had not relaxed",
+        open: "",
     },
     Listed {
         id: "P-T10",
