@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 pub struct BoxMotion {
     /// Rates of strain, 1/ns.
     pub rate: [f64; 3],
-    /// Rates of the steps before in which the sides did not grow, as that would have been by less than the rounding of a position, 1/ns.
+    /// Sum of the rates of the steps before in which a side did not grow, as that would have been by less than the rounding of a position, 1/ns.
     pub owed: [f64; 3],
 }
 

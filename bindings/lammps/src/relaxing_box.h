@@ -12,7 +12,7 @@ namespace LAMMPS_NS {
 class RelaxingBox : protected Pointers {
  public:
   std::array<double, 3> rate;    /* of strain of the sides, 1/ns */
-  std::array<double, 3> owed;    /* of the steps before in which a side did not grow, 1/ns */
+  std::array<double, 3> owed;    /* sum of the rates of the steps before in which a side did not grow, 1/ns */
   std::array<double, 3> flux;    /* of momentum after the last step */
 
   RelaxingBox(class LAMMPS *lmp, double young_modulus) : Pointers(lmp), modulus(young_modulus) {}
